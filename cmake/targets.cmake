@@ -1,0 +1,34 @@
+# How every target of ours is compiled, and the two functions that declare one.
+
+# Fused multiply-adds would make the bits of a generated key depend on the machine, so contraction is off.
+add_library(interleaf_options INTERFACE)
+target_compile_options(interleaf_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off)
+target_include_directories(interleaf_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
+if(INTERLEAF_WARNINGS_AS_ERRORS)
+  target_compile_options(interleaf_options INTERFACE -Werror)
+endif()
+if(INTERLEAF_ASSERTIONS)
+  target_compile_options(interleaf_options INTERFACE -UNDEBUG)
+endif()
+if(INTERLEAF_SANITIZE)
+  set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -O1)
+  target_compile_options(interleaf_options INTERFACE ${sanitizers})
+  target_link_options(interleaf_options INTERFACE ${sanitizers})
+endif()
+
+# interleaf_library(NAME SOURCES... LINK targets...): the layer src/NAME as the target interleaf_NAME.
+function(interleaf_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK;LINK_PRIVATE" ${ARGN})
+  add_library(interleaf_${name} STATIC ${arg_SOURCES})
+  target_link_libraries(interleaf_${name} PUBLIC interleaf_options ${arg_LINK} PRIVATE ${arg_LINK_PRIVATE})
+endfunction()
+
+# interleaf_test(NAME SOURCES... LINK targets...): a doctest program tests_NAME, run by ctest as NAME.
+function(interleaf_test name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(tests_${name} ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/tests/main.cpp)
+  target_include_directories(tests_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(tests_${name} PRIVATE interleaf_options ${arg_LINK} doctest::doctest)
+  add_test(NAME ${name} COMMAND tests_${name})
+endfunction()

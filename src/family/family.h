@@ -1,0 +1,42 @@
+// A family: named keys over one root complex, with a timeline and a parameter domain (paper, sections 3.2 and 4).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "family/parameter_domain.h"
+#include "family/timeline.h"
+#include "family/weights.h"
+#include "hierarchy/hierarchy.h"
+#include "hierarchy/union_mesh.h"
+
+namespace interleaf {
+
+struct Key {
+    std::string name;  ///< unique in its family
+    Hierarchy hierarchy;
+};
+
+struct Family {
+    std::string name;
+    std::vector<Key> keys;
+    std::optional<Timeline> timeline;
+    std::optional<ParameterDomain> domain;
+};
+
+/// Index of the key called \p name; none when there is no such key.
+std::optional<std::size_t> find_key(const Family& family, std::string_view name);
+
+/// Every violation of what a family promises: at least one key, names unique and not empty, the same root complex (constraints (B),
+/// naming the keys), timeline and domain naming keys that exist. One sentence each.
+std::vector<std::string> check(const Family& family);
+
+/// The union of the active keys of \p weights, one position stream a weight, in their order.
+UnionMesh unite(const Family& family, const Weights& weights);
+
+/// The same into the buffers of \p mesh.
+void unite(const Family& family, const Weights& weights, UnionMesh& mesh);
+
+}  // namespace interleaf

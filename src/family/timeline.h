@@ -1,0 +1,37 @@
+// Timeline: keys at given times, and the weights between them (paper, section 3.1, equation (2)).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "family/weights.h"
+
+namespace interleaf {
+
+struct TimelineKey {
+    double time;      ///< seconds
+    std::size_t key;  ///< index of the key in its family
+    bool operator==(const TimelineKey&) const = default;
+};
+
+class Timeline {
+  public:
+    /// \throw InputError unless there is at least one key, times are finite and strictly ascending
+    explicit Timeline(std::vector<TimelineKey> keys);
+
+    std::span<const TimelineKey> keys() const { return keys_; }
+    double begin() const { return keys_.front().time; }
+    double end() const { return keys_.back().time; }
+
+    /// Linear interpolation between the keys before and after \p time, clamped to begin() and end(): (1 - s) and s on the two keys
+    /// of the interval (at a key's own time, those of the interval that begins there). One key, and two neighbours
+    /// that are the same key, give one weight 1.
+    Weights at(double time) const;
+
+    bool operator==(const Timeline&) const = default;
+
+  private:
+    std::vector<TimelineKey> keys_;
+};
+
+}  // namespace interleaf

@@ -1,0 +1,34 @@
+// Figures of an indexed triangle mesh, for `interleaf info` and for tests.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+
+#include "hierarchy/triangle.h"
+
+namespace interleaf {
+
+struct Box {
+    glm::vec3 min{0};
+    glm::vec3 max{0};
+    float diagonal() const;
+};
+
+Box bounding_box(std::span<const glm::vec3> positions);
+
+struct Measures {
+    double area = 0;       ///< in squared units of the positions
+    double volume = 0;     ///< enclosed, signed: positive when triangles are counter-clockwise seen from outside; closed meshes
+    double min_angle = 0;  ///< smallest angle of any triangle, degrees
+};
+
+Measures measure(std::span<const Triangle> triangles, std::span<const glm::vec3> positions);
+
+/// Vertices - edges + faces of any indexed mesh; isolated vertices do not count.
+int euler_number(std::span<const Triangle> triangles);
+
+/// Whether each edge belongs to exactly two triangles that run along it in opposite directions.
+bool is_closed_manifold(std::span<const Triangle> triangles);
+
+}  // namespace interleaf

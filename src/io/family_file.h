@@ -1,0 +1,20 @@
+// Family files: family.json with the key files beside it. docs/file-formats.md gives the schema.
+#pragma once
+
+#include <filesystem>
+
+#include "family/family.h"
+
+namespace interleaf {
+
+/// Reads a family from a family.json, from the folder that holds one, or, as a family of one key, from a single .ilh or .obj
+/// file. Key files must lie inside the family's folder. What was read has passed check().
+/// \throw InputError   naming the file, the place and what was expected
+/// \throw MachineError when a file cannot be opened or read
+Family read_family(const std::filesystem::path& path);
+
+/// Writes family.json and the keys as NAME.ilh into \p folder, which is made if missing.
+/// \throw MachineError when something cannot be written
+void write_family(const Family& family, const std::filesystem::path& folder);
+
+}  // namespace interleaf

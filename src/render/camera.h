@@ -1,0 +1,44 @@
+// The camera: it looks at a target point from a distance, Y up, 35 degrees vertical field. Pure arithmetic, no GL.
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "hierarchy/measure.h"
+
+namespace interleaf {
+
+inline constexpr float vertical_field_degrees = 35.0F;
+
+class Camera {
+  public:
+    /// Sees the whole of \p box at width / height = \p aspect from where it looks now, with a margin.
+    void frame(const Box& box, float aspect);
+
+    /// Looks from \p azimuth (about Y, 0 from +Z) and \p elevation (above the XZ plane), both in degrees.
+    void look_from(float azimuth, float elevation);
+
+    /// Turns about the target: \p delta is the pointer's way in units of the picture's height, x right, y down.
+    void orbit(glm::vec2 delta);
+
+    /// Shifts the target so that it stays under the pointer; \p delta as in orbit().
+    void pan(glm::vec2 delta);
+
+    /// Comes nearer by \p factor (above 1 nearer) with the point under the pointer staying there. \p pointer in normalised
+    /// device coordinates, -1 to 1, y up.
+    void zoom(float factor, glm::vec2 pointer, float aspect);
+
+    glm::mat4 view() const;
+    glm::mat4 projection(float aspect) const;
+    glm::vec3 eye() const;
+
+  private:
+    glm::vec3 target_{0};
+    glm::quat orientation_{1, 0, 0, 0};  ///< from camera to world
+    float distance_ = 4;
+    float scene_radius_ = 1;  ///< of the framed box, for the clipping planes
+};
+
+}  // namespace interleaf

@@ -1,0 +1,47 @@
+// OpenGL 3.3 core contexts: a GLFW window, and EGL without a display. Either one is current in its thread from
+// construction on, with the GL functions loaded and KHR_debug messages collected where the driver has them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace interleaf {
+
+/// EGL on the surfaceless platform: draws into an OffscreenTarget, needs no display.
+class EglContext {
+  public:
+    /// \throw MachineError saying which step failed
+    EglContext();
+    ~EglContext();
+    EglContext(EglContext&& other) noexcept;
+    EglContext& operator=(EglContext&& other) noexcept;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// A GLFW window, shown or hidden.
+class Window {
+  public:
+    /// \param width, height  in screen coordinates
+    /// \throw MachineError when there is no display or no OpenGL 3.3
+    Window(const std::string& title, int width, int height, bool visible = true);
+    ~Window();
+    Window(Window&& other) noexcept;
+    Window& operator=(Window&& other) noexcept;
+
+    GLFWwindow* handle() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// The KHR_debug messages of severity low and above since the last call, oldest first.
+std::vector<std::string> take_debug_messages();
+
+}  // namespace interleaf
