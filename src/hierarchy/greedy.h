@@ -1,4 +1,5 @@
-// Greedy refinement: always the leaf of the largest error next, until a budget of leaves or a tolerance is reached.
+// Greedy refinement: always the leaf of the largest error next, until a budget of leaves or a tolerance is
+// reached.
 #pragma once
 
 #include <functional>
@@ -9,15 +10,20 @@
 namespace interleaf {
 
 struct GreedyOptions {
-    Index leaves = std::numeric_limits<Index>::max();  ///< at most this many leaves, and as near as closure allows
-    double tolerance = 0;                              ///< stop when no leaf's error is larger; same unit as the error
+    Index leaves =
+        std::numeric_limits<Index>::max();  ///< at most this many leaves, and as near as closure allows
+    double tolerance = 0;                   ///< stop when no leaf's error is larger; same unit as the error
 };
 
-/// Refines \p mesh by the errors that \p error gives for its leaves; an error must depend on nothing but the leaf.
+/// The error of a leaf, not negative.
+using LeafError = std::function<double(const AdaptiveMesh&, Index leaf)>;
+
+/// Refines \p mesh by the errors that \p error gives for its leaves; an error must depend on nothing but the
+/// leaf.
 ///
-/// Errors are compared in 12 significant bits and equal ones are taken in the order of root, level and path. So rounding, which
-/// differs between mathematical libraries, does not decide which of many equal leaves of a symmetric surface comes first.
-void refine_greedily(AdaptiveMesh& mesh, const std::function<double(const AdaptiveMesh&, Index leaf)>& error,
-                     const GreedyOptions& options);
+/// Errors are compared in 12 significant bits and the older of equal leaves goes first. So rounding, which
+/// differs between mathematical libraries, does not decide which of many equal leaves of a symmetric surface
+/// comes first.
+void refine_greedily(AdaptiveMesh& mesh, const LeafError& error, const GreedyOptions& options);
 
 }  // namespace interleaf

@@ -1,18 +1,19 @@
 // The triangle hierarchy in its frozen form: what a key is, in memory and on disk (paper, section 2.1).
 //
-// The forest of bisected root triangles is written in preorder: for each node one bit (1 bisected, 0 leaf) and for each
-// bisected node the index of the vertex at the middle of its refinement edge. Children follow their parent in the stream
-// and their triples are those of bisect(), so there are no child, parent or sibling references: about 10.25
-// bytes a leaf, positions included.
+// The forest of bisected root triangles is written in preorder: for each node one bit (1 bisected, 0 leaf)
+// and for each bisected node the index of the vertex at the middle of its refinement edge. Children follow
+// their parent in the stream and their triples are those of bisect(), so there are no child, parent or
+// sibling references: about 10.25 bytes a leaf, positions included.
 //
-// Vertices are numbered: those of the root complex in its order, then midpoints by their first visit in preorder.
-// check() in checker.h states every invariant; a Hierarchy that has passed it is conforming.
+// Vertices are numbered: those of the root complex in its order, then midpoints by their first visit in
+// preorder. check() in checker.h states every invariant; a Hierarchy that has passed it is conforming.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "hierarchy/root_complex.h"
 #include "hierarchy/triangle.h"
@@ -21,8 +22,9 @@ namespace interleaf {
 
 struct Hierarchy {
     RootComplex roots;
-    std::vector<std::uint64_t> bits;   ///< preorder bits, lowest bit of the first word first; unused bits are 0
-    std::vector<Index> midpoints;      ///< vertex of each bisected node, in preorder
+    std::vector<std::uint64_t>
+        bits;                      ///< preorder bits, lowest bit of the first word first; unused bits are 0
+    std::vector<Index> midpoints;  ///< vertex of each bisected node, in preorder
     std::vector<glm::vec3> positions;  ///< one a vertex
 
     std::size_t vertex_count() const { return positions.size(); }
@@ -44,9 +46,9 @@ struct Leaf {
 
 /// The hierarchy whose leaves, root after root in preorder, are \p leaves.
 ///
-/// The levels alone determine the forest and the triples its midpoints, so this freezes an adaptive mesh and a union alike.
-/// Vertices are renumbered by first visit; \p positions is indexed by the numbers used in \p leaves, root vertices first.
-/// \pre  the leaves are those of a conforming refinement of \p roots
+/// The levels alone determine the forest and the triples its midpoints, so this freezes an adaptive mesh and
+/// a union alike. Vertices are renumbered by first visit; \p positions is indexed by the numbers used in \p
+/// leaves, root vertices first. \pre  the leaves are those of a conforming refinement of \p roots
 Hierarchy hierarchy_from_leaves(const RootComplex& roots, const std::vector<Leaf>& leaves,
                                 const std::vector<glm::vec3>& positions);
 

@@ -1,9 +1,10 @@
 // Figures of an indexed triangle mesh, for `interleaf info` and for tests.
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
+
+#include <glm/vec3.hpp>
 
 #include "hierarchy/triangle.h"
 
@@ -19,7 +20,8 @@ Box bounding_box(std::span<const glm::vec3> positions);
 
 struct Measures {
     double area = 0;       ///< in squared units of the positions
-    double volume = 0;     ///< enclosed, signed: positive when triangles are counter-clockwise seen from outside; closed meshes
+    double volume = 0;     ///< enclosed, signed: positive when triangles are counter-clockwise seen from
+                           ///< outside; closed meshes
     double min_angle = 0;  ///< smallest angle of any triangle, degrees
 };
 

@@ -1,8 +1,10 @@
-// The root complex: the coarse triangulation that all keys of a family share (paper, section 3.2, constraints (B)).
+// The root complex: the coarse triangulation that all keys of a family share (paper, section 3.2, constraints
+// (B)).
 //
-// It is an orientable triangulated 2-manifold, closed or with boundary, of any genus and any number of components,
-// and a simplicial complex: no two triangles have the same three vertices. The order of each triple carries the marking:
-// the refinement edge is opposite the first vertex. Connectivity only; positions belong to the keys.
+// It is an orientable triangulated 2-manifold, closed or with boundary, of any genus and any number of
+// components, and a simplicial complex: no two triangles have the same three vertices. The order of each
+// triple carries the marking: the refinement edge is opposite the first vertex. Connectivity only; positions
+// belong to the keys.
 #pragma once
 
 #include <span>
@@ -23,7 +25,8 @@ class RootComplex {
 
     std::span<const Triangle> triangles() const { return triangles_; }
 
-    /// For each triangle, its neighbours across the edges opposite its three vertices; no_index at the boundary.
+    /// For each triangle, its neighbours across the edges opposite its three vertices; no_index at the
+    /// boundary.
     std::span<const Triangle> neighbours() const { return neighbours_; }
 
     Index triangle_count() const { return static_cast<Index>(triangles_.size()); }

@@ -1,7 +1,7 @@
 // A triangle and its bisection: the one rule on which everything else rests (paper, section 2.1, figure 4).
 //
-// The refinement edge of a triangle (i, j, k) is the edge (j, k) opposite its first vertex. Bisection puts a new
-// vertex l at the middle of (j, k) and gives the children (l, k, i) and (l, i, j), in that order. So the
+// The refinement edge of a triangle (i, j, k) is the edge (j, k) opposite its first vertex. Bisection puts a
+// new vertex l at the middle of (j, k) and gives the children (l, k, i) and (l, i, j), in that order. So the
 // refinement edge of every descendant follows from the order of the root's vertices; nothing marks it.
 #pragma once
 

@@ -1,17 +1,20 @@
-// The union of hierarchies (paper, theorem 2 and section 3.3, figures 6 and 7): the smallest hierarchy that contains
-// several keys over one root complex, as an indexed mesh of its leaves with one position stream a key.
+// The union of hierarchies (paper, theorem 2 and section 3.3, figures 6 and 7): the smallest hierarchy that
+// contains several keys over one root complex, as an indexed mesh of its leaves with one position stream a
+// key.
 //
-// One synchronous walk over the preorder streams, each read once, front to back. A node of the union is bisected where any
-// key bisects it. The midpoint of its refinement edge (a, b) gets, in a key that is bisected here, that key's own
-// vertex, and in every other key the mean of that key's values at a and b: this is what composing the level maps of
-// equation (1) gives (docs/theory.md has the proof, the tests compare with the literal composition).
+// One synchronous walk over the preorder streams, each read once, front to back. A node of the union is
+// bisected where any key bisects it. The midpoint of its refinement edge (a, b) gets, in a key that is
+// bisected here, that key's own vertex, and in every other key the mean of that key's values at a and b: this
+// is what composing the level maps of equation (1) gives (docs/theory.md has the proof, the tests compare
+// with the literal composition).
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/triangle.h"
@@ -20,7 +23,8 @@ namespace interleaf {
 
 /// What a union leaf carries besides its vertices, packed in 32 bits.
 ///
-/// Corner exponents: the weight of the leaf at its corner c in a vertex normal is 2^corner_exponent(c); see vertex_normals.h.
+/// Corner exponents: the weight of the leaf at its corner c in a vertex normal is 2^corner_exponent(c); see
+/// vertex_normals.h.
 class LeafTag {
   public:
     LeafTag() = default;
@@ -43,10 +47,15 @@ class LeafTag {
     std::uint32_t packed_ = 0;
 };
 
-/// Set of active keys as bits: bit i for the i-th key given to unite(); keys from the 31st on share bit 31.
+/// The tags of the children of a triangle with the tag \p parent; see vertex_normals.h for the exponents.
+std::array<LeafTag, 2> child_tags(LeafTag parent);
+
+/// Set of active keys as bits: bit i for the i-th key given to unite(); those numbered 31 and up share bit 31.
 using KeySet = std::uint32_t;
 
-constexpr KeySet key_bit(std::size_t key) { return KeySet{1} << (key < 31 ? key : 31); }
+constexpr KeySet key_bit(std::size_t key) {
+    return KeySet{1} << (key < 31 ? key : 31);
+}
 
 /// How a vertex of the union came to be.
 struct VertexOrigin {
@@ -56,11 +65,15 @@ struct VertexOrigin {
 
 struct UnionMesh {
     RootComplex roots;
-    std::vector<Triangle> triangles;      ///< leaves in preorder; refinement edge opposite the first vertex
-    std::vector<LeafTag> tags;            ///< one a triangle
-    std::vector<KeySet> origins;          ///< one a triangle: the keys in which this leaf is a node, bisected this far
-    std::vector<VertexOrigin> vertices;   ///< root vertices, then midpoints by first visit: ends come before midpoints
+    std::vector<Triangle> triangles;  ///< leaves in preorder; refinement edge opposite the first vertex
+    std::vector<LeafTag> tags;        ///< one a triangle
+    std::vector<KeySet>
+        origins;  ///< one a triangle: the keys in which this leaf is a node, bisected this far
+    std::vector<VertexOrigin>
+        vertices;  ///< root vertices, then midpoints by first visit: ends come before midpoints
     std::vector<std::vector<glm::vec3>> positions;  ///< positions[key][vertex]
+    std::vector<std::vector<Index>>
+        own_vertices;  ///< own_vertices[key][v]: where the key's vertex v is in the union
 
     std::size_t leaf_count() const { return triangles.size(); }
     std::size_t vertex_count() const { return vertices.size(); }

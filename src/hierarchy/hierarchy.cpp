@@ -1,0 +1,106 @@
+#include "hierarchy/hierarchy.h"
+
+#include <cassert>
+#include <utility>
+
+namespace interleaf {
+
+namespace {
+
+void append_bit(Hierarchy& hierarchy, std::size_t& count, bool bisected) {
+    if (count % 64 == 0) hierarchy.bits.push_back(0);
+    if (bisected) hierarchy.bits.back() |= std::uint64_t{1} << (count % 64);
+    ++count;
+}
+
+/// Writes bits and midpoints, the midpoints in the numbers that \p leaves use.
+void write_preorder(Hierarchy& hierarchy, const std::vector<Leaf>& leaves) {
+    struct OpenNode {
+        std::size_t place;     ///< of its midpoint
+        bool has_first_child;  ///< whether the first child is complete
+        Triangle first_child;
+    };
+    std::vector<OpenNode> open;  // the bisected nodes above the next leaf: as many as its level
+    std::size_t bit_count = 0;
+    for (const Leaf& leaf : leaves) {
+        while (open.size() < leaf.level) {
+            append_bit(hierarchy, bit_count, true);
+            open.push_back({hierarchy.midpoints.size(), false, {}});
+            hierarchy.midpoints.push_back(no_index);
+        }
+        append_bit(hierarchy, bit_count, false);
+
+        // A complete first child waits for its sibling; a complete second child completes its parent.
+        Triangle node = leaf.vertices;
+        while (!open.empty() && open.back().has_first_child) {
+            assert(open.back().first_child[0] == node[0]);
+            hierarchy.midpoints[open.back().place] = node[0];
+            node = merge(open.back().first_child, node);
+            open.pop_back();
+        }
+        if (!open.empty()) {
+            open.back().has_first_child = true;
+            open.back().first_child = node;
+        }
+    }
+    assert(open.empty() && bit_count == hierarchy.node_count());
+}
+
+}  // namespace
+
+std::size_t Hierarchy::byte_count() const {
+    return bits.size() * sizeof(bits[0]) + midpoints.size() * sizeof(midpoints[0]) +
+           positions.size() * sizeof(positions[0]) + 2 * roots.triangle_count() * sizeof(Triangle);
+}
+
+Hierarchy hierarchy_from_leaves(const RootComplex& roots, const std::vector<Leaf>& leaves,
+                                const std::vector<glm::vec3>& positions) {
+    Hierarchy hierarchy{roots, {}, {}, {}};
+    const std::size_t bisected_count = leaves.size() - roots.triangle_count();
+    hierarchy.midpoints.reserve(bisected_count);
+    hierarchy.bits.reserve((roots.triangle_count() + 2 * bisected_count + 63) / 64);
+    write_preorder(hierarchy, leaves);
+
+    hierarchy.positions.reserve(positions.size());
+    hierarchy.positions.assign(positions.begin(), positions.begin() + roots.vertex_count());
+    std::vector<Index> number(positions.size(), no_index);
+    for (Index& midpoint : hierarchy.midpoints) {
+        if (number[midpoint] == no_index) {
+            number[midpoint] = static_cast<Index>(hierarchy.positions.size());
+            hierarchy.positions.push_back(positions[midpoint]);
+        }
+        midpoint = number[midpoint];
+    }
+    return hierarchy;
+}
+
+std::vector<Leaf> leaves_of(const Hierarchy& hierarchy) {
+    std::vector<Leaf> leaves;
+    leaves.reserve(hierarchy.leaf_count());
+    std::vector<Leaf> pending;
+    std::size_t position = 0;
+    auto midpoint = hierarchy.midpoints.begin();
+    for (const Triangle& root : hierarchy.roots.triangles()) {
+        pending.push_back({root, 0});
+        while (!pending.empty()) {
+            const Leaf node = pending.back();
+            pending.pop_back();
+            if (!hierarchy.is_bisected(position++)) {
+                leaves.push_back(node);
+                continue;
+            }
+            const auto [first, second] = bisect(node.vertices, *midpoint++);
+            const auto level = static_cast<std::uint8_t>(node.level + 1);
+            pending.push_back({second, level});
+            pending.push_back({first, level});
+        }
+    }
+    return leaves;
+}
+
+Hierarchy unrefined(RootComplex roots, std::vector<glm::vec3> positions) {
+    std::vector<std::uint64_t> bits((roots.triangle_count() + 63) / 64, 0);
+    return {std::move(roots), std::move(bits), {}, std::move(positions)};
+}
+
+}  // namespace interleaf

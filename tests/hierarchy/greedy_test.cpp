@@ -1,0 +1,67 @@
+#include "hierarchy/greedy.h"
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+#include "hierarchy/checker.h"
+#include "hierarchy/marking.h"
+#include "hierarchy/random_families.h"
+
+using namespace interleaf;
+using namespace interleaf::testing;
+
+namespace {
+
+double longest_edge(const AdaptiveMesh& mesh, Index leaf) {
+    const auto& [a, b, c] = mesh.vertices(leaf);
+    const auto p = mesh.positions();
+    return std::max({glm::distance(p[a], p[b]), glm::distance(p[b], p[c]), glm::distance(p[c], p[a])});
+}
+
+std::vector<glm::vec3> octahedron_points() {
+    return {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a budget of leaves is never passed, and reached to within one bisection under a compatible marking of a "
+    "closed surface") {
+    for (Index budget = 8; budget < 400; budget += 7) {
+        CAPTURE(budget);
+        AdaptiveMesh mesh(octahedron(), octahedron_points());
+        refine_greedily(mesh, longest_edge, {.leaves = budget});
+        CHECK(mesh.leaf_count() <= budget);
+        CHECK(check(mesh.freeze()).empty());
+        AdaptiveMesh compatible(mark_compatibly(octahedron()), octahedron_points());
+        refine_greedily(compatible, longest_edge, {.leaves = budget});
+        CHECK(compatible.leaf_count() <= budget);
+        CHECK(compatible.leaf_count() + 2 > budget);
+    }
+}
+
+TEST_CASE("a tolerance holds for every leaf, and not for a mesh with much fewer leaves") {
+    AdaptiveMesh mesh(octahedron(), octahedron_points());
+    refine_greedily(mesh, longest_edge, {.tolerance = 0.1});
+    for (Index leaf = 0; leaf < mesh.leaf_count(); ++leaf) REQUIRE(longest_edge(mesh, leaf) <= 0.1);
+    AdaptiveMesh fewer(octahedron(), octahedron_points());
+    refine_greedily(fewer, longest_edge, {.leaves = mesh.leaf_count() / 4});
+    bool holds = true;
+    for (Index leaf = 0; leaf < fewer.leaf_count(); ++leaf) holds = holds && longest_edge(fewer, leaf) <= 0.1;
+    CHECK_FALSE(holds);
+}
+
+TEST_CASE("leaves go where the error is") {
+    AdaptiveMesh mesh(octahedron(), octahedron_points());
+    const glm::vec3 place(1, 0, 0);
+    const auto distance = [&](Index leaf) {
+        return glm::distance(mesh.positions()[mesh.vertices(leaf)[0]], place);
+    };
+    refine_greedily(
+        mesh,
+        [&](const AdaptiveMesh& m, Index leaf) { return longest_edge(m, leaf) / (0.01 + distance(leaf)); },
+        {.leaves = 500});
+    std::size_t near = 0;
+    for (Index leaf = 0; leaf < mesh.leaf_count(); ++leaf) near += distance(leaf) < 0.5F ? 1 : 0;
+    CHECK(near > mesh.leaf_count() / 2);
+}
