@@ -16,7 +16,7 @@ void morph(const UnionMesh& mesh, std::span<const float> weights, std::vector<gl
     weighted_sum(mesh.positions, weights, positions);
 }
 
-void weighted_sum(std::span<const std::vector<glm::vec3>> streams, std::span<const float> weights,
+void weighted_sum(std::span<const Buffer<glm::vec3>> streams, std::span<const float> weights,
                   std::vector<glm::vec3>& sum) {
     constexpr std::size_t block = 2048;  // vertices whose sum stays in the first-level cache
     const std::size_t count = streams[0].size();

@@ -20,7 +20,7 @@ std::vector<glm::vec3> morph(const UnionMesh& mesh, std::span<const float> weigh
 void morph(const UnionMesh& mesh, std::span<const float> weights, std::vector<glm::vec3>& positions);
 
 /// \p sum[v] = sum over s of weights[s] * streams[s][v], for streams of one length, at least one.
-void weighted_sum(std::span<const std::vector<glm::vec3>> streams, std::span<const float> weights,
+void weighted_sum(std::span<const Buffer<glm::vec3>> streams, std::span<const float> weights,
                   std::vector<glm::vec3>& sum);
 
 /// The interpolated hierarchy H(b) as a key like any other (paper, section 3.3).

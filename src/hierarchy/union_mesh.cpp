@@ -1,6 +1,7 @@
 #include "hierarchy/union_mesh.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include <fmt/core.h>
 
@@ -11,134 +12,154 @@ namespace interleaf {
 
 namespace {
 
-/// Where a key's stream stands.
+/// Where a key's stream stands, and where its part of the union is written.
 struct Cursor {
-    const Hierarchy* key;
+    const std::uint64_t* bits;
+    const Index* next_midpoint;  ///< vertex of the next bisected node
+    const glm::vec3* positions;
+    glm::vec3* stream;    ///< positions in the union
+    Index* own_vertices;  ///< where each vertex of the key is in the union
+    std::size_t node;     ///< next in the preorder
+    Index next_vertex;    ///< the vertex that the next first visit meets
     KeySet bit;
-    Index* own_vertices;   ///< where each vertex of the key is in the union
-    std::size_t position;  ///< of the next node in the preorder
-    std::size_t midpoint;  ///< of the next bisected node's midpoint
-    Index next_vertex;     ///< the vertex that the next first visit meets
 
-    bool read_bit() { return key->is_bisected(position++); }
+    bool take_bit() {
+        const bool bisected = (bits[node / 64] >> (node % 64) & 1) != 0;
+        ++node;
+        return bisected;
+    }
 };
 
 /// The walk over the nodes of the union. A node is alive in the keys in which it is a node; the streams of
-/// the others stand still.
+/// the others stand still. The buffers of the mesh have room for the largest union there may be.
 class Walk {
   public:
-    Walk(std::span<Cursor> cursors, UnionMesh& mesh) : cursors_(cursors), mesh_(mesh) {
-        alive_.resize(cursors.size() * (max_level + 2));
-    }
+    Walk(std::span<Cursor> cursors, UnionMesh& mesh)
+        : cursors_(cursors),
+          triangles_(mesh.triangles.data()),
+          tags_(mesh.tags.data()),
+          origins_(mesh.origins.data()),
+          vertices_(mesh.vertices.data()),
+          vertex_count_(mesh.roots.vertex_count()),
+          alive_(cursors.size() * (max_level + 2)) {}
 
-    void run() {
+    void run(std::span<const Triangle> roots) {
         for (std::size_t key = 0; key < cursors_.size(); ++key) alive_[key] = &cursors_[key];
-        for (const Triangle& root : mesh_.roots.triangles())
+        for (const Triangle& root : roots)
             visit(root, LeafTag(0, 0b111, {0, 0, 0}), alive_.data(), cursors_.size());
     }
 
+    std::size_t leaf_count() const { return leaf_count_; }
+    std::size_t vertex_count() const { return vertex_count_; }
+
   private:
-    /// \p alive, \p alive_count: the cursors of the keys alive here; behind them is room for those of the
-    /// children
+    /// \p alive, \p alive_count: the cursors of the keys alive here; behind them is room for the children's.
     void visit(const Triangle& node, LeafTag tag, Cursor** alive, std::size_t alive_count) {
+        if (alive_count == 1) return visit_alone(node, tag, *alive[0]);
         Cursor** const bisected = alive + alive_count;
         std::size_t bisected_count = 0;
         KeySet origin = 0;
         for (std::size_t n = 0; n < alive_count; ++n) {
             origin |= alive[n]->bit;
             bisected[bisected_count] = alive[n];
-            if (alive[n]->read_bit()) ++bisected_count;
+            if (alive[n]->take_bit()) ++bisected_count;
         }
-        if (bisected_count == 0) {
-            mesh_.triangles.push_back(node);
-            mesh_.tags.push_back(tag);
-            mesh_.origins.push_back(origin);
-            return;
-        }
-        const Index midpoint = take_midpoint(node, bisected, bisected_count);
+        if (bisected_count == 0) return add_leaf(node, tag, origin);
+        const Index midpoint = take_midpoint(node, std::span(bisected, bisected_count));
         const auto children = bisect(node, midpoint);
-        const auto tags = child_tags(tag);
+        const auto tags = tag.children();
         visit(children[0], tags[0], bisected, bisected_count);
         visit(children[1], tags[1], bisected, bisected_count);
+    }
+
+    /// The same where only one key is alive, which is most of a union: without the lists.
+    void visit_alone(const Triangle& node, LeafTag tag, Cursor& alive) {
+        if (!alive.take_bit()) return add_leaf(node, tag, alive.bit);
+        Cursor* const bisected = &alive;
+        const Index midpoint = take_midpoint(node, std::span(&bisected, 1));
+        const auto children = bisect(node, midpoint);
+        const auto tags = tag.children();
+        visit_alone(children[0], tags[0], alive);
+        visit_alone(children[1], tags[1], alive);
+    }
+
+    void add_leaf(const Triangle& node, LeafTag tag, KeySet origin) {
+        triangles_[leaf_count_] = node;
+        tags_[leaf_count_] = tag;
+        origins_[leaf_count_] = origin;
+        ++leaf_count_;
     }
 
     /// The keys bisected at an edge are the same on both sides of it, and each of them meets its midpoint
     /// there for the first or for the second time; so any one of them tells whether the union has the vertex,
     /// and which it is.
-    Index take_midpoint(const Triangle& node, Cursor** bisected, std::size_t bisected_count) {
-        const Cursor& witness = *bisected[0];
-        const Index own = witness.key->midpoints[witness.midpoint];
-        const bool is_new = own == witness.next_vertex;
-        const Index midpoint = is_new ? add_midpoint(node[1], node[2]) : witness.own_vertices[own];
-        if (is_new)
-            for (std::size_t n = 0; n < bisected_count; ++n) set_own_position(*bisected[n], midpoint);
-        for (std::size_t n = 0; n < bisected_count; ++n) ++bisected[n]->midpoint;
-        return midpoint;
+    Index take_midpoint(const Triangle& node, std::span<Cursor* const> bisected) {
+        const Index own = *bisected[0]->next_midpoint;
+        const bool is_new = own == bisected[0]->next_vertex;
+        for (Cursor* cursor : bisected) ++cursor->next_midpoint;
+        return is_new ? add_midpoint(node[1], node[2], bisected) : bisected[0]->own_vertices[own];
     }
 
-    Index add_midpoint(Index a, Index b) {
-        const auto midpoint = static_cast<Index>(mesh_.vertices.size());
-        mesh_.vertices.push_back({{a, b}, 0});
-        for (std::vector<glm::vec3>& stream : mesh_.positions)
-            stream.push_back((stream[a] + stream[b]) * 0.5F);
+    Index add_midpoint(Index a, Index b, std::span<Cursor* const> bisected) {
+        const Index midpoint = vertex_count_++;
+        for (const Cursor& cursor : cursors_)
+            cursor.stream[midpoint] = (cursor.stream[a] + cursor.stream[b]) * 0.5F;
+        KeySet owners = 0;
+        for (Cursor* cursor : bisected) {
+            const Index own = cursor->next_vertex++;
+            cursor->own_vertices[own] = midpoint;
+            cursor->stream[midpoint] = cursor->positions[own];
+            owners |= cursor->bit;
+        }
+        vertices_[midpoint] = {{a, b}, owners};
         return midpoint;
-    }
-
-    void set_own_position(Cursor& cursor, Index midpoint) {
-        const Index own = cursor.next_vertex++;
-        const auto key = static_cast<std::size_t>(&cursor - cursors_.data());
-        cursor.own_vertices[own] = midpoint;
-        mesh_.vertices[midpoint].keys |= cursor.bit;
-        mesh_.positions[key][midpoint] = cursor.key->positions[own];
     }
 
     std::span<Cursor> cursors_;
-    UnionMesh& mesh_;
+    Triangle* triangles_;
+    LeafTag* tags_;
+    KeySet* origins_;
+    VertexOrigin* vertices_;
+    std::size_t leaf_count_ = 0;
+    Index vertex_count_;
     std::vector<Cursor*> alive_;  ///< a stack: at each level the cursors alive there
 };
 
-void start(std::span<const Hierarchy* const> keys, UnionMesh& mesh) {
+/// Gives the buffers their largest possible size: a leaf, and a midpoint, of the union is one of some key.
+void make_room(std::span<const Hierarchy* const> keys, UnionMesh& mesh) {
     std::size_t vertex_bound = 0;
     std::size_t leaf_bound = 0;
-    KeySet all = 0;
-    for (std::size_t key = 0; key < keys.size(); ++key) {
-        vertex_bound += keys[key]->vertex_count();
-        leaf_bound += keys[key]->leaf_count();
-        all |= key_bit(key);
+    for (const Hierarchy* key : keys) {
+        vertex_bound += key->vertex_count();
+        leaf_bound += key->leaf_count();
     }
-    mesh.roots = keys[0]->roots;
-    mesh.triangles.clear();
-    mesh.triangles.reserve(leaf_bound);
-    mesh.tags.clear();
-    mesh.tags.reserve(leaf_bound);
-    mesh.origins.clear();
-    mesh.origins.reserve(leaf_bound);
-    const Index root_vertex_count = mesh.roots.vertex_count();
-    mesh.vertices.reserve(vertex_bound);
-    mesh.vertices.assign(root_vertex_count, {{no_index, no_index}, all});
+    if (vertex_bound >= no_index || leaf_bound >= no_index)
+        throw InputError("the keys are too large to be united");
+    mesh.triangles.resize(leaf_bound);
+    mesh.tags.resize(leaf_bound);
+    mesh.origins.resize(leaf_bound);
+    mesh.vertices.resize(vertex_bound);
     mesh.positions.resize(keys.size());
     mesh.own_vertices.resize(keys.size());
     for (std::size_t key = 0; key < keys.size(); ++key) {
-        const auto& positions = keys[key]->positions;
-        mesh.positions[key].reserve(vertex_bound);
-        mesh.positions[key].assign(positions.begin(), positions.begin() + root_vertex_count);
-        mesh.own_vertices[key].resize(positions.size());
-        for (Index v = 0; v < root_vertex_count; ++v) mesh.own_vertices[key][v] = v;
+        mesh.positions[key].resize(vertex_bound);
+        mesh.own_vertices[key].resize(keys[key]->vertex_count());
     }
 }
 
-}  // namespace
-
-std::array<LeafTag, 2> child_tags(LeafTag parent) {
-    const auto edge = [&](unsigned corner) { return static_cast<unsigned>(parent.on_root_edge(corner)); };
-    const unsigned level = parent.level() + 1;
-    const unsigned jk = edge(0);
-    const unsigned ki = edge(1);
-    const unsigned ij = edge(2);
-    // Opposite the vertices of (l, k, i) and (l, i, j) lie the edges (ki, il, lk) and (ij, jl, li).
-    return {LeafTag(level, ki | jk << 2, {level, parent.corner_exponent(2) + 1, parent.corner_exponent(0)}),
-            LeafTag(level, ij | jk << 1, {level, parent.corner_exponent(0), parent.corner_exponent(1) + 1})};
+/// Writes the root vertices, which every key owns.
+void start_with_roots(std::span<const Hierarchy* const> keys, UnionMesh& mesh) {
+    const Index count = mesh.roots.vertex_count();
+    KeySet all = 0;
+    for (std::size_t key = 0; key < keys.size(); ++key) {
+        all |= key_bit(key);
+        std::copy_n(keys[key]->positions.begin(), count, mesh.positions[key].begin());
+        std::iota(mesh.own_vertices[key].begin(), mesh.own_vertices[key].begin() + count, Index{0});
+    }
+    std::fill_n(mesh.vertices.begin(), count, VertexOrigin{{no_index, no_index}, all});
 }
+
+}  // namespace
 
 UnionMesh unite(std::span<const Hierarchy* const> keys) {
     UnionMesh mesh;
@@ -149,12 +170,23 @@ UnionMesh unite(std::span<const Hierarchy* const> keys) {
 void unite(std::span<const Hierarchy* const> keys, UnionMesh& mesh) {
     if (keys.empty()) throw InputError("a union needs at least one key");
     if (const auto violations = check_constraints(keys); !violations.empty()) throw InputError(violations[0]);
-    start(keys, mesh);
+    mesh.roots = keys[0]->roots;
+    make_room(keys, mesh);
+    start_with_roots(keys, mesh);
+
     std::vector<Cursor> cursors;
     for (std::size_t key = 0; key < keys.size(); ++key)
-        cursors.push_back(
-            {keys[key], key_bit(key), mesh.own_vertices[key].data(), 0, 0, mesh.roots.vertex_count()});
-    Walk(cursors, mesh).run();
+        cursors.push_back({keys[key]->bits.data(), keys[key]->midpoints.data(), keys[key]->positions.data(),
+                           mesh.positions[key].data(), mesh.own_vertices[key].data(), 0,
+                           mesh.roots.vertex_count(), key_bit(key)});
+    Walk walk(cursors, mesh);
+    walk.run(mesh.roots.triangles());
+
+    mesh.triangles.resize(walk.leaf_count());
+    mesh.tags.resize(walk.leaf_count());
+    mesh.origins.resize(walk.leaf_count());
+    mesh.vertices.resize(walk.vertex_count());
+    for (Buffer<glm::vec3>& stream : mesh.positions) stream.resize(walk.vertex_count());
 }
 
 }  // namespace interleaf

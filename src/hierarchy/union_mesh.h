@@ -16,6 +16,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "hierarchy/buffer.h"
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/triangle.h"
 
@@ -43,14 +44,28 @@ class LeafTag {
     /// Bits 0-6 the level, bits 7-9 on_root_edge(0..2), then the three exponents in 7 bits each.
     constexpr std::uint32_t packed() const { return packed_; }
 
+    /// The tags of the children (l, k, i) and (l, i, j) of a triangle (i, j, k) with this tag: opposite their
+    /// vertices lie the edges (ki, il, lk) and (ij, jl, li). See vertex_normals.h for the exponents.
+    constexpr std::array<LeafTag, 2> children() const {
+        const std::uint32_t level = (packed_ & 0x7f) + 1;
+        const std::uint32_t at_i = packed_ >> 10 & 0x7f;
+        const std::uint32_t at_j = packed_ >> 17 & 0x7f;
+        const std::uint32_t at_k = packed_ >> 24 & 0x7f;
+        const std::uint32_t common = level | level << 10;
+        const std::uint32_t first_edges = (packed_ >> 1 & 0x080) | (packed_ << 2 & 0x200);
+        const std::uint32_t second_edges = (packed_ >> 2 & 0x080) | (packed_ << 1 & 0x100);
+        return {LeafTag(common | first_edges | (at_k + 1) << 17 | at_i << 24),
+                LeafTag(common | second_edges | at_i << 17 | (at_j + 1) << 24)};
+    }
+
   private:
-    std::uint32_t packed_ = 0;
+    explicit constexpr LeafTag(std::uint32_t packed) : packed_(packed) {}
+
+    std::uint32_t packed_;  // left uninitialised by default: tags fill large buffers
 };
 
-/// The tags of the children of a triangle with the tag \p parent; see vertex_normals.h for the exponents.
-std::array<LeafTag, 2> child_tags(LeafTag parent);
-
-/// Set of active keys as bits: bit i for the i-th key given to unite(); those numbered 31 and up share bit 31.
+/// Set of active keys as bits: bit i for the i-th key given to unite(); those numbered 31 and up share
+/// bit 31.
 using KeySet = std::uint32_t;
 
 constexpr KeySet key_bit(std::size_t key) {
@@ -65,15 +80,12 @@ struct VertexOrigin {
 
 struct UnionMesh {
     RootComplex roots;
-    std::vector<Triangle> triangles;  ///< leaves in preorder; refinement edge opposite the first vertex
-    std::vector<LeafTag> tags;        ///< one a triangle
-    std::vector<KeySet>
-        origins;  ///< one a triangle: the keys in which this leaf is a node, bisected this far
-    std::vector<VertexOrigin>
-        vertices;  ///< root vertices, then midpoints by first visit: ends come before midpoints
-    std::vector<std::vector<glm::vec3>> positions;  ///< positions[key][vertex]
-    std::vector<std::vector<Index>>
-        own_vertices;  ///< own_vertices[key][v]: where the key's vertex v is in the union
+    Buffer<Triangle> triangles;     ///< leaves in preorder; refinement edge opposite the first vertex
+    Buffer<LeafTag> tags;           ///< one a triangle
+    Buffer<KeySet> origins;         ///< one a triangle: the keys in which it is a node, bisected this far
+    Buffer<VertexOrigin> vertices;  ///< root vertices, then midpoints by first visit, after their edge's ends
+    std::vector<Buffer<glm::vec3>> positions;  ///< positions[key][vertex]
+    std::vector<Buffer<Index>> own_vertices;   ///< own_vertices[key][v]: the key's vertex v in the union
 
     std::size_t leaf_count() const { return triangles.size(); }
     std::size_t vertex_count() const { return vertices.size(); }

@@ -16,9 +16,9 @@ float power_of_two(unsigned exponent) {
 }
 
 /// Adds w (e_i x f_j + e_j x f_i), half of it for i = j, at every corner of every triangle.
-void add_corners(const UnionMesh& mesh, std::size_t i, std::size_t j, std::vector<glm::vec3>& product) {
-    const std::vector<glm::vec3>& p = mesh.positions[i];
-    const std::vector<glm::vec3>& q = mesh.positions[j];
+void add_corners(const UnionMesh& mesh, std::size_t i, std::size_t j, Buffer<glm::vec3>& product) {
+    const Buffer<glm::vec3>& p = mesh.positions[i];
+    const Buffer<glm::vec3>& q = mesh.positions[j];
     for (std::size_t t = 0; t < mesh.leaf_count(); ++t) {
         const auto& [a, b, c] = mesh.triangles[t];
         const glm::vec3 normal =
@@ -31,7 +31,7 @@ void add_corners(const UnionMesh& mesh, std::size_t i, std::size_t j, std::vecto
 
 /// Rule 2: the mean of the ends where neither key has a vertex of its own. Ends come before midpoints, so one
 /// pass does it.
-void interpolate_elsewhere(const UnionMesh& mesh, KeySet keys, std::vector<glm::vec3>& product) {
+void interpolate_elsewhere(const UnionMesh& mesh, KeySet keys, Buffer<glm::vec3>& product) {
     for (std::size_t v = mesh.roots.vertex_count(); v < mesh.vertex_count(); ++v) {
         const auto& [edge, owners] = mesh.vertices[v];
         if ((owners & keys) == 0) product[v] = (product[edge[0]] + product[edge[1]]) * 0.5F;
@@ -50,7 +50,7 @@ void normal_form(const UnionMesh& mesh, NormalForm& form) {
     form.products.resize(product_count(mesh.key_count()));
     for (std::size_t j = 0; j < mesh.key_count(); ++j)
         for (std::size_t i = 0; i <= j; ++i) {
-            std::vector<glm::vec3>& product = form.products[product_index(i, j)];
+            Buffer<glm::vec3>& product = form.products[product_index(i, j)];
             product.assign(mesh.vertex_count(), glm::vec3(0));
             add_corners(mesh, i, j, product);
             interpolate_elsewhere(mesh, key_bit(i) | key_bit(j), product);

@@ -26,7 +26,7 @@ namespace interleaf {
 /// The products N_ij for i <= j: products[product_index(i, j)][vertex]. Not normalised; zero where the area
 /// vanishes.
 struct NormalForm {
-    std::vector<std::vector<glm::vec3>> products;
+    std::vector<Buffer<glm::vec3>> products;
 };
 
 /// Number of products for \p key_count keys: n (n + 1) / 2.
