@@ -126,7 +126,7 @@ TEST_CASE("every vertex of a key is in the union at the key's own position, and 
         const UnionMesh mesh = unite(family.key_pointers());
         std::size_t owned = 0;
         for (std::size_t key = 0; key < family.keys.size(); ++key) {
-            const std::vector<Index>& own = mesh.own_vertices[key];
+            const Buffer<Index>& own = mesh.own_vertices[key];
             REQUIRE(own.size() == family.keys[key].vertex_count());
             for (std::size_t v = 0; v < own.size(); ++v) {
                 REQUIRE(mesh.positions[key][own[v]] == family.keys[key].positions[v]);
