@@ -1,4 +1,5 @@
-// A family: named keys over one root complex, with a timeline and a parameter domain (paper, sections 3.2 and 4).
+// A family: named keys over one root complex, with a timeline and a parameter domain (paper, sections 3.2 and
+// 4).
 #pragma once
 
 #include <optional>
@@ -29,8 +30,8 @@ struct Family {
 /// Index of the key called \p name; none when there is no such key.
 std::optional<std::size_t> find_key(const Family& family, std::string_view name);
 
-/// Every violation of what a family promises: at least one key, names unique and not empty, the same root complex (constraints (B),
-/// naming the keys), timeline and domain naming keys that exist. One sentence each.
+/// Every violation of what a family promises: at least one key, names unique and not empty, the same root
+/// complex (constraints (B), naming the keys), timeline and domain naming keys that exist. One sentence each.
 std::vector<std::string> check(const Family& family);
 
 /// The union of the active keys of \p weights, one position stream a weight, in their order.

@@ -8,8 +8,8 @@ class Playback {
     /// Paused at \p begin of the animation's interval [\p begin, \p end], in seconds.
     Playback(double begin, double end);
 
-    /// The animation's time at wall time \p now, in seconds. A loop goes from end() to begin() at once; without it the
-    /// animation rests at end().
+    /// The animation's time at wall time \p now, in seconds. A loop goes from end() to begin() at once;
+    /// without it the animation rests at end().
     double time(double now) const;
 
     /// Whether it moves at \p now: false also when it has come to the end without a loop.

@@ -23,9 +23,10 @@ class Timeline {
     double begin() const { return keys_.front().time; }
     double end() const { return keys_.back().time; }
 
-    /// Linear interpolation between the keys before and after \p time, clamped to begin() and end(): (1 - s) and s on the two keys
-    /// of the interval (at a key's own time, those of the interval that begins there). One key, and two neighbours
-    /// that are the same key, give one weight 1.
+    /// Linear interpolation between the keys before and after \p time, clamped to begin() and end(): (1 - s)
+    /// and s on the two keys of the interval (at a key's own time, those of the interval that begins there).
+    /// One key, and two neighbours that are the same key, give one weight 1. \throw InputError if \p time is
+    /// not a number
     Weights at(double time) const;
 
     bool operator==(const Timeline&) const = default;

@@ -12,8 +12,8 @@ struct Weight {
     bool operator==(const Weight&) const = default;
 };
 
-/// Sparse weights, keys ascending and each once. A key with a place here is active, also where its value is 0: the
-/// union is made of the active keys and stays while only values change.
+/// Sparse weights, keys ascending and each once. A key with a place here is active, also where its value is
+/// 0: the union is made of the active keys and stays while only values change.
 using Weights = std::vector<Weight>;
 
 /// The same weights with keys ascending; values of a key that occurs more than once are added.

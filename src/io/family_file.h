@@ -7,14 +7,16 @@
 
 namespace interleaf {
 
-/// Reads a family from a family.json, from the folder that holds one, or, as a family of one key, from a single .ilh or .obj
-/// file. Key files must lie inside the family's folder. What was read has passed check().
+/// Reads a family from a family.json, from the folder that holds one, or, as a family of one key, from a
+/// single .ilh or .obj file. Key files must lie inside the family's folder. What was read has passed check().
 /// \throw InputError   naming the file, the place and what was expected
 /// \throw MachineError when a file cannot be opened or read
 Family read_family(const std::filesystem::path& path);
 
-/// Writes family.json and the keys as NAME.ilh into \p folder, which is made if missing.
-/// \throw MachineError when something cannot be written
+/// Writes family.json and the keys as NAME.ilh into \p folder, which is made if missing. Key files that the
+/// family.json found there names stay until the new one is in place; then those it does not name are removed.
+/// \throw InputError   if check() finds fault with the family, or a name is not UTF-8 without control
+/// characters \throw MachineError when something cannot be written
 void write_family(const Family& family, const std::filesystem::path& folder);
 
 }  // namespace interleaf

@@ -12,9 +12,8 @@
 
 namespace interleaf {
 
-/// Reads a key. Nothing is trusted: counts are held against the size of the file before memory is asked for, and what was read has
-/// passed check().
-/// \throw InputError   naming the file, the place and what was expected
+/// Reads a key. Nothing is trusted: counts are held against the size of the file before memory is asked for,
+/// and what was read has passed check(). \throw InputError   naming the file, the place and what was expected
 /// \throw MachineError when the file cannot be opened or read for another reason than its content
 Hierarchy read_hierarchy(const std::filesystem::path& file);
 

@@ -3,23 +3,24 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <glm/vec3.hpp>
 #include <span>
 #include <string>
+
+#include <glm/vec3.hpp>
 
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/triangle.h"
 
 namespace interleaf {
 
-/// Reads an OBJ as a hierarchy without bisections; the order of each face's vertices is its marking. Polygons are
-/// triangulated, unused vertices dropped; the mesh must be an orientable manifold.
-/// \throw InputError   naming the file, the place and what was expected
-/// \throw MachineError when the file cannot be opened or read
+/// Reads an OBJ as a hierarchy without bisections; the order of each face's vertices is its marking. Polygons
+/// are triangulated, unused vertices dropped; the mesh must be an orientable manifold. \throw InputError
+/// naming the file, the place and what was expected \throw MachineError when the file cannot be opened or
+/// read
 Hierarchy read_obj(const std::filesystem::path& file);
 
-/// Wavefront OBJ as text. Floats are written so that they are read back the same. Each face begins with the vertex opposite
-/// its refinement edge.
+/// Wavefront OBJ as text. Floats are written so that they are read back the same. Each face begins with the
+/// vertex opposite its refinement edge.
 std::string obj_text(std::span<const Triangle> triangles, std::span<const glm::vec3> positions);
 
 /// Binary little-endian PLY.

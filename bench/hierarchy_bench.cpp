@@ -1,0 +1,110 @@
+// The core: union, normals and morph of three keys, beside a copy of the same bytes (the limit that memory sets), and
+// the memory of frozen keys, beside the plain indexed mesh of the same leaves.
+#include <benchmark/benchmark.h>
+
+#include <cstring>
+#include <vector>
+
+#include "hierarchy/morph.h"
+#include "hierarchy/union_mesh.h"
+#include "hierarchy/vertex_normals.h"
+#include "keys.h"
+
+namespace {
+
+using namespace interleaf;
+
+struct ThreeKeys {
+    explicit ThreeKeys(Index leaves) {
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) keys.push_back(bench::random_sphere_key(leaves, seed));
+        for (const Hierarchy& key : keys) pointers.push_back(&key);
+    }
+    std::vector<Hierarchy> keys;
+    std::vector<const Hierarchy*> pointers;
+};
+
+const ThreeKeys& three_keys() {
+    static const ThreeKeys keys(200000);
+    return keys;
+}
+
+void count_leaves(benchmark::State& state, std::size_t leaves) {
+    state.counters["leaves"] = static_cast<double>(leaves);
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(leaves));
+}
+
+/// Bytes that a union writes: leaves with tag and origin, vertices with one position a key.
+std::size_t union_bytes(const UnionMesh& mesh) {
+    return mesh.leaf_count() * (sizeof(Triangle) + sizeof(LeafTag) + sizeof(KeySet)) +
+           mesh.vertex_count() * (sizeof(VertexOrigin) + mesh.key_count() * sizeof(glm::vec3));
+}
+
+void union_reused(benchmark::State& state) {
+    UnionMesh mesh;
+    for (auto _ : state) {
+        unite(three_keys().pointers, mesh);
+        benchmark::DoNotOptimize(mesh.triangles.data());
+    }
+    count_leaves(state, mesh.leaf_count());
+}
+
+void union_fresh(benchmark::State& state) {
+    std::size_t leaves = 0;
+    for (auto _ : state) {
+        const UnionMesh mesh = unite(three_keys().pointers);
+        leaves = mesh.leaf_count();
+    }
+    count_leaves(state, leaves);
+}
+
+void copy_of_union(benchmark::State& state) {
+    const UnionMesh mesh = unite(three_keys().pointers);
+    const std::vector<char> from(union_bytes(mesh), 1);
+    std::vector<char> to(from.size());
+    for (auto _ : state) {
+        std::memcpy(to.data(), from.data(), from.size());
+        benchmark::DoNotOptimize(to.data());
+        benchmark::ClobberMemory();
+    }
+    count_leaves(state, mesh.leaf_count());
+}
+
+void normals_reused(benchmark::State& state) {
+    const UnionMesh mesh = unite(three_keys().pointers);
+    NormalForm form;
+    for (auto _ : state) {
+        normal_form(mesh, form);
+        benchmark::DoNotOptimize(form.products.data());
+    }
+    count_leaves(state, mesh.leaf_count());
+}
+
+void morph_reused(benchmark::State& state) {
+    const UnionMesh mesh = unite(three_keys().pointers);
+    const std::vector<float> weights = {0.2F, 0.3F, 0.5F};
+    std::vector<glm::vec3> positions;
+    for (auto _ : state) {
+        morph(mesh, weights, positions);
+        benchmark::DoNotOptimize(positions.data());
+    }
+    count_leaves(state, mesh.leaf_count());
+}
+
+void key_memory(benchmark::State& state) {
+    const Hierarchy key = bench::random_sphere_key(static_cast<Index>(state.range(0)), 1);
+    for (auto _ : state) benchmark::DoNotOptimize(key.byte_count());
+    const auto leaves = static_cast<double>(key.leaf_count());
+    const auto indexed = static_cast<double>(key.vertex_count() * sizeof(glm::vec3) + key.leaf_count() * sizeof(Triangle));
+    state.counters["leaves"] = leaves;
+    state.counters["bytes_per_leaf"] = static_cast<double>(key.byte_count()) / leaves;
+    state.counters["indexed_mesh_bytes_per_leaf"] = indexed / leaves;
+}
+
+BENCHMARK(union_reused)->Unit(benchmark::kMillisecond);
+BENCHMARK(union_fresh)->Unit(benchmark::kMillisecond);
+BENCHMARK(copy_of_union)->Unit(benchmark::kMillisecond);
+BENCHMARK(normals_reused)->Unit(benchmark::kMillisecond);
+BENCHMARK(morph_reused)->Unit(benchmark::kMillisecond);
+BENCHMARK(key_memory)->Arg(5000)->Arg(20000)->Arg(200000)->Iterations(1);
+
+}  // namespace

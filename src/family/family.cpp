@@ -1,0 +1,83 @@
+#include "family/family.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "hierarchy/checker.h"
+
+namespace interleaf {
+namespace {
+
+void check_names(const Family& family, std::vector<std::string>& violations) {
+    for (std::size_t i = 0; i < family.keys.size(); ++i) {
+        const std::string& name = family.keys[i].name;
+        if (name.empty()) {
+            violations.push_back(fmt::format("key {} has no name", i));
+        } else if (find_key(family, name) != i) {
+            violations.push_back(fmt::format("two keys are called \"{}\"", name));
+        }
+    }
+}
+
+void check_roots(const Family& family, std::vector<std::string>& violations) {
+    for (const Key& key : family.keys) {
+        const Key& first = family.keys.front();
+        const std::array<const Hierarchy*, 2> pair{&first.hierarchy, &key.hierarchy};
+        for (const std::string& violation : check_constraints(pair)) {
+            violations.push_back(
+                fmt::format("keys \"{}\" (key 0) and \"{}\" (key 1) have different roots: {}", first.name,
+                            key.name, violation));
+        }
+    }
+}
+
+void check_references(const Family& family, std::vector<std::string>& violations) {
+    const auto check_key = [&](std::string_view place, std::size_t i, std::size_t key) {
+        if (key < family.keys.size()) return;
+        violations.push_back(
+            fmt::format("{} {} names key {}, but there are only {}", place, i, key, family.keys.size()));
+    };
+    if (family.timeline) {
+        const auto keys = family.timeline->keys();
+        for (std::size_t i = 0; i < keys.size(); ++i) check_key("timeline key", i, keys[i].key);
+    }
+    if (family.domain) {
+        const auto vertices = family.domain->vertices();
+        for (std::size_t i = 0; i < vertices.size(); ++i) check_key("domain vertex", i, vertices[i].key);
+    }
+}
+
+}  // namespace
+
+std::optional<std::size_t> find_key(const Family& family, std::string_view name) {
+    const auto key = std::find_if(family.keys.begin(), family.keys.end(),
+                                  [&](const Key& candidate) { return candidate.name == name; });
+    if (key == family.keys.end()) return std::nullopt;
+    return static_cast<std::size_t>(key - family.keys.begin());
+}
+
+std::vector<std::string> check(const Family& family) {
+    std::vector<std::string> violations;
+    if (family.keys.empty()) violations.emplace_back("the family has no key; it needs at least one");
+    check_names(family, violations);
+    check_roots(family, violations);
+    check_references(family, violations);
+    return violations;
+}
+
+UnionMesh unite(const Family& family, const Weights& weights) {
+    UnionMesh mesh;
+    unite(family, weights, mesh);
+    return mesh;
+}
+
+void unite(const Family& family, const Weights& weights, UnionMesh& mesh) {
+    std::vector<const Hierarchy*> active;
+    active.reserve(weights.size());
+    for (const Weight& weight : weights) active.push_back(&family.keys[weight.key].hierarchy);
+    unite(active, mesh);
+}
+
+}  // namespace interleaf

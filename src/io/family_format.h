@@ -1,0 +1,26 @@
+// What the reader and the writer of family files must agree on.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace interleaf::family_format {
+
+inline constexpr std::string_view name = "interleaf-family";
+inline constexpr std::uint32_t version = 1;
+inline constexpr std::uint64_t largest_file = 16 << 20;
+
+/// Finding overlaps compares every two triangles.
+inline constexpr std::size_t most_domain_triangles = 4096;
+
+/// Paths are UTF-8 in the file, whatever the operating system has.
+std::filesystem::path path_of(std::string_view utf8);
+std::string utf8_of(const std::filesystem::path& path);
+
+/// Whether \p text can be a name: UTF-8 without control characters, so that showing it moves no terminal's
+/// cursor.
+bool is_name(std::string_view text);
+
+}  // namespace interleaf::family_format

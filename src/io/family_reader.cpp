@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "hierarchy/error.h"
+#include "io/family_file.h"
+#include "io/family_format.h"
+#include "io/hierarchy_file.h"
+#include "io/input_file.h"
+#include "io/joined_text.h"
+#include "io/json_place.h"
+#include "io/mesh_file.h"
+
+namespace interleaf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string name_at(const JsonPlace& place) {
+    std::string name = place.string();
+    if (!family_format::is_name(name)) place.fail_expecting("a name without control characters");
+    return name;
+}
+
+std::string key_name_at(const JsonPlace& place) {
+    std::string name = name_at(place);
+    if (name.empty()) place.fail_expecting("a name that is not empty");
+    return name;
+}
+
+bool is_inside(const fs::path& folder, const fs::path& file) {
+    return std::ranges::mismatch(folder, file).in1 == folder.end();
+}
+
+/// The key file that \p place names, as the operating system knows it: links resolved, inside \p folder.
+fs::path key_file_at(const JsonPlace& place, const fs::path& folder) {
+    const std::string text = place.string();
+    const fs::path relative = family_format::path_of(text);
+    if (text.empty() || text.find('\0') != std::string::npos || relative.is_absolute() ||
+        std::ranges::find(relative, "..") != relative.end())
+        place.fail_expecting("a path relative to the family's folder, without \"..\"");
+
+    std::error_code error;
+    const fs::path file = fs::canonical(folder / relative, error);
+    if (error) place.fail(fmt::format("is {}: {}", in_quotes(text), error.message()));
+    if (!is_inside(fs::canonical(folder), file))
+        place.fail(fmt::format("is {}, a link out of the family's folder", in_quotes(text)));
+    return file;
+}
+
+std::vector<Key> keys_at(const JsonPlace& place, const fs::path& folder) {
+    std::vector<Key> keys;
+    keys.reserve(place.size());
+    std::map<std::string, std::size_t> names;
+    std::map<fs::path, std::size_t> files;
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        const JsonPlace key = place.element(i);
+        const JsonPlace name = key.member("name");
+        const auto [same_name, name_is_new] = names.emplace(key_name_at(name), i);
+        if (!name_is_new)
+            name.fail(fmt::format("is {}, as keys[{}]", in_quotes(same_name->first), same_name->second));
+
+        const JsonPlace file = key.member("file");
+        const auto [same_file, file_is_new] = files.emplace(key_file_at(file, folder), i);
+        if (!file_is_new) file.fail(fmt::format("is the file of keys[{}], too", same_file->second));
+        keys.push_back({same_name->first, read_hierarchy(same_file->first)});
+    }
+    return keys;
+}
+
+/// Index of the key that is named at a place.
+class KeyNames {
+  public:
+    explicit KeyNames(const std::vector<Key>& keys) {
+        for (std::size_t i = 0; i < keys.size(); ++i) indices_.emplace(keys[i].name, i);
+    }
+    std::size_t index_at(const JsonPlace& place) const {
+        const auto found = indices_.find(place.string());
+        if (found == indices_.end()) place.fail_expecting("the name of a key");
+        return found->second;
+    }
+
+  private:
+    std::map<std::string, std::size_t> indices_;
+};
+
+Timeline timeline_at(const JsonPlace& place, const KeyNames& names) {
+    const JsonPlace interpolation = place.member("interpolation");
+    if (interpolation.string() != "linear") interpolation.fail_expecting("\"linear\"");
+
+    std::vector<TimelineKey> timeline_keys;
+    const JsonPlace keys = place.member("keys");
+    timeline_keys.reserve(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const JsonPlace key = keys.element(i);
+        timeline_keys.push_back({key.member("time").number(), names.index_at(key.member("key"))});
+    }
+    try {
+        return Timeline(std::move(timeline_keys));
+    } catch (const InputError& error) {
+        place.fail(error.what());
+    }
+}
+
+glm::dvec2 point_at(const JsonPlace& place) {
+    if (place.size() != 2) place.fail_expecting("two numbers");
+    return {place.element(0).number(), place.element(1).number()};
+}
+
+Triangle triangle_at(const JsonPlace& place, std::size_t vertex_count) {
+    if (place.size() != 3) place.fail_expecting("three vertices");
+    return {place.element(0).index_below(vertex_count), place.element(1).index_below(vertex_count),
+            place.element(2).index_below(vertex_count)};
+}
+
+ParameterDomain domain_at(const JsonPlace& place, const KeyNames& names) {
+    std::vector<DomainVertex> domain_vertices;
+    const JsonPlace vertices = place.member("vertices");
+    domain_vertices.reserve(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const JsonPlace vertex = vertices.element(i);
+        domain_vertices.push_back({point_at(vertex.member("at")), names.index_at(vertex.member("key"))});
+    }
+    std::vector<Triangle> domain_triangles;
+    const JsonPlace triangles = place.member("triangles");
+    if (triangles.size() == 0 || triangles.size() > family_format::most_domain_triangles)
+        triangles.fail(fmt::format("{} triangles, expected 1 to {}", triangles.size(),
+                                   family_format::most_domain_triangles));
+    domain_triangles.reserve(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        domain_triangles.push_back(triangle_at(triangles.element(i), domain_vertices.size()));
+    try {
+        return {std::move(domain_vertices), std::move(domain_triangles)};
+    } catch (const InputError& error) {
+        place.fail(error.what());
+    }
+}
+
+Family read_family_json(const fs::path& file) {
+    const nlohmann::json document = parse_json(read_text(file, family_format::largest_file), file.string());
+    const JsonPlace root(document, file.string());
+    const JsonPlace format = root.member("format");
+    if (format.string() != family_format::name)
+        format.fail_expecting(fmt::format("\"{}\"", family_format::name));
+    const JsonPlace version = root.member("version");
+    if (version.number() != family_format::version)
+        version.fail_expecting(fmt::to_string(family_format::version));
+
+    Family family;
+    family.name = name_at(root.member("name"));
+    const JsonPlace keys = root.member("keys");
+    family.keys = keys_at(keys, file.has_parent_path() ? file.parent_path() : ".");
+    if (const auto violations = check(family); !violations.empty()) keys.fail(joined(violations, "; "));
+
+    const KeyNames names(family.keys);
+    if (const auto timeline = root.optional_member("timeline"))
+        family.timeline = timeline_at(*timeline, names);
+    if (const auto domain = root.optional_member("domain")) family.domain = domain_at(*domain, names);
+    return family;
+}
+
+Family family_of_one(const fs::path& file, Hierarchy hierarchy) {
+    const std::string name = family_format::utf8_of(file.stem());
+    Family family;
+    family.name = name;
+    family.keys.push_back({name, std::move(hierarchy)});
+    return family;
+}
+
+std::string lower_case_extension(const fs::path& file) {
+    std::string extension = file.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return extension;
+}
+
+}  // namespace
+
+Family read_family(const fs::path& path) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) return read_family_json(path / "family.json");
+    const std::string extension = lower_case_extension(path);
+    if (extension == ".json") return read_family_json(path);
+    if (extension == ".ilh") return family_of_one(path, read_hierarchy(path));
+    if (extension == ".obj") return family_of_one(path, read_obj(path));
+    throw InputError(
+        fmt::format("{}: expected a folder, or a file that ends in .json, .ilh or .obj", path.string()));
+}
+
+}  // namespace interleaf

@@ -1,0 +1,150 @@
+#include "io/obj_lines.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "hierarchy/error.h"
+#include "io/json_place.h"
+
+namespace interleaf {
+
+namespace {
+
+/// Dividing a polygon takes time that grows with the square of its corners.
+constexpr std::size_t most_corners = 1000;
+
+/// tinyobjloader counts vertices in an int, and coordinates in an int as well.
+constexpr std::size_t most_vertices = std::numeric_limits<int>::max() / 3;
+
+constexpr std::string_view blanks = " \t\r";
+
+/// The next word of \p line, taken off its front; empty at its end.
+std::string_view take_word(std::string_view& line) {
+    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+    const std::string_view word = line.substr(0, line.find_first_of(blanks));
+    line.remove_prefix(word.size());
+    return word;
+}
+
+template <typename Number>
+std::errc parse(std::string_view word, Number& number) {
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    return end == word.data() + word.size() ? error : std::errc::invalid_argument;
+}
+
+/// The float nearest to \p word; none unless that is a finite number.
+std::optional<float> parse_float(std::string_view word) {
+    if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
+    float number = 0;
+    std::errc error = parse(word, number);
+    if (error == std::errc::result_out_of_range) {
+        // Too small for a float is as good as 0; only too large is wrong.
+        double wide = 0;
+        error = parse(word, wide);
+        if (std::abs(wide) < 1)
+            number = static_cast<float>(wide);
+        else
+            error = std::errc::result_out_of_range;
+    }
+    if (error != std::errc() || !std::isfinite(number)) return std::nullopt;
+    return number;
+}
+
+class Reader {
+  public:
+    explicit Reader(std::string_view name) : name_(name) {}
+
+    void read(std::string_view line) {
+        ++line_number_;
+        const std::string_view keyword = take_word(line);
+        if (keyword == "v") read_vertex(line);
+        if (keyword == "f") read_face(line);
+    }
+
+    ObjLines finish() {
+        if (greatest_ > lines_.positions.size()) {
+            line_number_ = greatest_line_;
+            fail(fmt::format("vertex {} does not exist, there are {}", greatest_, lines_.positions.size()));
+        }
+        if (lines_.triangle_count == 0)
+            throw InputError(fmt::format("{}: has no faces, expected some", name_));
+        return std::move(lines_);
+    }
+
+  private:
+    [[noreturn]] void fail(std::string_view what) const {
+        throw InputError(fmt::format("{}: line {}: {}", name_, line_number_, what));
+    }
+
+    void read_vertex(std::string_view line) {
+        if (lines_.positions.size() == most_vertices)
+            fail(fmt::format("more than {} vertices", most_vertices));
+        glm::vec3 position{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::string_view word = take_word(line);
+            const std::optional<float> number = parse_float(word);
+            if (!number)
+                fail(fmt::format("{} is not a coordinate, expected three finite numbers", in_quotes(word)));
+            position[axis] = *number;
+        }
+        lines_.positions.push_back(position);
+        fmt::format_to(std::back_inserter(lines_.text), "v {} {} {}\n", position.x, position.y, position.z);
+    }
+
+    void read_face(std::string_view line) {
+        lines_.text += 'f';
+        std::size_t corners = 0;
+        for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
+            fmt::format_to(std::back_inserter(lines_.text), " {}", vertex_number(word));
+            ++corners;
+        }
+        if (corners < 3 || corners > most_corners)
+            fail(fmt::format("a face of {} vertices, expected 3 to {}", corners, most_corners));
+        lines_.text += '\n';
+        lines_.triangle_count += corners - 2;
+    }
+
+    /// The number, from 1, of the vertex of a corner "v", "v/vt", "v//vn" or "v/vt/vn". One below 0 counts
+    /// back from the last.
+    std::size_t vertex_number(std::string_view word) {
+        std::int64_t number = 0;
+        if (parse(word.substr(0, word.find('/')), number) != std::errc())
+            fail(fmt::format("{} is not a corner, expected the number of a vertex", in_quotes(word)));
+        const std::int64_t before = static_cast<std::int64_t>(lines_.positions.size());
+        if (number == 0 || number < -before || number > static_cast<std::int64_t>(most_vertices))
+            fail(fmt::format("vertex {} does not exist, there are {} before this line", number, before));
+        const auto counted = static_cast<std::size_t>(number > 0 ? number : before + 1 + number);
+        if (counted > greatest_) {
+            greatest_ = counted;
+            greatest_line_ = line_number_;
+        }
+        return counted;
+    }
+
+    std::string_view name_;
+    std::size_t line_number_ = 0;
+    std::size_t greatest_ = 0;
+    std::size_t greatest_line_ = 0;
+    ObjLines lines_;
+};
+
+}  // namespace
+
+ObjLines read_obj_lines(std::string_view obj, std::string_view name) {
+    Reader reader(name);
+    while (!obj.empty()) {
+        const std::string_view line = obj.substr(0, obj.find('\n'));
+        obj.remove_prefix(std::min(line.size() + 1, obj.size()));
+        reader.read(line);
+    }
+    return reader.finish();
+}
+
+}  // namespace interleaf

@@ -1,0 +1,122 @@
+#include "shapes/shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "hierarchy/adaptive_mesh.h"
+#include "hierarchy/error.h"
+#include "hierarchy/greedy.h"
+#include "shapes/icosahedron.h"
+#include "shapes/leaf_fit.h"
+
+namespace interleaf {
+namespace {
+
+constexpr std::array<Shape, 5> all_shapes = {{
+    {"icosahedron", "the 20 roots alone, on the unit sphere", nullptr},
+    {"bone", "a bone with two knobs at each end", bone_surface},
+    {"cushion", "a square cushion with four pointed corners", cushion_surface},
+    {"star", "a star with twelve arms", star_surface},
+    {"sphere", "the unit sphere", sphere_surface},
+}};
+
+constexpr std::array<ShippedKey, 5> shipped_keys = {{
+    {"icosahedron", {20, {}}},
+    {"bone", {14000, {}}},
+    {"cushion", {9000, {}}},
+    {"star", {20000, {}}},
+    {"sphere", {6000, {}}},
+}};
+
+constexpr Index default_leaves = 20000;
+constexpr double least_tolerance = 1e-6;
+
+/// What the turn of the normal adds to a leaf's error, as a fraction of its size.
+constexpr double turn_share = 0.02;
+
+/// The surface may be this much farther off between the samples than at them.
+constexpr double sampling_margin = 0.1;
+
+void check_budget(const ShapeBudget& budget, Index roots) {
+    if (budget.leaves && budget.tolerance) {
+        throw UsageError("a number of leaves and a tolerance exclude each other");
+    }
+    if (budget.leaves && *budget.leaves < roots) {
+        throw UsageError(fmt::format("{} leaves are too few: there are {} roots", *budget.leaves, roots));
+    }
+    if (budget.tolerance && !(*budget.tolerance >= least_tolerance)) {
+        throw UsageError(fmt::format("the tolerance must be at least {}", least_tolerance));
+    }
+}
+
+/// Diagonal of the surface's box, from samples; they lie inside the box, so it is never too large.
+double box_diagonal(const Hierarchy& roots, Surface surface) {
+    constexpr unsigned divisions = 24;
+    glm::dvec3 low(std::numeric_limits<double>::infinity());
+    glm::dvec3 high = -low;
+    for (const auto& [a, b, c] : roots.roots.triangles()) {
+        for (const glm::dvec3& u :
+             sphere_grid({roots.positions[a], roots.positions[b], roots.positions[c]}, divisions)) {
+            low = glm::min(low, surface(u));
+            high = glm::max(high, surface(u));
+        }
+    }
+    return glm::distance(low, high);
+}
+
+}  // namespace
+
+std::span<const Shape> shapes() {
+    return all_shapes;
+}
+
+std::span<const ShippedKey> five_keys() {
+    return shipped_keys;
+}
+
+const Shape* find_shape(std::string_view name) {
+    const auto shape = std::find_if(all_shapes.begin(), all_shapes.end(),
+                                    [&](const Shape& candidate) { return candidate.name == name; });
+    return shape == all_shapes.end() ? nullptr : &*shape;
+}
+
+Hierarchy make_key(const Shape& shape, const ShapeBudget& budget) {
+    Hierarchy roots = icosahedron();
+    check_budget(budget, roots.roots.triangle_count());
+    if (shape.surface == nullptr) return roots;
+
+    std::vector<glm::dvec3> sphere_points;
+    std::vector<glm::vec3> positions;
+    for (const glm::dvec3 corner : roots.positions) {
+        sphere_points.push_back(glm::normalize(corner));
+        positions.emplace_back(shape.surface(sphere_points.back()));
+    }
+    AdaptiveMesh mesh(roots.roots, std::move(positions), [&](Index a, Index b) {
+        sphere_points.push_back(glm::normalize(sphere_points[a] + sphere_points[b]));
+        return glm::vec3(shape.surface(sphere_points.back()));
+    });
+    const auto fit = [&](Index leaf) {
+        const auto& [a, b, c] = mesh.vertices(leaf);
+        return measure_fit(shape.surface, {sphere_points[a], sphere_points[b], sphere_points[c]});
+    };
+    if (budget.tolerance) {
+        const double most = *budget.tolerance * box_diagonal(roots, shape.surface) * (1 - sampling_margin);
+        const auto error = [&](const AdaptiveMesh&, Index leaf) { return fit(leaf).apart; };
+        refine_greedily(mesh, error, {.tolerance = most});
+    } else {
+        const auto error = [&](const AdaptiveMesh&, Index leaf) {
+            const LeafFit measured = fit(leaf);
+            return measured.distance + turn_share * measured.size * measured.turn;
+        };
+        refine_greedily(mesh, error, {.leaves = budget.leaves.value_or(default_leaves)});
+    }
+    return mesh.freeze();
+}
+
+}  // namespace interleaf

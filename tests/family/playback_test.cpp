@@ -1,0 +1,114 @@
+// Tests of playback: tables of wall time against the animation's time, in binary fractions so that they are
+// exact.
+#include "family/playback.h"
+
+#include <doctest/doctest.h>
+
+using namespace interleaf;
+
+TEST_CASE("playback is paused at the beginning until it is played") {
+    Playback playback(2, 6);
+    CHECK(playback.time(0) == 2);
+    CHECK(playback.time(100) == 2);
+    CHECK_FALSE(playback.is_playing(100));
+    playback.play(100);
+    CHECK(playback.time(100) == 2);
+    CHECK(playback.time(101.5) == 3.5);
+    CHECK(playback.is_playing(101.5));
+}
+
+TEST_CASE("a loop goes from the end to the beginning, as often as it takes") {
+    Playback playback(2, 6);
+    playback.play(10);
+    CHECK(playback.time(13.75) == 5.75);
+    CHECK(playback.time(14.25) == 2.25);
+    CHECK(playback.time(18.25) == 2.25);
+    CHECK(playback.time(10 + 4 * 1000 + 1) == 3);
+    CHECK(playback.is_playing(5000));
+}
+
+TEST_CASE("without a loop it rests at the end and plays again from the beginning") {
+    Playback playback(2, 6);
+    playback.set_loops(false, 0);
+    playback.play(10);
+    CHECK(playback.time(13) == 5);
+    CHECK(playback.is_playing(13));
+    CHECK(playback.time(14) == 6);
+    CHECK_FALSE(playback.is_playing(14));
+    CHECK(playback.time(99) == 6);
+    playback.play(99);
+    CHECK(playback.time(99) == 2);
+    CHECK(playback.time(100) == 3);
+    CHECK(playback.is_playing(100));
+}
+
+TEST_CASE("a pause keeps the time, and play goes on from there") {
+    Playback playback(0, 8);
+    playback.play(1);
+    playback.pause(4);
+    CHECK(playback.time(4) == 3);
+    CHECK(playback.time(50) == 3);
+    CHECK_FALSE(playback.is_playing(50));
+    playback.play(50);
+    CHECK(playback.time(52) == 5);
+}
+
+TEST_CASE("play while it plays changes nothing") {
+    Playback playback(0, 8);
+    playback.play(1);
+    playback.play(3);
+    CHECK(playback.time(4) == 3);
+}
+
+TEST_CASE("a seek jumps, stays within the interval, and goes on playing when it was playing") {
+    Playback playback(0, 8);
+    playback.seek(5, 1);
+    CHECK(playback.time(100) == 5);
+    CHECK_FALSE(playback.is_playing(100));
+    playback.seek(-3, 1);
+    CHECK(playback.time(1) == 0);
+    playback.seek(30, 1);
+    CHECK(playback.time(1) == 8);
+
+    playback.seek(1, 2);
+    playback.play(2);
+    playback.seek(6, 3);
+    CHECK(playback.time(3) == 6);
+    CHECK(playback.time(4) == 7);
+    CHECK(playback.is_playing(4));
+}
+
+TEST_CASE("a seek back from the end, where it rests, does not start it") {
+    Playback playback(0, 8);
+    playback.set_loops(false, 0);
+    playback.play(0);
+    playback.seek(2, 20);
+    CHECK_FALSE(playback.is_playing(20));
+    CHECK(playback.time(25) == 2);
+}
+
+TEST_CASE("switching the loop changes no time and does not start what rests") {
+    Playback playback(0, 8);
+    playback.play(0);
+    playback.set_loops(false, 11);
+    CHECK(playback.time(11) == 3);
+    CHECK(playback.time(15) == 7);
+    CHECK(playback.time(17) == 8);
+    playback.set_loops(true, 20);
+    CHECK(playback.time(25) == 8);
+    CHECK_FALSE(playback.is_playing(25));
+}
+
+TEST_CASE("a clock that goes back does not move the animation back") {
+    Playback playback(0, 8);
+    playback.seek(3, 10);
+    playback.play(10);
+    CHECK(playback.time(9) == 3);
+}
+
+TEST_CASE("an interval of no length never moves") {
+    Playback playback(4, 4);
+    playback.play(1);
+    CHECK(playback.time(9) == 4);
+    CHECK_FALSE(playback.is_playing(9));
+}

@@ -1,0 +1,209 @@
+#include "io/mesh_file.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include <doctest/doctest.h>
+#include <stb_image.h>
+
+#include "hierarchy/checker.h"
+#include "io/scratch_folder.h"
+
+namespace interleaf {
+
+namespace {
+
+std::string obj_error(const ScratchFolder& folder, std::string_view obj) {
+    put(folder / "m.obj", obj);
+    return input_error_of([&] { read_obj(folder / "m.obj"); });
+}
+
+Hierarchy obj_hierarchy(const ScratchFolder& folder, std::string_view obj) {
+    put(folder / "m.obj", obj);
+    return read_obj(folder / "m.obj");
+}
+
+/// A finite float of random bits, every magnitude alike.
+float random_float(std::mt19937& random) {
+    for (;;) {
+        const auto number = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+        if (std::isfinite(number)) return number;
+    }
+}
+
+bool is_same(std::span<const glm::vec3> a, std::span<const glm::vec3> b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
+constexpr std::string_view tetrahedron_vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+
+}  // namespace
+
+TEST_CASE("an OBJ gives back the same floats, vertices and face order") {
+    const ScratchFolder folder;
+    using Limits = std::numeric_limits<float>;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        std::vector<glm::vec3> positions;
+        std::vector<Triangle> triangles;
+        for (Index strip = 0; strip < 50; ++strip) {
+            for (int corner = 0; corner < 3; ++corner)
+                positions.emplace_back(random_float(random), random_float(random), random_float(random));
+            triangles.push_back({3 * strip + 2, 3 * strip, 3 * strip + 1});
+        }
+        positions[0] = {-0.0f, Limits::denorm_min(), Limits::max()};
+        positions[1] = {0.1f, -Limits::min(), Limits::lowest()};
+        put(folder / "m.obj", obj_text(triangles, positions));
+        const Hierarchy read = read_obj(folder / "m.obj");
+        CHECK(is_same(read.positions, positions));
+        CHECK(std::ranges::equal(read.roots.triangles(), triangles));
+        CHECK(read.midpoints.empty());
+    }
+}
+
+TEST_CASE(
+    "an OBJ of another program is read: polygons, groups, texture and normal numbers, relative numbers") {
+    const ScratchFolder folder;
+    const Hierarchy cube =
+        obj_hierarchy(folder,
+                      "# cube\r\nmtllib none.mtl\r\no cube\r\n"
+                      "v -1 -1 -1\r\nv 1 -1 -1 1.0\r\nv 1 1 -1 0.5 0.5 0.5\r\nv +1e2 7 7\r\n"
+                      "v -1 1 -1\r\nv -1 -1 1\r\nv 1 -1 1\r\nv 1 1 1\r\nv -1 1 1\r\n"
+                      "vt 0 0\r\nvn 0 0 1\r\ng sides\r\nusemtl red\r\ns off\r\n"
+                      "f 1/1/1 5/1/1 3/1/1 2/1/1\r\nf 6//1 7//1 8//1 9//1\r\nf 1/1 2/1 7/1 6/1\r\n"
+                      "g more\r\nf 2 3 8 7\r\nf 3 5 9 8\r\n\tf -5 -9 -4 -1");
+    CHECK(cube.positions.size() == 8);
+    CHECK(cube.roots.triangle_count() == 12);
+    CHECK(cube.roots.boundary_edge_count() == 0);
+    CHECK(cube.roots.euler_number() == 2);
+    CHECK(cube.positions[3] == glm::vec3(-1, 1, -1));
+    CHECK(check(cube).empty());
+}
+
+TEST_CASE("a polygon of many corners becomes triangles inside it") {
+    const ScratchFolder folder;
+    const Hierarchy pentagon =
+        obj_hierarchy(folder, "v 0 0 0\nv 2 0 0\nv 3 1 0\nv 1 3 0\nv -1 1 0\nf 1 2 3 4 5\n");
+    CHECK(pentagon.roots.triangle_count() == 3);
+    CHECK(pentagon.roots.boundary_edge_count() == 5);
+}
+
+TEST_CASE("numbers too small for a float are 0, numbers too large are refused") {
+    const ScratchFolder folder;
+    const Hierarchy triangle = obj_hierarchy(folder, "v 1e-99 -1e-46 0\nv 1 0 0\nv 0 1 1e-300\nf 1 2 3\n");
+    CHECK(triangle.positions[0] == glm::vec3(0));
+    CHECK(triangle.positions[2] == glm::vec3(0, 1, 0));
+    CHECK(obj_error(folder, "v 1e39 0 0\n").find("line 1: \"1e39\" is not a coordinate") !=
+          std::string::npos);
+    CHECK(obj_error(folder, "v 1e999 0 0\n").find("line 1: \"1e999\" is not a coordinate") !=
+          std::string::npos);
+}
+
+TEST_CASE("a hostile OBJ is refused with its line and what was expected") {
+    struct Case {
+        std::string obj;
+        std::string_view expected;
+    };
+    const std::string v(tetrahedron_vertices);
+    std::string many_corners = v + "f";
+    for (int corner = 0; corner < 1001; ++corner) many_corners += " 1";
+    const std::vector<Case> cases{
+        {"", "m.obj: has no faces"},
+        {v, "m.obj: has no faces"},
+        {std::string(1000, '\0'), "has no faces"},
+        {"v 0 0\nf 1 1 1\n", "line 1: \"\" is not a coordinate, expected three finite numbers"},
+        {"v 0 0 nan\n", "line 1: \"nan\" is not a coordinate"},
+        {"v 0 -inf 0\n", "\"-inf\" is not a coordinate"},
+        {"v 0 0x10 0\n", "\"0x10\" is not a coordinate"},
+        {"v 0 1,5 0\n", "\"1,5\" is not a coordinate"},
+        {"v 0 \x1b[2J 0\n", "\"\\u001b[2J\" is not a coordinate"},
+        {v + "f 1 2\n", "line 5: a face of 2 vertices, expected 3 to 1000"},
+        {many_corners, "line 5: a face of 1001 vertices"},
+        {v + "f 1 2 0\n", "line 5: vertex 0 does not exist"},
+        {v + "f 1 2 -5\n", "line 5: vertex -5 does not exist, there are 4"},
+        {v + "f 1 2 5\nf 1 2 3\n", "line 5: vertex 5 does not exist, there are 4"},
+        {v + "f 1 2 2147483648\n", "line 5: vertex 2147483648 does not exist"},
+        {v + "f 1 2 99999999999999999999\n", "line 5: \"99999999999999999999\" is not a corner"},
+        {v + "f 1 2 x\n", "line 5: \"x\" is not a corner"},
+        {v + "f 1 2 3x\n", "line 5: \"3x\" is not a corner"},
+        {v + "f 1 1 2\n", "m.obj: faces"},
+        {v + "f 1 2 3\nf 1 2 4\n", "m.obj: faces"},
+        {v + "f 1 2 3\nf 2 1 4\nf 1 2 4\n", "m.obj: faces"},
+    };
+    const ScratchFolder folder;
+    for (const Case& hostile : cases) {
+        const std::string error = obj_error(folder, hostile.obj);
+        INFO("expected: ", hostile.expected, "   got: ", error);
+        CHECK(error.find(hostile.expected) != std::string::npos);
+    }
+}
+
+TEST_CASE("random damage to an OBJ gives an error or a sound hierarchy") {
+    const ScratchFolder folder;
+    const std::string whole =
+        std::string(tetrahedron_vertices) + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nf 1 2 3 4\n";
+    constexpr std::string_view pieces = "0123456789-+.e/ \nfvgtlp#\r";
+    int sound = 0;
+    for (unsigned seed = 0; seed < 2000; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        std::string obj = whole.substr(0, seed % 2 == 0 ? whole.size() : whole.size() - 10);
+        for (auto changes = 1 + random() % 3; changes > 0; --changes)
+            obj[random() % obj.size()] = pieces[random() % pieces.size()];
+        put(folder / "m.obj", obj);
+        const std::string error = input_error_of([&] {
+            const Hierarchy read = read_obj(folder / "m.obj");
+            CHECK(check(read).empty());
+            ++sound;
+        });
+        if (!error.empty()) CHECK(error.starts_with((folder / "m.obj").string() + ": "));
+    }
+    CHECK(sound > 100);
+    CHECK(sound < 1900);
+}
+
+TEST_CASE("a PLY has its header and its bytes") {
+    const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0.5f, 0}, {0, 1, -2}};
+    const std::vector<Triangle> triangles{{2, 0, 1}};
+    const std::string ply = ply_bytes(triangles, positions);
+    const std::string_view header =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    REQUIRE(ply.starts_with(header));
+    REQUIRE(ply.size() == header.size() + 36 + 13);
+    CHECK(ply.substr(header.size(), 36) == std::string(reinterpret_cast<const char*>(positions.data()), 36));
+    CHECK(ply[header.size() + 36] == 3);
+    CHECK(std::memcmp(ply.data() + header.size() + 37, triangles.data(), 12) == 0);
+}
+
+TEST_CASE("a PNG decodes to the same pixels, top row first") {
+    constexpr unsigned seed = 1;
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    constexpr int width = 37;
+    constexpr int height = 11;
+    std::vector<std::uint8_t> pixels(std::size_t{4} * width * height);
+    for (std::uint8_t& value : pixels) value = static_cast<std::uint8_t>(random());
+    const std::string png = png_bytes(pixels, width, height);
+    CHECK(png.starts_with("\x89PNG\r\n\x1a\n"));
+
+    int read_width = 0;
+    int read_height = 0;
+    int channels = 0;
+    stbi_uc* read =
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()), static_cast<int>(png.size()),
+                              &read_width, &read_height, &channels, 0);
+    REQUIRE(read != nullptr);
+    CHECK(read_width == width);
+    CHECK(read_height == height);
+    REQUIRE(channels == 4);
+    CHECK(std::equal(pixels.begin(), pixels.end(), read));
+    stbi_image_free(read);
+}
+
+}  // namespace interleaf
