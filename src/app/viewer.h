@@ -9,9 +9,10 @@
 namespace interleaf {
 
 struct ViewerOptions {
-    int width = 1280;   ///< of the window, screen coordinates
+    int width = 1280;  ///< of the window, screen coordinates
     int height = 800;
-    std::optional<std::filesystem::path> trace;  ///< a file that gets one JSON line at every change of state, for tests and bug reports
+    std::optional<std::filesystem::path>
+        trace;  ///< a file that gets one JSON line at every change of state, for tests and bug reports
 };
 
 /// Opens a window on \p family and returns when it is closed.

@@ -1,7 +1,10 @@
-// The camera: it looks at a target point from a distance, Y up, 35 degrees vertical field. Pure arithmetic, no GL.
+// The camera: it looks at a target point from a distance, Y up, 35 degrees vertical field. Pure arithmetic,
+// no GL.
+//
+// It turns like a turntable: about the vertical axis and up and down, never rolling.
 #pragma once
 
-#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -17,28 +20,41 @@ class Camera {
     /// Sees the whole of \p box at width / height = \p aspect from where it looks now, with a margin.
     void frame(const Box& box, float aspect);
 
-    /// Looks from \p azimuth (about Y, 0 from +Z) and \p elevation (above the XZ plane), both in degrees.
+    /// Looks from \p azimuth (about Y, 0 from +Z) and \p elevation (above the XZ plane, -90 to 90), both in
+    /// degrees.
     void look_from(float azimuth, float elevation);
 
-    /// Turns about the target: \p delta is the pointer's way in units of the picture's height, x right, y down.
+    /// Turns about the target: \p delta is the pointer's way in units of the picture's height, x right, y
+    /// down.
     void orbit(glm::vec2 delta);
 
     /// Shifts the target so that it stays under the pointer; \p delta as in orbit().
     void pan(glm::vec2 delta);
 
-    /// Comes nearer by \p factor (above 1 nearer) with the point under the pointer staying there. \p pointer in normalised
-    /// device coordinates, -1 to 1, y up.
+    /// Comes nearer by \p factor (above 1 nearer) with the point under the pointer, at the target's depth,
+    /// staying there. \p pointer in normalised device coordinates, -1 to 1, y up.
     void zoom(float factor, glm::vec2 pointer, float aspect);
+
+    /// Comes nearer to the world point \p point by \p factor. It stays where it is in the picture; so a
+    /// surface point under the pointer can be approached without end.
+    void approach(float factor, glm::vec3 point);
+
+    /// The world point under \p pointer (as in zoom()) at \p depth, 0 to 1 as the depth buffer has it.
+    glm::vec3 point_at(glm::vec2 pointer, float depth, float aspect) const;
 
     glm::mat4 view() const;
     glm::mat4 projection(float aspect) const;
     glm::vec3 eye() const;
 
   private:
+    glm::mat3 axes() const;
+
     glm::vec3 target_{0};
-    glm::quat orientation_{1, 0, 0, 0};  ///< from camera to world
+    float azimuth_ = 0;    ///< degrees
+    float elevation_ = 0;  ///< degrees
     float distance_ = 4;
-    float scene_radius_ = 1;  ///< of the framed box, for the clipping planes
+    glm::vec3 scene_center_{0};  ///< of the framed box, for the clipping planes
+    float scene_radius_ = 1;
 };
 
 }  // namespace interleaf

@@ -1,5 +1,6 @@
-// OpenGL 3.3 core contexts: a GLFW window, and EGL without a display. Either one is current in its thread from
-// construction on, with the GL functions loaded and KHR_debug messages collected where the driver has them.
+// OpenGL 3.3 core contexts: a GLFW window, and EGL without a display. Either one is current in its thread
+// from construction on, with the GL functions loaded and KHR_debug messages collected where the driver has
+// them. One of them at a time; what was made in it goes before it.
 #pragma once
 
 #include <memory>
@@ -41,7 +42,8 @@ class Window {
     std::unique_ptr<State> state_;
 };
 
-/// The KHR_debug messages of severity low and above since the last call, oldest first.
+/// The KHR_debug messages of the current context of severity low and above since the last call, oldest first.
+/// A driver may keep only the first few (Mesa ten) between two calls.
 std::vector<std::string> take_debug_messages();
 
 }  // namespace interleaf

@@ -16,10 +16,11 @@ enum class Coloring {
 struct Display {
     Shading shading = Shading::smooth;
     Coloring coloring = Coloring::plain;
-    bool wireframe = false;         ///< the edges of the leaves
-    bool refinement_edges = false;  ///< the edge of each leaf that bisection would split, in a colour of its own
-    bool root_edges = false;        ///< the edges of the root complex
-    float line_width = 1.5F;        ///< pixels
+    bool wireframe = false;  ///< the edges of the leaves
+    bool refinement_edges =
+        false;                ///< the edge of each leaf that bisection would split, in a colour of its own
+    bool root_edges = false;  ///< the edges of the root complex
+    float line_width = 1.5F;  ///< pixels
     bool operator==(const Display&) const = default;
 };
 

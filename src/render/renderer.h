@@ -1,18 +1,23 @@
 // The renderer: draws the morph of a union mesh. One for the window and for EGL.
 //
-// upload() sends what is constant while the active keys stay the same: leaves, tags, position streams, normal products.
-// draw() sends weights, camera and display as uniforms and draws once; positions and exact normals are blended in the
-// vertex shader. With more than max_gpu_keys active keys the blend is done on the processor into a streamed buffer.
+// upload() sends what is constant while the active keys stay the same: leaves, tags, position streams, normal
+// products. draw() sends weights, camera and display as uniforms and draws once; positions and exact normals
+// are blended in the vertex shader. With more than max_gpu_keys active keys the blend is done on the
+// processor into a streamed buffer.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "hierarchy/union_mesh.h"
 #include "hierarchy/vertex_normals.h"
 #include "render/camera.h"
 #include "render/display.h"
 #include "render/offscreen_target.h"
+#include "render/palette.h"
 
 namespace interleaf {
 
@@ -25,14 +30,59 @@ class Renderer {
     Renderer();
 
     /// Replaces the surface.
-    void upload(const UnionMesh& mesh, const NormalForm& form);
+    /// \param keys  index in the family of each key of \p mesh, for the colours by origin; 0, 1, 2, ... when
+    /// empty \throw MachineError if there are more leaves than a buffer texture holds here; the old surface
+    /// stays
+    void upload(const UnionMesh& mesh, const NormalForm& form, std::span<const std::size_t> keys = {});
 
     /// Draws the background and the surface with \p weights, one a key of the uploaded mesh, into \p target.
-    void draw(const OffscreenTarget& target, const Camera& camera, std::span<const float> weights, const Display& display);
+    void draw(const OffscreenTarget& target, const Camera& camera, std::span<const float> weights,
+              const Display& display);
 
     /// Reads the shader files again and compiles them; keeps the old ones when that fails.
     /// \throw InputError with the compiler's message
     void reload_shaders();
+
+  private:
+    /// Programs for the surface, by number of keys on the GPU and by whether edges are drawn; made when first
+    /// needed.
+    using SurfacePrograms = std::array<std::array<GlProgram, 2>, max_gpu_keys>;
+
+    using Stream = std::span<const glm::vec3>;  ///< one vector a vertex
+
+    /// A mesh with too many keys for the GPU, blended here.
+    struct ProcessorBlend {
+        UnionMesh mesh;
+        NormalForm form;
+        std::vector<float> weights;  ///< of what the streams hold now
+    };
+
+    const GlProgram& surface_program(bool edges);
+    void upload_leaves(const UnionMesh& mesh, std::span<const KeySet> origins);
+    void upload_streams(std::span<const Stream> positions, std::span<const Stream> normals);
+    void blend_on_processor(ProcessorBlend& blend, std::span<const float> weights);
+    void upload_palette(const Display& display);
+    void draw_background() const;
+    void draw_surface(const OffscreenTarget& target, const Camera& camera, std::span<const float> weights,
+                      const Display& display);
+
+    GlProgram background_program_;
+    SurfacePrograms surface_programs_;
+    GlVertexArray no_attributes_;
+    GlVertexArray attributes_;
+    /// By attribute: positions of each key, from max_gpu_keys on the normal products.
+    std::array<GlBuffer, max_gpu_keys + product_count(max_gpu_keys)> streams_;
+    GlBuffer corners_;        ///< vertex indices of the leaves
+    GlBuffer leaf_data_;      ///< tag and place of the origin in the palette, a leaf
+    GlTexture leaf_texture_;  ///< leaf_data_ as a buffer texture
+    GlBuffer palette_data_;
+    GlTexture palette_texture_;
+
+    std::size_t gpu_key_count_ = 0;  ///< 0 before the first upload
+    std::size_t leaf_count_ = 0;
+    LevelRange levels_;
+    std::vector<glm::vec3> origin_colors_;  ///< of the origins that occur, in linear light
+    std::optional<ProcessorBlend> processor_blend_;
 };
 
 }  // namespace interleaf

@@ -1,0 +1,21 @@
+#version 330 core
+// A vertical gradient, dithered: 8 bits would show its steps as bands.
+
+in float height;
+
+out vec4 color;
+
+const vec3 bottom = vec3(0.020, 0.022, 0.027);
+const vec3 top = vec3(0.085, 0.095, 0.115);
+
+// Interleaved gradient noise (Jimenez 2014), -0.5 to 0.5.
+float noise(vec2 pixel) {
+    return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5;
+}
+
+void main() {
+    vec3 light = mix(bottom, top, height * height * (3.0 - 2.0 * height));
+    // About the light of one step of the sRGB encoding, which is nearly a square root.
+    vec3 step_of_light = 2.0 * sqrt(light) / 255.0;
+    color = vec4(light + noise(gl_FragCoord.xy) * step_of_light, 1.0);
+}

@@ -1,0 +1,54 @@
+#include "app/builtin_family.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "hierarchy/error.h"
+#include "io/family_file.h"
+#include "shapes/shapes.h"
+
+namespace interleaf {
+
+std::filesystem::path builtin_family_folder() {
+    std::error_code error;
+    const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::filesystem::path installed =
+        executable.parent_path().parent_path() / "share" / "interleaf" / "families" / "five-keys";
+    if (std::filesystem::is_directory(installed, error)) return installed;
+    return INTERLEAF_SOURCE_FAMILY;
+}
+
+Family open_family(const std::optional<std::filesystem::path>& path) {
+    const std::filesystem::path file = path ? *path : builtin_family_folder();
+    std::error_code error;
+    if (std::filesystem::status(file, error).type() == std::filesystem::file_type::not_found) {
+        throw InputError(fmt::format("{}: there is no such file", file.string()));
+    }
+    return read_family(file);
+}
+
+Family make_five_keys() {
+    Family family{.name = "Five keys", .keys = {}, .timeline = {}, .domain = {}};
+    for (const ShippedKey& key : five_keys()) {
+        family.keys.push_back({std::string(key.shape), make_key(*find_shape(key.shape), key.budget)});
+    }
+    const auto key = [&](std::string_view name) { return find_key(family, name).value(); };
+    family.timeline.emplace(std::vector<TimelineKey>{{0, key("star")},
+                                                     {2, key("cushion")},
+                                                     {4, key("bone")},
+                                                     {6, key("icosahedron")},
+                                                     {8, key("sphere")},
+                                                     {10, key("star")}});
+    family.domain.emplace(std::vector<DomainVertex>{{{-1, -1}, key("icosahedron")},
+                                                    {{1, -1}, key("bone")},
+                                                    {{1, 1}, key("cushion")},
+                                                    {{-1, 1}, key("star")},
+                                                    {{0, 0}, key("sphere")}},
+                          std::vector<Triangle>{{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+    return family;
+}
+
+}  // namespace interleaf

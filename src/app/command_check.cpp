@@ -1,0 +1,33 @@
+#include "app/command_check.h"
+
+#include <fmt/format.h>
+
+#include "app/builtin_family.h"
+#include "app/error_message.h"
+#include "hierarchy/error.h"
+
+namespace interleaf {
+namespace {
+
+// Readers check every invariant of what they read, so a file that can be read is sound.
+bool is_sound(const std::filesystem::path& file) {
+    try {
+        const Family family = open_family(file);
+        fmt::print("{}: sound, {}\n", file.string(),
+                   family.keys.size() == 1 ? "1 key" : fmt::format("{} keys", family.keys.size()));
+        return true;
+    } catch (const InputError& error) {
+        print_error(error.what());
+        return false;
+    }
+}
+
+}  // namespace
+
+bool run_check(std::span<const std::filesystem::path> files) {
+    bool all_sound = true;
+    for (const std::filesystem::path& file : files) all_sound = is_sound(file) && all_sound;
+    return all_sound;
+}
+
+}  // namespace interleaf

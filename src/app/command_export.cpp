@@ -1,0 +1,43 @@
+#include "app/command_export.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/builtin_family.h"
+#include "hierarchy/error.h"
+#include "hierarchy/morph.h"
+#include "io/hierarchy_file.h"
+#include "io/mesh_file.h"
+
+namespace interleaf {
+namespace {
+
+constexpr std::array<std::string_view, 3> formats = {"obj", "ply", "ilh"};
+
+bool is_finite(const glm::vec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+}  // namespace
+
+void run_export(const ExportOptions& options) {
+    const std::string_view format = format_of(options.output, formats);
+    const Family family = open_family(options.morph.family);
+    const Weights weights = selected_weights(options.morph, family);
+    const UnionMesh mesh = unite(family, weights);
+    const std::vector<float> values = weight_values(weights);
+    const std::vector<glm::vec3> positions = morph(mesh, values);
+    if (!std::ranges::all_of(positions, is_finite))
+        throw UsageError("--weights: too large for float positions");
+
+    if (format == "obj") {
+        write_output(options.output, obj_text(mesh.triangles, positions));
+    } else if (format == "ply") {
+        write_output(options.output, ply_bytes(mesh.triangles, positions));
+    } else {
+        write_output(options.output, serialize_hierarchy(morphed_hierarchy(mesh, values)));
+    }
+}
+
+}  // namespace interleaf

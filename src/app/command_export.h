@@ -1,0 +1,17 @@
+// `interleaf export`: the morphed union as a flat mesh, or as a key like any other (paper, section 3.3).
+#pragma once
+
+#include "app/morph_selection.h"
+#include "app/output.h"
+
+namespace interleaf {
+
+struct ExportOptions {
+    MorphSelection morph;
+    Output output;  ///< obj, ply or ilh
+};
+
+/// \throw InputError, UsageError, MachineError
+void run_export(const ExportOptions& options);
+
+}  // namespace interleaf

@@ -1,0 +1,171 @@
+#include "app/command_info.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/builtin_family.h"
+#include "app/figures.h"
+#include "io/hierarchy_file.h"
+
+namespace interleaf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+enum class Kind { hierarchy, family, mesh };
+
+std::string_view name_of(Kind kind) {
+    constexpr std::array<std::string_view, 3> names = {"hierarchy", "family", "mesh"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+Kind kind_of(const std::filesystem::path& file) {
+    const std::string extension = file.extension().string();
+    if (extension == ".ilh") return Kind::hierarchy;
+    return extension == ".obj" ? Kind::mesh : Kind::family;
+}
+
+std::vector<Figures> figures_of(const Family& family) {
+    std::vector<Figures> figures;
+    // There is one way to write a key, so this is the size of the file it was read from.
+    for (const Key& key : family.keys) {
+        figures.push_back(figures_of(key.hierarchy, serialize_hierarchy(key.hierarchy).size()));
+    }
+    return figures;
+}
+
+/// Bytes of what was read: a mesh, or keys and what names them.
+std::uintmax_t bytes_on_disk(const std::filesystem::path& file, const Figures& keys) {
+    const bool is_folder = std::filesystem::is_directory(file);
+    const std::uintmax_t own = std::filesystem::file_size(is_folder ? file / "family.json" : file);
+    return kind_of(file) == Kind::family ? keys.file + own : own;
+}
+
+Json json_of(const glm::vec3& p) {
+    return {p.x, p.y, p.z};
+}
+
+Json json_of(const Figures& figures) {
+    return {{"roots", figures.roots},
+            {"leaves", figures.leaves},
+            {"vertices", figures.vertices},
+            {"levels", {{"min", figures.min_level}, {"max", figures.max_level}}},
+            {"bytes", {{"memory", figures.memory}, {"file", figures.file}}},
+            {"angles", {{"min", figures.min_angle}}},
+            {"euler", figures.euler},
+            {"boundary_edges", figures.boundary},
+            {"box", {json_of(figures.box.min), json_of(figures.box.max)}}};
+}
+
+Json json_of(const Timeline& timeline, const Family& family) {
+    Json keys = Json::array();
+    for (const TimelineKey& key : timeline.keys()) {
+        keys.push_back({{"time", key.time}, {"key", family.keys[key.key].name}});
+    }
+    return {{"begin", timeline.begin()}, {"end", timeline.end()}, {"keys", keys}};
+}
+
+Json json_of(const ParameterDomain& domain, const Family& family) {
+    Json vertices = Json::array();
+    for (const DomainVertex& vertex : domain.vertices()) {
+        vertices.push_back({{"at", {vertex.at.x, vertex.at.y}}, {"key", family.keys[vertex.key].name}});
+    }
+    return {{"vertices", vertices}, {"triangles", domain.triangles()}};
+}
+
+void print_json(Kind kind, const Family& family, std::span<const Figures> keys, const Figures& whole) {
+    Json document = {{"kind", name_of(kind)}, {"name", family.name}};
+    document.update(json_of(whole));
+    if (kind == Kind::family) {
+        document["keys"] = Json::array();
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            Json key = {{"name", family.keys[i].name}};
+            key.update(json_of(keys[i]));
+            document["keys"].push_back(std::move(key));
+        }
+    }
+    if (family.timeline) document["timeline"] = json_of(*family.timeline, family);
+    if (family.domain) document["domain"] = json_of(*family.domain, family);
+    fmt::print("{}\n", document.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+/// 12345678 as 12,345,678.
+std::string grouped(std::uintmax_t number) {
+    if (number < 1000) return fmt::format("{}", number);
+    return fmt::format("{},{:03}", grouped(number / 1000), number % 1000);
+}
+
+std::string levels(const Figures& figures) {
+    return fmt::format("{} to {}", figures.min_level, figures.max_level);
+}
+
+std::string text_of(const glm::vec3& p) {
+    return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x, p.y, p.z);
+}
+
+void print_line(std::string_view label, std::string_view text) {
+    fmt::print("{:<14}{}\n", label, text);
+}
+
+void print_whole(Kind kind, const Family& family, const Figures& whole) {
+    print_line(name_of(kind), family.name);
+    print_line("roots", grouped(whole.roots));
+    print_line("leaves", grouped(whole.leaves));
+    print_line("vertices", grouped(whole.vertices));
+    print_line("levels", levels(whole));
+    print_line("memory", grouped(whole.memory) + " bytes");
+    print_line("file", grouped(whole.file) + " bytes");
+    print_line("least angle", fmt::format("{:.1f} degrees", whole.min_angle));
+    print_line("Euler number", fmt::format("{}", whole.euler));
+    print_line("boundary", whole.boundary == 0 ? "none" : grouped(whole.boundary) + " root edges");
+    print_line("box", text_of(whole.box.min) + " to " + text_of(whole.box.max));
+}
+
+void print_keys(const Family& family, std::span<const Figures> keys) {
+    constexpr std::string_view row = "{:<20}{:>12}{:>12}{:>12}{:>14}{:>14}\n";
+    fmt::print("\n");
+    fmt::print(row, "key", "leaves", "vertices", "levels", "least angle", "memory");
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const Figures& key = keys[i];
+        fmt::print(row, family.keys[i].name, grouped(key.leaves), grouped(key.vertices), levels(key),
+                   fmt::format("{:.1f}", key.min_angle), grouped(key.memory));
+    }
+}
+
+void print_timeline(const Timeline& timeline, const Family& family) {
+    fmt::print("\ntimeline, seconds\n");
+    for (const TimelineKey& key : timeline.keys())
+        fmt::print("{:>12.4g}  {}\n", key.time, family.keys[key.key].name);
+}
+
+void print_domain(const ParameterDomain& domain, const Family& family) {
+    fmt::print("\nparameter domain, {} triangles\n", domain.triangles().size());
+    for (const DomainVertex& vertex : domain.vertices()) {
+        fmt::print("{:>12}  {}\n", fmt::format("{:.4g},{:.4g}", vertex.at.x, vertex.at.y),
+                   family.keys[vertex.key].name);
+    }
+}
+
+void print_text(Kind kind, const Family& family, std::span<const Figures> keys, const Figures& whole) {
+    print_whole(kind, family, whole);
+    if (kind == Kind::family) print_keys(family, keys);
+    if (family.timeline) print_timeline(*family.timeline, family);
+    if (family.domain) print_domain(*family.domain, family);
+}
+
+}  // namespace
+
+void run_info(const InfoOptions& options) {
+    const Family family = open_family(options.file);
+    const Kind kind = kind_of(options.file);
+    const std::vector<Figures> keys = figures_of(family);
+    Figures whole = total(keys);
+    whole.file = bytes_on_disk(options.file, whole);
+    (options.json ? print_json : print_text)(kind, family, keys, whole);
+}
+
+}  // namespace interleaf

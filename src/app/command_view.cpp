@@ -1,0 +1,24 @@
+#include "app/command_view.h"
+
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "app/builtin_family.h"
+#include "hierarchy/error.h"
+
+namespace interleaf {
+
+void run_view(const ViewOptions& options) {
+    Family family = open_family(options.family);
+    try {
+        run_viewer(std::move(family), options.viewer);
+    } catch (const MachineError& error) {
+        const bool has_display =
+            std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+        throw MachineError(fmt::format("{}; to draw without a window: interleaf render --at 0.3,0.4 -o a.png",
+                                       has_display ? error.what() : "there is no display"));
+    }
+}
+
+}  // namespace interleaf

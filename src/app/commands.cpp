@@ -1,0 +1,228 @@
+#include "app/commands.h"
+
+// GLFW must not bring OpenGL headers of its own.
+#define GLFW_INCLUDE_NONE
+
+#include <algorithm>
+#include <cassert>
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+namespace interleaf {
+
+namespace {
+
+/// The arrows' step, as a part of the whole timeline.
+constexpr double step_part = 0.01;
+
+void step(ViewerState& state, double direction, double now) {
+    Session& session = state.session;
+    if (!session.has_timeline()) return;
+    const Timeline& timeline = *session.family().timeline;
+    session.seek(session.time() + direction * step_part * (timeline.end() - timeline.begin()), now);
+}
+
+void cycle_coloring(ViewerState& state, double) {
+    Coloring& coloring = state.session.display.coloring;
+    switch (coloring) {
+        case Coloring::plain:
+            coloring = Coloring::level;
+            break;
+        case Coloring::level:
+            coloring = Coloring::origin;
+            break;
+        case Coloring::origin:
+            coloring = Coloring::plain;
+            break;
+    }
+}
+
+void toggle_shading(ViewerState& state, double) {
+    Shading& shading = state.session.display.shading;
+    shading = shading == Shading::smooth ? Shading::flat : Shading::smooth;
+}
+
+template <bool Display::*line>
+void toggle(ViewerState& state, double) {
+    state.session.display.*line = !(state.session.display.*line);
+}
+
+template <bool Display::*line>
+bool is_on(const ViewerState& state) {
+    return state.session.display.*line;
+}
+
+constexpr Command table[] = {
+    {"File",
+     "Quit",
+     {{{GLFW_KEY_Q, GLFW_MOD_CONTROL}}},
+     "Close the window",
+     [](ViewerState& state, double) { state.quit_wanted = true; }},
+
+    {"Playback",
+     "Play",
+     {{{GLFW_KEY_SPACE}}},
+     "Play or pause; the surface follows the timeline again",
+     [](ViewerState& state, double now) { state.session.toggle_playing(now); },
+     [](const ViewerState& state) { return state.session.is_playing(); }},
+    {"Playback",
+     "Loop",
+     {{{GLFW_KEY_L}}},
+     "Start over at the end",
+     [](ViewerState& state, double now) { state.session.toggle_loop(now); },
+     [](const ViewerState& state) { return state.session.loops(); }},
+    {"Playback",
+     "Begin",
+     {{{GLFW_KEY_HOME}}},
+     "Go to the begin of the timeline",
+     [](ViewerState& state, double now) {
+         if (state.session.has_timeline()) state.session.seek(state.session.family().timeline->begin(), now);
+     }},
+    {"Playback",
+     "End",
+     {{{GLFW_KEY_END}}},
+     "Go to the end of the timeline",
+     [](ViewerState& state, double now) {
+         if (state.session.has_timeline()) state.session.seek(state.session.family().timeline->end(), now);
+     }},
+    {"Playback",
+     "Step back",
+     {{{GLFW_KEY_LEFT}}},
+     "Go back by a hundredth of the timeline",
+     [](ViewerState& state, double now) { step(state, -1, now); },
+     nullptr,
+     true},
+    {"Playback",
+     "Step forward",
+     {{{GLFW_KEY_RIGHT}}},
+     "Go on by a hundredth of the timeline",
+     [](ViewerState& state, double now) { step(state, 1, now); },
+     nullptr,
+     true},
+    {"Playback",
+     "Key before",
+     {{{GLFW_KEY_LEFT, GLFW_MOD_CONTROL}, {GLFW_KEY_PAGE_UP}}},
+     "Go to the key before on the timeline",
+     [](ViewerState& state, double now) { state.session.seek_key(-1, now); }},
+    {"Playback",
+     "Next key",
+     {{{GLFW_KEY_RIGHT, GLFW_MOD_CONTROL}, {GLFW_KEY_PAGE_DOWN}}},
+     "Go to the next key on the timeline",
+     [](ViewerState& state, double now) { state.session.seek_key(1, now); }},
+
+    {"View",
+     "Frame model",
+     {{{GLFW_KEY_F}}},
+     "See the whole model (or double-click it)",
+     [](ViewerState& state, double) { state.frame_wanted = true; }},
+    {"View",
+     "Smooth shading",
+     {{{GLFW_KEY_S}}},
+     "Shade smoothly, or each triangle flat",
+     toggle_shading,
+     [](const ViewerState& state) { return state.session.display.shading == Shading::smooth; }},
+    {"View",
+     "Wireframe",
+     {{{GLFW_KEY_W}, {GLFW_KEY_1}}},
+     "Show the edges of the leaves",
+     toggle<&Display::wireframe>,
+     is_on<&Display::wireframe>},
+    {"View",
+     "Refinement edges",
+     {{{GLFW_KEY_R}, {GLFW_KEY_2}}},
+     "Show the edge that bisection would split next",
+     toggle<&Display::refinement_edges>,
+     is_on<&Display::refinement_edges>},
+    {"View",
+     "Root edges",
+     {{{GLFW_KEY_E}, {GLFW_KEY_3}}},
+     "Show the edges of the root complex",
+     toggle<&Display::root_edges>,
+     is_on<&Display::root_edges>},
+    {"View", "Next colouring", {{{GLFW_KEY_C}}}, "Colour plainly, by level, by origin", cycle_coloring},
+    {"View",
+     "Reload shaders",
+     {{{GLFW_KEY_F5}}},
+     "Read the shader files again",
+     [](ViewerState& state, double) { state.reload_wanted = true; }},
+
+    {"Help",
+     "Keys and mouse",
+     {{{GLFW_KEY_F1}, {GLFW_KEY_H}}},
+     "Show or hide this help",
+     [](ViewerState& state, double) { state.help_shown = !state.help_shown; },
+     [](const ViewerState& state) { return state.help_shown; }},
+    {"Help",
+     "Dismiss",
+     {{{GLFW_KEY_ESCAPE}}},
+     "Close the message or the help",
+     [](ViewerState& state, double) {
+         if (state.message.empty()) state.help_shown = false;
+         state.message.clear();
+     }},
+};
+
+std::string key_text(int key) {
+    switch (key) {
+        case GLFW_KEY_SPACE:
+            return "Space";
+        case GLFW_KEY_HOME:
+            return "Home";
+        case GLFW_KEY_END:
+            return "End";
+        case GLFW_KEY_LEFT:
+            return "Left";
+        case GLFW_KEY_RIGHT:
+            return "Right";
+        case GLFW_KEY_PAGE_UP:
+            return "Page Up";
+        case GLFW_KEY_PAGE_DOWN:
+            return "Page Down";
+        case GLFW_KEY_ESCAPE:
+            return "Esc";
+        default:
+            break;
+    }
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return fmt::format("F{}", key - GLFW_KEY_F1 + 1);
+    return {static_cast<char>(key)};  // GLFW numbers letters and digits as ASCII does
+}
+
+std::string shortcut_text(Shortcut shortcut) {
+    std::string text;
+    if ((shortcut.modifiers & GLFW_MOD_CONTROL) != 0) text += "Ctrl+";
+    if ((shortcut.modifiers & GLFW_MOD_SHIFT) != 0) text += "Shift+";
+    if ((shortcut.modifiers & GLFW_MOD_ALT) != 0) text += "Alt+";
+    return text + key_text(shortcut.key);
+}
+
+}  // namespace
+
+std::span<const Command> commands() {
+    return table;
+}
+
+const Command* find_command(Shortcut shortcut) {
+    const auto* const found = std::ranges::find_if(table, [shortcut](const Command& command) {
+        return shortcut.key != 0 && std::ranges::find(command.shortcuts, shortcut) != command.shortcuts.end();
+    });
+    return found == std::end(table) ? nullptr : found;
+}
+
+const Command& command_named(std::string_view name) {
+    const auto* const found = std::ranges::find(table, name, &Command::name);
+    assert(found != std::end(table));
+    return *found;
+}
+
+std::string shortcut_text(const Command& command) {
+    std::string text;
+    for (const Shortcut shortcut : command.shortcuts) {
+        if (shortcut.key == 0) continue;
+        if (!text.empty()) text += " or ";
+        text += shortcut_text(shortcut);
+    }
+    return text;
+}
+
+}  // namespace interleaf

@@ -1,0 +1,11 @@
+// What is wrong, said on standard error.
+#pragma once
+
+#include <string_view>
+
+namespace interleaf {
+
+/// Prints the line "interleaf: TEXT"; \p text is what() of one of our errors.
+void print_error(std::string_view text);
+
+}  // namespace interleaf

@@ -1,0 +1,34 @@
+// The figures of a key: how large it is, how deep, how well shaped.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "hierarchy/hierarchy.h"
+#include "hierarchy/measure.h"
+
+namespace interleaf {
+
+struct Figures {
+    std::size_t roots;
+    std::size_t leaves;
+    std::size_t vertices;
+    unsigned min_level;  ///< of a leaf
+    unsigned max_level;
+    std::size_t memory;    ///< bytes
+    std::uintmax_t file;   ///< bytes
+    double min_angle;      ///< degrees
+    int euler;             ///< Euler number
+    std::size_t boundary;  ///< boundary edges of the root complex; 0 when closed
+    Box box;
+};
+
+/// \param file  bytes that the key takes on disk
+Figures figures_of(const Hierarchy& key, std::uintmax_t file);
+
+/// The figures of several keys over the same roots: sums of what is counted, extremes of what is measured.
+/// \pre \p keys is not empty
+Figures total(std::span<const Figures> keys);
+
+}  // namespace interleaf

@@ -1,0 +1,26 @@
+#include "app/morph_surface.h"
+
+#include <chrono>
+
+namespace interleaf {
+
+void MorphSurface::update(const Family& family, const Weights& weights) {
+    std::vector<std::size_t> keys = active_keys(weights);
+    if (keys == figures_.keys) return;
+
+    const auto start = std::chrono::steady_clock::now();
+    unite(family, weights, mesh_);
+    normal_form(mesh_, form_);
+    renderer_.upload(mesh_, form_, keys);
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+
+    figures_ = {.keys = std::move(keys),
+                .leaves = mesh_.leaf_count(),
+                .vertices = mesh_.vertex_count(),
+                .levels = level_range(mesh_),
+                .origins = origins_of(mesh_),
+                .rebuilds = figures_.rebuilds + 1,
+                .rebuild_milliseconds = taken.count()};
+}
+
+}  // namespace interleaf

@@ -1,0 +1,133 @@
+#include "app/option_text.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "hierarchy/error.h"
+
+namespace interleaf {
+namespace {
+
+constexpr int largest_side = 16384;
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const std::size_t end = text.find(separator);
+        parts.push_back(text.substr(0, end));
+        if (end == std::string_view::npos) return parts;
+        text.remove_prefix(end + 1);
+    }
+}
+
+/// The whole of \p text as a number, or nothing.
+template <class Number>
+std::optional<Number> number(std::string_view text) {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return {};
+    return value;
+}
+
+/// As many finite numbers as there are, separated by commas; nothing when one of them is not.
+std::optional<std::vector<double>> numbers(std::string_view text) {
+    std::vector<double> values;
+    for (const std::string_view part : split(text, ',')) {
+        const std::optional<double> value = number<double>(part);
+        if (!value || !std::isfinite(*value)) return {};
+        values.push_back(*value);
+    }
+    return values;
+}
+
+[[noreturn]] void expected(std::string_view what, std::string_view text) {
+    throw UsageError(fmt::format("expected {}, got '{}'", what, text));
+}
+
+}  // namespace
+
+double parse_number(std::string_view text) {
+    const auto values = numbers(text);
+    if (!values || values->size() != 1) expected("a number", text);
+    return values->front();
+}
+
+Index parse_count(std::string_view text) {
+    const std::optional<Index> count = number<Index>(text);
+    if (!count) expected("a whole number", text);
+    return *count;
+}
+
+glm::dvec2 parse_point(std::string_view text) {
+    const auto values = numbers(text);
+    if (!values || values->size() != 2) expected("U,V", text);
+    return {(*values)[0], (*values)[1]};
+}
+
+std::vector<NamedWeight> parse_weights(std::string_view text) {
+    std::vector<NamedWeight> weights;
+    for (const std::string_view part : split(text, ',')) {
+        const std::size_t equals = part.rfind('=');
+        if (equals == std::string_view::npos) expected("NAME=WEIGHT,...", text);
+        const std::optional<double> value = number<double>(part.substr(equals + 1));
+        if (!value || !std::isfinite(*value)) expected("NAME=WEIGHT,...", text);
+        weights.push_back({std::string(part.substr(0, equals)), *value});
+    }
+    return weights;
+}
+
+PictureSize parse_size(std::string_view text) {
+    const std::vector<std::string_view> sides = split(text, 'x');
+    const auto side = [&](std::size_t i) { return i < sides.size() ? number<int>(sides[i]).value_or(0) : 0; };
+    const auto is_allowed = [](int length) { return length >= 1 && length <= largest_side; };
+    if (sides.size() != 2 || !is_allowed(side(0)) || !is_allowed(side(1))) {
+        expected(fmt::format("WIDTHxHEIGHT with sides from 1 to {}", largest_side), text);
+    }
+    return {side(0), side(1)};
+}
+
+Viewpoint parse_viewpoint(std::string_view text) {
+    const auto values = numbers(text);
+    if (!values || values->size() < 2 || values->size() > 3)
+        expected("AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ZOOM", text);
+    const double zoom = values->size() == 3 ? (*values)[2] : 1;
+    if (std::abs((*values)[0]) > 360 || std::abs((*values)[1]) > 90) {
+        expected("an azimuth from -360 to 360 and an elevation from -90 to 90", text);
+    }
+    if (zoom < 0.01 || zoom > 100) expected("a zoom from 0.01 to 100", text);
+    return {static_cast<float>((*values)[0]), static_cast<float>((*values)[1]), static_cast<float>(zoom)};
+}
+
+Shading parse_shading(std::string_view text) {
+    if (text == "smooth") return Shading::smooth;
+    if (text == "flat") return Shading::flat;
+    expected("smooth or flat", text);
+}
+
+Coloring parse_coloring(std::string_view text) {
+    if (text == "plain") return Coloring::plain;
+    if (text == "level") return Coloring::level;
+    if (text == "origin") return Coloring::origin;
+    expected("plain, level or origin", text);
+}
+
+void parse_shown_edges(std::string_view text, Display& display) {
+    for (const std::string_view name : split(text, ',')) {
+        if (name == "wireframe") {
+            display.wireframe = true;
+        } else if (name == "refinement-edges") {
+            display.refinement_edges = true;
+        } else if (name == "root-edges") {
+            display.root_edges = true;
+        } else {
+            expected("wireframe, refinement-edges or root-edges", name);
+        }
+    }
+}
+
+}  // namespace interleaf

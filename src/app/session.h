@@ -1,0 +1,73 @@
+// The session: what is open and where it stands in time and in the parameter domain. No window, no GL.
+//
+// Either the timeline or the point drives the morph. While the timeline drives, the point follows along its
+// path; where the timeline's weights are not a point of the domain there is none. Moving the point leaves the
+// timeline where it is.
+#pragma once
+
+#include <optional>
+
+#include "family/family.h"
+#include "family/playback.h"
+#include "render/display.h"
+
+namespace interleaf {
+
+/// What the weights come from.
+enum class Driver {
+    timeline,
+    point,      ///< of the parameter domain
+    first_key,  ///< alone; where a family has neither timeline nor domain
+};
+
+class Session {
+  public:
+    /// At the timeline's begin, paused; without a timeline at the domain's first vertex.
+    /// \pre  check(family) finds nothing
+    explicit Session(Family family);
+
+    const Family& family() const { return family_; }
+
+    /// Brings time, point and weights up to wall time \p now, in seconds. The other functions that take \p
+    /// now do so too.
+    void advance(double now);
+
+    Driver driver() const { return driver_; }
+    const Weights& weights() const { return weights_; }
+
+    /// The point with the present weights; none without a domain and where no point has them.
+    const std::optional<DomainPoint>& point() const { return point_; }
+
+    /// Moves the point to \p at, or to the nearest point of the domain, and lets it drive. Playback pauses.
+    /// \pre  the family has a domain
+    void move_point(glm::dvec2 at, double now);
+
+    bool has_timeline() const { return playback_.has_value(); }
+
+    /// Time of the timeline, seconds; 0 without one.
+    double time() const { return time_; }
+    bool is_playing() const { return playing_; }
+    bool loops() const { return playback_ && playback_->loops(); }
+
+    /// The functions below do nothing without a timeline. All but toggle_loop() let it drive.
+    void toggle_playing(double now);
+    void seek(double time, double now);
+
+    /// Goes to the next key of the timeline (\p direction 1) or to the one before (-1).
+    void seek_key(int direction, double now);
+
+    void toggle_loop(double now);
+
+    Display display;
+
+  private:
+    Family family_;
+    std::optional<Playback> playback_;
+    Driver driver_ = Driver::first_key;
+    double time_ = 0;
+    bool playing_ = false;
+    std::optional<DomainPoint> point_;
+    Weights weights_{{0, 1.0}};
+};
+
+}  // namespace interleaf

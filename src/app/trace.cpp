@@ -1,0 +1,96 @@
+#include "app/trace.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "hierarchy/error.h"
+
+namespace interleaf {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name_of(Driver driver) {
+    switch (driver) {
+        case Driver::timeline:
+            return "timeline";
+        case Driver::point:
+            return "point";
+        case Driver::first_key:
+            return "first key";
+    }
+    return "";
+}
+
+const char* name_of(Coloring coloring) {
+    switch (coloring) {
+        case Coloring::plain:
+            return "plain";
+        case Coloring::level:
+            return "level";
+        case Coloring::origin:
+            return "origin";
+    }
+    return "";
+}
+
+Json json_of(const Rect& rect) {
+    return {rect.x, rect.y, rect.width, rect.height};
+}
+
+Json json_of(const Display& display) {
+    return {{"shading", display.shading == Shading::smooth ? "smooth" : "flat"},
+            {"coloring", name_of(display.coloring)},
+            {"wireframe", display.wireframe},
+            {"refinement_edges", display.refinement_edges},
+            {"root_edges", display.root_edges}};
+}
+
+Json json_of(const Session& session) {
+    Json json;
+    json["time"] = session.time();
+    json["playing"] = session.is_playing();
+    json["loop"] = session.loops();
+    json["driver"] = name_of(session.driver());
+    json["point"] = session.point() ? Json{session.point()->at.x, session.point()->at.y} : Json();
+    json["weights"] = Json::object();
+    json["active"] = Json::array();
+    for (const Weight& weight : session.weights()) {
+        const std::string& name = session.family().keys[weight.key].name;
+        json["weights"][name] = weight.value;
+        json["active"].push_back(name);
+    }
+    json["display"] = json_of(session.display);
+    return json;
+}
+
+}  // namespace
+
+Trace::Trace(const std::filesystem::path& path) : path_(path), file_(path) {
+    if (!file_) throw MachineError(fmt::format("{}: cannot be written", path_.string()));
+}
+
+void Trace::record(std::size_t frame, const ViewerState& state, const SurfaceFigures& figures, glm::vec3 eye,
+                   const TracePlaces& places) {
+    Json json = json_of(state.session);
+    json["leaves"] = figures.leaves;
+    json["vertices"] = figures.vertices;
+    json["rebuilds"] = figures.rebuilds;
+    json["eye"] = {eye.x, eye.y, eye.z};
+    json["help"] = state.help_shown;
+    json["message"] = state.message;
+    json["window"] = {places.window.x, places.window.y};
+    json["pointer"] = {places.pointer.x, places.pointer.y};
+    json["button_down"] = places.button_down;
+    json["rects"] = {{"view", json_of(places.view)},
+                     {"domain", places.domain ? json_of(*places.domain) : Json()},
+                     {"timeline", places.timeline ? json_of(*places.timeline) : Json()}};
+    std::string members = json.dump(-1, ' ', false, Json::error_handler_t::replace).substr(1);
+    if (members == last_) return;
+    last_ = std::move(members);
+    file_ << "{\"frame\":" << frame << ',' << last_ << std::endl;
+    if (!file_) throw MachineError(fmt::format("{}: cannot be written", path_.string()));
+}
+
+}  // namespace interleaf

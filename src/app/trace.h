@@ -1,0 +1,45 @@
+// The trace: a file that gets one JSON line whenever what the window shows has changed, for tests and for
+// reports of faults.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "app/commands.h"
+#include "app/morph_surface.h"
+#include "ui/rect.h"
+
+namespace interleaf {
+
+/// Where the pointer is, and the parts it can act on, in screen coordinates of the window.
+struct TracePlaces {
+    glm::vec2 window;  ///< size
+    Rect view;
+    std::optional<Rect> domain;    ///< the bounding box of the domain's vertices
+    std::optional<Rect> timeline;  ///< the track from begin to end
+    glm::vec2 pointer;             ///< where the user interface has seen it
+    bool button_down;              ///< any of the mouse, as seen there
+};
+
+class Trace {
+  public:
+    /// \throw MachineError if the file cannot be written
+    explicit Trace(const std::filesystem::path& path);
+
+    /// Writes a line for \p frame, which has been shown, if anything but the frame's number is new.
+    /// \throw MachineError if the file cannot be written
+    void record(std::size_t frame, const ViewerState& state, const SurfaceFigures& figures, glm::vec3 eye,
+                const TracePlaces& places);
+
+  private:
+    std::filesystem::path path_;
+    std::ofstream file_;
+    std::string last_;
+};
+
+}  // namespace interleaf

@@ -1,0 +1,16 @@
+// The shader files as they were at build time; embed_shaders.cmake writes the definition.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace interleaf {
+
+struct EmbeddedShader {
+    std::string_view file;
+    std::string_view source;
+};
+
+std::span<const EmbeddedShader> embedded_shaders();
+
+}  // namespace interleaf

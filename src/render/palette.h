@@ -1,0 +1,45 @@
+// Colours by level and by origin. The shader and the legend take them from here, so that they agree. No GL.
+//
+// Levels: viridis (Smith and van der Walt, 2015; matplotlib, public domain CC0), perceptually uniform. Keys:
+// the colour-blind safe hues of Okabe and Ito (2008); a set of keys has the mean of its keys' colours, a set
+// of all active keys is neutral.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "hierarchy/union_mesh.h"
+
+namespace interleaf {
+
+/// Colour of a surface that is not coloured by anything, sRGB-encoded.
+inline constexpr glm::vec3 plain_color{0.84F, 0.81F, 0.77F};
+
+/// Smallest and largest level of the leaves of a mesh.
+struct LevelRange {
+    unsigned min = 0;
+    unsigned max = 0;
+};
+
+LevelRange level_range(const UnionMesh& mesh);
+
+/// The sets of keys that occur as origin of a leaf of \p mesh, ascending.
+std::vector<KeySet> origins_of(const UnionMesh& mesh);
+
+/// Colour of a leaf of \p level, sRGB-encoded, components 0 to 1.
+glm::vec3 level_color(unsigned level, LevelRange range);
+
+/// Colour of the key with index \p key in its family, sRGB-encoded. Seven hues, then they repeat.
+glm::vec3 key_color(std::size_t key);
+
+/// Colour of a leaf that is a node in the keys of \p origin, sRGB-encoded. \p keys has the index in the
+/// family of each active key.
+glm::vec3 origin_color(KeySet origin, std::span<const std::size_t> keys);
+
+/// An sRGB-encoded colour as linear light.
+glm::vec3 linear_light(glm::vec3 color);
+
+}  // namespace interleaf

@@ -1,0 +1,68 @@
+// A GLFW window with its context.
+#include <fmt/core.h>
+#include <glad/gl.h>
+// GLFW must not bring OpenGL headers of its own.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "hierarchy/error.h"
+#include "render/context.h"
+#include "render/debug_messages.h"
+
+namespace interleaf {
+
+struct Window::State {
+    GLFWwindow* window = nullptr;
+
+    State(const std::string& title, int width, int height, bool visible);
+    ~State() { glfwTerminate(); }
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+};
+
+namespace {
+
+[[noreturn]] void fail(const char* step) {
+    const char* description = nullptr;
+    glfwGetError(&description);
+    const std::string reason = description != nullptr ? description : step;
+    glfwTerminate();
+    throw MachineError(fmt::format("cannot open a window: {}", reason));
+}
+
+void hint(bool visible) {
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
+    // The surface and its depth live in a target of our own; the window only receives the picture.
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+}
+
+}  // namespace
+
+Window::State::State(const std::string& title, int width, int height, bool visible) {
+    if (glfwInit() == GLFW_FALSE) fail("glfwInit");
+    hint(visible);
+    window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (window == nullptr) fail("glfwCreateWindow");
+    glfwMakeContextCurrent(window);
+    if (gladLoadGL(glfwGetProcAddress) == 0) fail("loading OpenGL 3.3");
+    collect_debug_messages();
+}
+
+Window::Window(const std::string& title, int width, int height, bool visible)
+    : state_(std::make_unique<State>(title, width, height, visible)) {}
+Window::~Window() = default;
+Window::Window(Window&& other) noexcept = default;
+Window& Window::operator=(Window&& other) noexcept = default;
+
+GLFWwindow* Window::handle() const {
+    return state_->window;
+}
+
+}  // namespace interleaf

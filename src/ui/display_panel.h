@@ -1,0 +1,24 @@
+// What the picture shows: shading, lines, colouring with its legend.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/display.h"
+#include "render/palette.h"
+
+namespace interleaf {
+
+/// What the legend explains.
+struct Legend {
+    LevelRange levels;
+    std::span<const KeySet> origins;  ///< that occur
+    std::span<const std::size_t>
+        active_keys;  ///< the keys that the bits of origins mean, as indices of the family
+    std::span<const std::string> key_names;  ///< of the whole family
+};
+
+void display_panel(Display& display, const Legend& legend);
+
+}  // namespace interleaf

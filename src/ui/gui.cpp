@@ -1,0 +1,86 @@
+#include "ui/gui.h"
+
+// GLFW must not bring OpenGL headers of its own.
+#define GLFW_INCLUDE_NONE
+
+#include <algorithm>
+#include <iterator>
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+#include <imgui_impl_opengl3.h>
+
+#include "hierarchy/error.h"
+#include "ui/style.h"
+
+namespace interleaf {
+
+Gui::Gui(GLFWwindow* window) : window_(window) {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    if (!ImGui_ImplOpenGL3_Init("#version 330 core")) {
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+        throw MachineError("cannot draw the user interface: no OpenGL library that Dear ImGui can load");
+    }
+    follow_display();
+}
+
+Gui::~Gui() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void Gui::begin_frame() {
+    follow_display();
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void Gui::end_frame() {
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+bool Gui::has_input() const {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto changed = [](const bool(&flags)[5]) {
+        return std::ranges::find(flags, true) != std::end(flags);
+    };
+    return io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || changed(io.MouseClicked) ||
+           changed(io.MouseReleased);
+}
+
+glm::vec2 Gui::pointer() const {
+    return from_imgui(ImGui::GetIO().MousePos);
+}
+
+bool Gui::is_button_down() const {
+    return ImGui::IsAnyMouseDown();
+}
+
+void Gui::follow_display() {
+    int window_width = 0;
+    int framebuffer_width = 0;
+    float content_scale = 1;
+    glfwGetWindowSize(window_, &window_width, nullptr);
+    glfwGetFramebufferSize(window_, &framebuffer_width, nullptr);
+    glfwGetWindowContentScale(window_, &content_scale, nullptr);
+    if (window_width == 0 || framebuffer_width == 0) return;  // minimised
+    const float density = static_cast<float>(framebuffer_width) / static_cast<float>(window_width);
+    // Where screen coordinates are coarser than pixels they already carry that part of the scale.
+    const float scale = content_scale / density;
+    if (scale == scale_ && density == density_) return;
+    scale_ = scale;
+    density_ = density;
+    apply_style(scale, density);
+    ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame makes them again, with the new typeface
+}
+
+}  // namespace interleaf

@@ -1,0 +1,34 @@
+#include "ui/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace interleaf {
+
+Layout lay_out(glm::vec2 size, float menu_height, float scale) {
+    constexpr float narrow = 960;
+    constexpr float column_width = 248;
+    constexpr float timeline_height = 82;
+    constexpr float status_height = 26;
+    const auto pixels = [scale](float length) { return std::round(length * scale); };
+
+    const float status_top = std::max(size.y - pixels(status_height), menu_height);
+    const float timeline_top = std::max(status_top - pixels(timeline_height), menu_height);
+    const float middle_height = timeline_top - menu_height;
+    // Whatever happens, the surface keeps some of the width.
+    const float column = std::min(pixels(column_width), std::floor(size.x * 0.45F));
+
+    Layout layout;
+    float view_left = 0;
+    if (size.x >= pixels(narrow)) {
+        layout.left = Rect{0, menu_height, column, middle_height};
+        view_left = column;
+    }
+    layout.view = {view_left, menu_height, size.x - column - view_left, middle_height};
+    layout.right = {size.x - column, menu_height, column, middle_height};
+    layout.timeline = {0, timeline_top, size.x, status_top - timeline_top};
+    layout.status = {0, status_top, size.x, std::max(size.y - status_top, 0.0F)};
+    return layout;
+}
+
+}  // namespace interleaf

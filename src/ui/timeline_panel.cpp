@@ -1,0 +1,170 @@
+#include "ui/timeline_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "render/palette.h"
+#include "ui/style.h"
+
+namespace interleaf {
+
+namespace {
+
+/// A button with a symbol drawn on it by \p draw(list, middle, size, color).
+template <typename Draw>
+bool symbol_button(const char* name, const char* tooltip, bool on, Draw draw) {
+    const float side = ImGui::GetFrameHeight();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::Button(name, {side * 1.25F, side});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip);
+    draw(*ImGui::GetWindowDrawList(), glm::vec2(corner.x + side * 0.625F, corner.y + side / 2), side * 0.25F,
+         on ? colors::accent : colors::text);
+    return pressed;
+}
+
+void draw_play(ImDrawList& list, glm::vec2 middle, float size, ImU32 color) {
+    list.AddTriangleFilled({middle.x - size * 0.7F, middle.y - size},
+                           {middle.x - size * 0.7F, middle.y + size}, {middle.x + size, middle.y}, color);
+}
+
+void draw_pause(ImDrawList& list, glm::vec2 middle, float size, ImU32 color) {
+    const float width = size * 0.6F;
+    list.AddRectFilled({middle.x - size * 0.8F, middle.y - size},
+                       {middle.x - size * 0.8F + width, middle.y + size}, color);
+    list.AddRectFilled({middle.x + size * 0.8F - width, middle.y - size},
+                       {middle.x + size * 0.8F, middle.y + size}, color);
+}
+
+void draw_loop(ImDrawList& list, glm::vec2 middle, float size, ImU32 color) {
+    constexpr float pi = 3.14159265F;
+    list.PathArcTo(to_imgui(middle), size, -0.1F * pi, 1.55F * pi);
+    list.PathStroke(color, ImDrawFlags_None, scaled(2));
+    const float tip = size * 0.65F;
+    list.AddTriangleFilled({middle.x - tip * 0.1F, middle.y - size - tip},
+                           {middle.x - tip * 0.1F, middle.y - size + tip}, {middle.x + tip, middle.y - size},
+                           color);
+}
+
+/// Time to pixels along the track and back.
+struct TimeScale {
+    double begin;
+    double end;
+    Rect track;
+
+    float pixel(double time) const {
+        const double part = end > begin ? (time - begin) / (end - begin) : 0;
+        return track.x + track.width * static_cast<float>(part);
+    }
+    double time(float pixel) const {
+        return begin +
+               (end - begin) * std::clamp(static_cast<double>((pixel - track.x) / track.width), 0.0, 1.0);
+    }
+};
+
+/// The time under the pointer; a key's own when it is near one.
+double pointed_time(const Timeline& timeline, const TimeScale& scale, float pointer) {
+    for (const TimelineKey& key : timeline.keys()) {
+        if (std::abs(scale.pixel(key.time) - pointer) < scaled(4)) return key.time;
+    }
+    return scale.time(pointer);
+}
+
+/// The track, each interval shaded from key to key.
+void draw_track(ImDrawList& list, const Timeline& timeline, const TimeScale& scale) {
+    const float middle = scale.track.y + scale.track.height / 2;
+    const float half = scaled(3);
+    const auto keys = timeline.keys();
+    list.AddRectFilled({scale.track.x - half, middle - half}, {scale.track.right() + half, middle + half},
+                       colors::well, half);
+    for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+        const ImU32 left = to_color(key_color(keys[i].key), 0.7F);
+        const ImU32 right = to_color(key_color(keys[i + 1].key), 0.7F);
+        list.AddRectFilledMultiColor({scale.pixel(keys[i].time), middle - half},
+                                     {scale.pixel(keys[i + 1].time), middle + half}, left, right, right,
+                                     left);
+    }
+}
+
+void draw_marks(ImDrawList& list, const Family& family, const TimeScale& scale) {
+    const float middle = scale.track.y + scale.track.height / 2;
+    const float label_top = scale.track.bottom() + scaled(1);
+    float label_end = scale.track.x - scaled(40);
+    ImGui::PushFont(small_font());
+    for (const TimelineKey& key : family.timeline->keys()) {
+        const float x = scale.pixel(key.time);
+        list.AddCircleFilled({x, middle}, scaled(6), colors::dark);
+        list.AddCircleFilled({x, middle}, scaled(5), to_color(key_color(key.key)));
+        const std::string& name = family.keys[key.key].name;
+        const float width = text_size(name).x;
+        const float left =
+            std::clamp(x - width / 2, scale.track.x - scaled(12), scale.track.right() + scaled(12) - width);
+        // A name that would run into the one before is left out; its mark stays.
+        if (left < label_end + scaled(8)) continue;
+        draw_text({left, label_top}, width + 1, colors::dim_text, name);
+        label_end = left + width;
+    }
+    ImGui::PopFont();
+}
+
+void draw_playhead(ImDrawList& list, const TimeScale& scale, double time, bool drives) {
+    const float x = scale.pixel(time);
+    const ImU32 color = drives ? colors::white : colors::dim_text;
+    const float half = scaled(5);
+    const float top = scale.track.y;
+    list.AddRectFilled({x - scaled(2), top}, {x + scaled(2), scale.track.bottom()}, colors::dark);
+    list.AddRectFilled({x - scaled(1), top}, {x + scaled(1), scale.track.bottom()}, color);
+    list.AddTriangleFilled({x - half, top - scaled(1)}, {x + half, top - scaled(1)}, {x, top + half}, color);
+}
+
+}  // namespace
+
+TimelineResult timeline_panel(const Rect& rect, const Family& family, const TimelineState& state) {
+    TimelineResult result;
+    const Timeline& timeline = *family.timeline;
+    begin_panel("timeline", rect);
+
+    const float heading_top = ImGui::GetCursorPosY();
+    ImGui::SetCursorPosY(heading_top + ImGui::GetTextLineHeightWithSpacing());
+    result.toggle_playing = symbol_button("##play", state.playing ? "Pause (Space)" : "Play (Space)", false,
+                                          state.playing ? draw_pause : draw_play);
+    ImGui::SameLine(0, scaled(4));
+    result.toggle_loop = symbol_button("##loop", "Loop (L)", state.loops, draw_loop);
+    ImGui::SameLine(0, scaled(26));
+
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float margin = scaled(14);
+    const float width = std::max(rect.right() - corner.x - margin - ImGui::GetStyle().WindowPadding.x, 1.0F);
+    const float height = ImGui::GetFrameHeight();
+    result.track = {corner.x, corner.y, width, height};
+    const TimeScale scale{timeline.begin(), timeline.end(), result.track};
+    ImGui::SetCursorScreenPos({corner.x - margin, corner.y});
+    ImGui::InvisibleButton("track", {width + 2 * margin, height});
+    double shown = state.time;
+    if (ImGui::IsItemActive()) {
+        shown = pointed_time(timeline, scale, ImGui::GetIO().MousePos.x);
+        result.seek_to = shown;
+    }
+
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_track(list, timeline, scale);
+    draw_marks(list, family, scale);
+    draw_playhead(list, scale, shown, state.drives || result.seek_to);
+
+    ImGui::SetCursorPosY(heading_top);
+    heading("Timeline", fmt::format("{:.2f} / {:.2f} s", shown, timeline.end()));
+    if (!state.drives && !result.seek_to) {
+        ImGui::PushFont(small_font());
+        const float left = corner.x;
+        const float room = rect.right() - left - scaled(120);
+        draw_text({left, rect.y + heading_top}, room, colors::notice,
+                  "Point moved off the timeline's path: scrub or press Space to follow it again");
+        ImGui::PopFont();
+    }
+    end_panel();
+    return result;
+}
+
+}  // namespace interleaf

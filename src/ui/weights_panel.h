@@ -1,0 +1,10 @@
+// The weights of all keys, as numbers and as bars in the keys' colours.
+#pragma once
+
+#include "family/family.h"
+
+namespace interleaf {
+
+void weights_panel(const Family& family, const Weights& weights);
+
+}  // namespace interleaf

@@ -1,0 +1,161 @@
+// Tests of the command table: that keys, menus and help can come from it, and what its commands do.
+#include "app/commands.h"
+
+#include <set>
+#include <string>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <doctest/doctest.h>
+
+#include "app/sample_family.h"
+
+using namespace interleaf;
+
+namespace {
+
+ViewerState sample_state() {
+    return {.session = Session(sample_family())};
+}
+
+/// Presses a key at wall time \p now.
+void press(ViewerState& state, Shortcut shortcut, double now = 0) {
+    const Command* const command = find_command(shortcut);
+    REQUIRE(command != nullptr);
+    command->run(state, now);
+}
+
+}  // namespace
+
+TEST_CASE("every command can be found in a menu and in the help, and by its keys") {
+    std::set<std::string_view> names;
+    for (const Command& command : commands()) {
+        CAPTURE(command.name);
+        CHECK_FALSE(command.menu.empty());
+        CHECK_FALSE(command.description.empty());
+        const bool acts = command.run != nullptr;
+        CHECK(acts);
+        CHECK(names.insert(command.name).second);
+        CHECK(command.shortcuts[0].key != 0);
+        for (const Shortcut shortcut : command.shortcuts) {
+            if (shortcut.key != 0) CHECK(find_command(shortcut) == &command);
+        }
+    }
+}
+
+TEST_CASE("shortcuts are written differently if they differ") {
+    std::set<std::string> texts;
+    for (const Command& command : commands()) CHECK(texts.insert(shortcut_text(command)).second);
+    CHECK(texts.contains("Space"));
+    CHECK(texts.contains("Ctrl+Q"));
+    CHECK(texts.contains("W or 1"));
+    CHECK(texts.contains("F1 or H"));
+}
+
+TEST_CASE("the commands of one menu stand in a row") {
+    std::set<std::string_view> menus;
+    std::string_view menu;
+    for (const Command& command : commands()) {
+        if (command.menu != menu) CHECK(menus.insert(command.menu).second);
+        menu = command.menu;
+    }
+}
+
+TEST_CASE("no command has a key that is not in the table, nor one with other modifiers") {
+    CHECK(find_command({}) == nullptr);
+    CHECK(find_command({GLFW_KEY_Z, 0}) == nullptr);
+    CHECK(find_command({GLFW_KEY_Q, 0}) == nullptr);
+    CHECK(find_command({GLFW_KEY_W, GLFW_MOD_CONTROL}) == nullptr);
+}
+
+TEST_CASE("what is on or off changes with its command and comes back with the second") {
+    for (const Command& command : commands()) {
+        if (command.is_on == nullptr) continue;
+        CAPTURE(command.name);
+        ViewerState state = sample_state();
+        const bool before = command.is_on(state);
+        command.run(state, 0);
+        CHECK(command.is_on(state) != before);
+        command.run(state, 0);
+        CHECK(command.is_on(state) == before);
+    }
+}
+
+TEST_CASE("each line key switches its own lines") {
+    ViewerState state = sample_state();
+    Display expected;
+    press(state, {GLFW_KEY_W});
+    expected.wireframe = true;
+    CHECK(state.session.display == expected);
+    press(state, {GLFW_KEY_2});
+    expected.refinement_edges = true;
+    CHECK(state.session.display == expected);
+    press(state, {GLFW_KEY_E});
+    expected.root_edges = true;
+    CHECK(state.session.display == expected);
+    press(state, {GLFW_KEY_S});
+    expected.shading = Shading::flat;
+    CHECK(state.session.display == expected);
+}
+
+TEST_CASE("colourings come round") {
+    ViewerState state = sample_state();
+    std::set<Coloring> seen;
+    for (int i = 0; i < 3; ++i) {
+        seen.insert(state.session.display.coloring);
+        press(state, {GLFW_KEY_C});
+    }
+    CHECK(seen.size() == 3);
+    CHECK(state.session.display.coloring == Coloring::plain);
+}
+
+TEST_CASE("the arrows step by a hundredth of the timeline, Home and End go to its ends") {
+    ViewerState state = sample_state();
+    press(state, {GLFW_KEY_RIGHT});
+    CHECK(state.session.time() == doctest::Approx(0.05));
+    press(state, {GLFW_KEY_RIGHT});
+    CHECK(state.session.time() == doctest::Approx(0.1));
+    press(state, {GLFW_KEY_LEFT});
+    CHECK(state.session.time() == doctest::Approx(0.05));
+    press(state, {GLFW_KEY_END});
+    CHECK(state.session.time() == 5);
+    press(state, {GLFW_KEY_LEFT, GLFW_MOD_CONTROL});
+    CHECK(state.session.time() == 4);
+    press(state, {GLFW_KEY_PAGE_DOWN});
+    CHECK(state.session.time() == 5);
+    press(state, {GLFW_KEY_HOME});
+    CHECK(state.session.time() == 0);
+}
+
+TEST_CASE("no command fails without timeline and domain") {
+    Family family = sample_family();
+    family.timeline.reset();
+    family.domain.reset();
+    ViewerState state{.session = Session(std::move(family))};
+    for (const Command& command : commands()) command.run(state, 0);
+    CHECK(state.session.weights() == Weights{{0, 1}});
+    CHECK(state.session.time() == 0);
+}
+
+TEST_CASE("Escape closes a message before it closes the help") {
+    ViewerState state = sample_state();
+    press(state, {GLFW_KEY_F1});
+    state.message = "something is wrong";
+    press(state, {GLFW_KEY_ESCAPE});
+    CHECK(state.message.empty());
+    CHECK(state.help_shown);
+    press(state, {GLFW_KEY_ESCAPE});
+    CHECK_FALSE(state.help_shown);
+    CHECK_FALSE(state.quit_wanted);
+}
+
+TEST_CASE("quitting, framing and reloading are wishes") {
+    ViewerState state = sample_state();
+    state.frame_wanted = false;
+    press(state, {GLFW_KEY_F});
+    CHECK(state.frame_wanted);
+    press(state, {GLFW_KEY_F5});
+    CHECK(state.reload_wanted);
+    press(state, {GLFW_KEY_Q, GLFW_MOD_CONTROL});
+    CHECK(state.quit_wanted);
+}

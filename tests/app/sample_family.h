@@ -1,0 +1,13 @@
+// A family to test the session with: the paper's square domain. Its keys are named, but empty.
+#pragma once
+
+#include "family/family.h"
+
+namespace interleaf {
+
+/// Keys a, b, c, d at the corners of the square from (-1, -1) on, e in the middle. The timeline passes a, b,
+/// e, c along edges of the domain at times 0, 1, 3, 4, and goes back to a at time 5, where no edge leads from
+/// c.
+Family sample_family();
+
+}  // namespace interleaf

@@ -1,0 +1,188 @@
+// The command line as a whole: help, version, exit statuses and messages.
+#include "cli/process.h"
+#include "cli/temporary_folder.h"
+#include <doctest/doctest.h>
+
+namespace interleaf {
+namespace {
+
+const std::vector<std::string> commands = {"view", "render", "export", "info", "check", "make"};
+
+TEST_CASE("--version names the program and its version") {
+    const Outcome outcome = run_interleaf({"--version"});
+    CHECK(outcome.status == 0);
+    CHECK(outcome.output == "interleaf " INTERLEAF_VERSION "\n");
+    CHECK(outcome.errors.empty());
+}
+
+TEST_CASE("--help names every command, and every command has its own help with an example") {
+    const Outcome whole = run_interleaf({"--help"});
+    CHECK(whole.status == 0);
+    for (const std::string& command : commands) {
+        CAPTURE(command);
+        CHECK(contains(whole.output, "\n  " + command + " "));
+        const Outcome own = run_interleaf({command, "--help"});
+        CHECK(own.status == 0);
+        CHECK(own.errors.empty());
+        CHECK(contains(own.output, "Usage: interleaf " + command));
+        CHECK(contains(own.output, "Example"));
+    }
+}
+
+TEST_CASE("a faulty command line exits with 2 and one message that names the word at fault") {
+    struct Fault {
+        std::vector<std::string> arguments;
+        std::string part;
+    };
+    const std::vector<Fault> faults = {
+        {{"rendr"}, "rendr"},
+        {{"--no-such-option"}, "--no-such-option"},
+        {{"render", "--no-such-option", "-o", "a.png"}, "--no-such-option"},
+        {{"render"}, "--output"},
+        {{"render", "a.ilh", "b.ilh", "-o", "a.png"}, "b.ilh"},
+        {{"render", "-o", "a.gif"}, "gif"},
+        {{"render", "-o", "a"}, "png"},
+        {{"render", "-o", "-"}, "--format"},
+        {{"render", "-o", "a.png", "--at", "0.3"}, "--at"},
+        {{"render", "-o", "a.png", "--at", "0.3,nan"}, "--at"},
+        {{"render", "-o", "a.png", "--at", "0.3,0.4x"}, "0.4x"},
+        {{"render", "-o", "a.png", "--time", "soon"}, "--time"},
+        {{"render", "-o", "a.png", "--time", "1", "--at", "0,0"}, "--at"},
+        {{"render", "-o", "a.png", "--size", "0x5"}, "--size"},
+        {{"render", "-o", "a.png", "--size", "16385x5"}, "16384"},
+        {{"render", "-o", "a.png", "--size", "5"}, "--size"},
+        {{"render", "-o", "a.png", "--show", "wireframe,shadows"}, "shadows"},
+        {{"render", "-o", "a.png", "--shading", "toon"}, "toon"},
+        {{"render", "-o", "a.png", "--color", "pink"}, "pink"},
+        {{"render", "-o", "a.png", "--camera", "10"}, "--camera"},
+        {{"render", "-o", "a.png", "--camera", "10,91"}, "--camera"},
+        {{"render", "-o", "a.png", "--camera", "10,20,0"}, "--camera"},
+        {{"export", "-o", "u.obj", "--weights", "star"}, "--weights"},
+        {{"export", "-o", "u.obj", "--weights", "star=1,moon=2"}, "moon"},
+        {{"export", "-o", "u.obj", "--weights", "star=1e300"}, "--weights"},
+        {{"export", "-o", "u.obj", "--weights", "star=1", "--time", "1"}, "--time"},
+        {{"export", "-o", "u.stl"}, "stl"},
+        {{"export", "-o", "u.obj", "--format", "stl"}, "stl"},
+        {{"info"}, "FILE"},
+        {{"check"}, "FILE"},
+        {{"make", "-o", "a.ilh"}, "SHAPE"},
+        {{"make", "star"}, "--output"},
+        {{"make", "moon", "-o", "a.ilh"}, "moon"},
+        {{"make", "star", "-o", "a.obj"}, "obj"},
+        {{"make", "star", "-o", "a.ilh", "--leaves", "100", "--tolerance", "0.1"}, "--tolerance"},
+        {{"make", "star", "-o", "a.ilh", "--leaves", "-5"}, "--leaves"},
+        {{"make", "star", "-o", "a.ilh", "--leaves", "5"}, "20"},
+        {{"make", "star", "-o", "a.ilh", "--tolerance", "0"}, "tolerance"},
+        {{"make", "star", "-o", "a.ilh", "--tolerance", "nan"}, "tolerance"},
+        {{"make", "five-keys", "-o", "a", "--leaves", "100"}, "--leaves"},
+    };
+    for (const Fault& fault : faults) {
+        std::string line;
+        for (const std::string& argument : fault.arguments) line += " " + argument;
+        CAPTURE(line);
+        const Outcome outcome = run_interleaf(fault.arguments);
+        CAPTURE(outcome.errors);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.output.empty());
+        CHECK(is_one_message(outcome.errors));
+        CHECK(contains(outcome.errors, fault.part));
+    }
+}
+
+TEST_CASE("a file that is missing or not what it should be exits with 1 and one message that names it") {
+    const TemporaryFolder folder;
+    set_content(folder / "text.ilh", "not a hierarchy");
+    for (const std::string name : {"missing.ilh", "missing.json", "text.ilh"}) {
+        const std::string file = folder / name;
+        const std::vector<std::vector<std::string>> lines = {{file},
+                                                             {"view", file},
+                                                             {"render", file, "-o", folder / "a.png"},
+                                                             {"export", file, "-o", folder / "a.obj"},
+                                                             {"info", file},
+                                                             {"check", file}};
+        for (const std::vector<std::string>& line : lines) {
+            CAPTURE(name);
+            CAPTURE(line[0]);
+            const Outcome outcome = run_interleaf(line);
+            CAPTURE(outcome.errors);
+            CHECK(outcome.status == 1);
+            CHECK(is_one_message(outcome.errors));
+            CHECK(contains(outcome.errors, "interleaf: " + file + ": "));
+        }
+    }
+    CHECK_FALSE(std::filesystem::exists(folder / "a.png"));
+    CHECK_FALSE(std::filesystem::exists(folder / "a.obj"));
+}
+
+TEST_CASE("without a display the viewer exits with 3 and says how to draw without one") {
+    const std::vector<std::vector<std::string>> lines = {{}, {"view"}, {INTERLEAF_FIVE_KEYS}};
+    for (const std::vector<std::string>& line : lines) {
+        const Outcome outcome = run_interleaf(line);
+        CAPTURE(outcome.errors);
+        CHECK(outcome.status == 3);
+        CHECK(is_one_message(outcome.errors));
+        CHECK(contains(outcome.errors, "no display"));
+        CHECK(contains(outcome.errors, "interleaf render --at 0.3,0.4 -o a.png"));
+    }
+}
+
+TEST_CASE("a display that cannot be opened is the machine's fault, too") {
+    const Outcome outcome =
+        run_interleaf({"view"}, {.standard_output = {}, .largest_file = {}, .display = ":4711"});
+    CAPTURE(outcome.errors);
+    CHECK(outcome.status == 3);
+    CHECK(is_one_message(outcome.errors));
+    CHECK(contains(outcome.errors, "interleaf render"));
+}
+
+TEST_CASE("a full disk exits with 3 and leaves the old file whole and nothing beside it") {
+    const TemporaryFolder folder;
+    set_content(folder / "u.obj", "old");
+    const Outcome outcome = run_interleaf({"export", "--time", "1", "-o", folder / "u.obj"},
+                                          {.standard_output = {}, .largest_file = 8192, .display = {}});
+    CAPTURE(outcome.errors);
+    CHECK(outcome.status == 3);
+    CHECK(is_one_message(outcome.errors));
+    CHECK(contains(outcome.errors, folder / "u.obj"));
+    CHECK(content_of(folder / "u.obj") == "old");
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+}
+
+TEST_CASE("what cannot be written to standard output exits with 3") {
+    const std::vector<std::vector<std::string>> lines = {
+        {"--help"},         {"info", INTERLEAF_FIVE_KEYS},      {"check", INTERLEAF_FIVE_KEYS},
+        {"make", "--list"}, {"make", "icosahedron", "-o", "-"}, {"export", "--format", "obj", "-o", "-"}};
+    for (const std::vector<std::string>& line : lines) {
+        CAPTURE(line[0]);
+        const Outcome outcome =
+            run_interleaf(line, {.standard_output = "/dev/full", .largest_file = {}, .display = {}});
+        CAPTURE(outcome.errors);
+        CHECK(outcome.status == 3);
+        CHECK(is_one_message(outcome.errors));
+        CHECK(contains(outcome.errors, "standard output"));
+    }
+}
+
+TEST_CASE("a file that cannot be made exits with 3 and one message that names it") {
+    const TemporaryFolder folder;
+    set_content(folder / "file", "");
+    const std::vector<std::string> targets = {folder / "missing/a", folder / "file/a"};
+    for (const std::string& target : targets) {
+        const std::vector<std::vector<std::string>> lines = {
+            {"render", "--size", "32x32", "-o", target + ".png"},
+            {"export", "-o", target + ".obj"},
+            {"make", "icosahedron", "-o", target + ".ilh"}};
+        for (const std::vector<std::string>& line : lines) {
+            CAPTURE(line[0]);
+            const Outcome outcome = run_interleaf(line);
+            CAPTURE(outcome.errors);
+            CHECK(outcome.status == 3);
+            CHECK(is_one_message(outcome.errors));
+            CHECK(contains(outcome.errors, target));
+        }
+    }
+    CHECK(run_interleaf({"make", "five-keys", "-o", folder / "file"}).status == 3);
+}
+
+}  // namespace
+}  // namespace interleaf

@@ -1,0 +1,148 @@
+// `interleaf export`: the file is the morphed union.
+#include <algorithm>
+
+#include "cli/process.h"
+#include "cli/temporary_folder.h"
+#include <doctest/doctest.h>
+
+#include "hierarchy/measure.h"
+#include "hierarchy/morph.h"
+#include "io/family_file.h"
+#include "io/hierarchy_file.h"
+#include "io/mesh_file.h"
+
+namespace interleaf {
+namespace {
+
+/// The triangles of a hierarchy's leaves.
+std::vector<Triangle> triangles_of(const Hierarchy& hierarchy) {
+    std::vector<Triangle> triangles;
+    for (const Leaf& leaf : leaves_of(hierarchy)) triangles.push_back(leaf.vertices);
+    return triangles;
+}
+
+/// The same triangles with their corners as points, so that the numbering of vertices does not matter.
+std::vector<std::array<glm::vec3, 3>> corners_of(const Hierarchy& hierarchy) {
+    std::vector<std::array<glm::vec3, 3>> corners;
+    for (const auto& [i, j, k] : triangles_of(hierarchy)) {
+        corners.push_back({hierarchy.positions[i], hierarchy.positions[j], hierarchy.positions[k]});
+    }
+    return corners;
+}
+
+Outcome export_to(const std::string& file, std::vector<std::string> choice) {
+    choice.insert(choice.begin(), {"export", "-o", file});
+    return run_interleaf(choice);
+}
+
+TEST_CASE("an exported OBJ is the morphed union, closed, each refinement edge opposite the first vertex") {
+    const TemporaryFolder folder;
+    const Outcome outcome = export_to(folder / "u.obj", {"--at", "0.3,0.4"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    CHECK(outcome.output.empty());
+    CHECK(outcome.errors.empty());
+
+    const Family family = read_family(INTERLEAF_FIVE_KEYS);
+    const Weights weights = family.domain->weights(family.domain->locate({0.3, 0.4}));
+    REQUIRE(weights.size() == 3);
+    const UnionMesh mesh = unite(family, weights);
+
+    const Hierarchy obj = read_obj(folder / "u.obj");
+    const auto triangles = obj.roots.triangles();
+    CHECK(is_closed_manifold(triangles));
+    CHECK(euler_number(triangles) == 2);
+    CHECK(std::ranges::equal(triangles, mesh.triangles));
+    CHECK(obj.positions == morph(mesh, weight_values(weights)));
+}
+
+TEST_CASE("at each corner of the domain the exported surface has the key's area and volume") {
+    const TemporaryFolder folder;
+    const Family family = read_family(INTERLEAF_FIVE_KEYS);
+    for (const DomainVertex& vertex : family.domain->vertices()) {
+        const Key& key = family.keys[vertex.key];
+        CAPTURE(key.name);
+        const std::string at = std::to_string(vertex.at.x) + "," + std::to_string(vertex.at.y);
+        REQUIRE(export_to(folder / "corner.obj", {"--at", at}).status == 0);
+
+        const Hierarchy obj = read_obj(folder / "corner.obj");
+        CHECK(obj.roots.triangle_count() > key.hierarchy.leaf_count());
+        const Measures exported = measure(obj.roots.triangles(), obj.positions);
+        const Measures own = measure(triangles_of(key.hierarchy), key.hierarchy.positions);
+        CHECK(exported.area == doctest::Approx(own.area).epsilon(1e-6));
+        CHECK(exported.volume == doctest::Approx(own.volume).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("an exported key has the faces of the exported OBJ, in their order") {
+    const TemporaryFolder folder;
+    REQUIRE(export_to(folder / "u.obj", {"--at", "0.3,0.4"}).status == 0);
+    REQUIRE(export_to(folder / "u.ilh", {"--at", "0.3,0.4"}).status == 0);
+    const Hierarchy key = read_hierarchy(folder / "u.ilh");
+    CHECK(key.roots == read_family(INTERLEAF_FIVE_KEYS).keys[0].hierarchy.roots);
+    CHECK(corners_of(key) == corners_of(read_obj(folder / "u.obj")));
+}
+
+TEST_CASE("an exported PLY announces the union and has the size that it announces") {
+    const TemporaryFolder folder;
+    REQUIRE(export_to(folder / "u.ply", {"--time", "1"}).status == 0);
+    REQUIRE(export_to(folder / "u.obj", {"--time", "1"}).status == 0);
+    const Hierarchy obj = read_obj(folder / "u.obj");
+    const std::string ply = content_of(folder / "u.ply");
+    const std::string end = "end_header\n";
+    CHECK(contains(ply, "element vertex " + std::to_string(obj.vertex_count()) + "\n"));
+    CHECK(contains(ply, "element face " + std::to_string(obj.leaf_count()) + "\n"));
+    CHECK(ply.size() - (ply.find(end) + end.size()) == 12 * obj.vertex_count() + 13 * obj.leaf_count());
+}
+
+TEST_CASE("standard output gets the bytes that a file gets") {
+    const TemporaryFolder folder;
+    for (const std::string format : {"obj", "ply", "ilh"}) {
+        CAPTURE(format);
+        REQUIRE(export_to(folder / "u." + format, {"--at", "-0.2,0.1"}).status == 0);
+        const Outcome outcome = export_to("-", {"--at", "-0.2,0.1", "--format", format});
+        CHECK(outcome.status == 0);
+        CHECK(outcome.output == content_of(folder / "u." + format));
+    }
+}
+
+TEST_CASE("points and times outside are clamped, and time 0 is where nothing is said") {
+    const auto exported = [](std::vector<std::string> choice) {
+        choice.insert(choice.end(), {"--format", "obj"});
+        const Outcome outcome = export_to("-", choice);
+        CHECK(outcome.status == 0);
+        return outcome.output;
+    };
+    CHECK(exported({}) == exported({"--time", "0"}));
+    CHECK(exported({"--time", "-3"}) == exported({"--time", "0"}));
+    CHECK(exported({"--time", "1e9"}) == exported({"--time", "10"}));
+    CHECK(exported({"--time", "1"}) != exported({"--time", "0"}));
+    CHECK(exported({"--at", "0.25,7"}) == exported({"--at", "0.25,1"}));
+    CHECK(exported({"--at=0.25,1"}) != exported({"--at", "0.5,1"}));
+}
+
+TEST_CASE("weights are used as given: negative, and of any sum") {
+    const TemporaryFolder folder;
+    REQUIRE(export_to(folder / "w.obj", {"--weights", "star=1.5,sphere=-0.75"}).status == 0);
+    const Family family = read_family(INTERLEAF_FIVE_KEYS);
+    const Weights weights = sorted_weights(
+        {{find_key(family, "star").value(), 1.5}, {find_key(family, "sphere").value(), -0.75}});
+    CHECK(read_obj(folder / "w.obj").positions == morph(unite(family, weights), weight_values(weights)));
+}
+
+TEST_CASE("one key or one mesh needs no choice") {
+    const TemporaryFolder folder;
+    REQUIRE(run_interleaf({"export", INTERLEAF_FIVE_KEYS "/star.ilh", "-o", folder / "star.obj"}).status ==
+            0);
+    const Hierarchy star = read_hierarchy(INTERLEAF_FIVE_KEYS "/star.ilh");
+    CHECK(corners_of(read_obj(folder / "star.obj")) == corners_of(star));
+    REQUIRE(run_interleaf({"export", folder / "star.obj", "-o", folder / "again.obj"}).status == 0);
+    CHECK(content_of(folder / "again.obj") == content_of(folder / "star.obj"));
+
+    const Outcome outcome =
+        run_interleaf({"export", folder / "star.obj", "--at", "0,0", "-o", folder / "a.obj"});
+    CHECK(outcome.status == 2);
+    CHECK(contains(outcome.errors, "--at"));
+}
+
+}  // namespace
+}  // namespace interleaf

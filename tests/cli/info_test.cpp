@@ -1,0 +1,138 @@
+// `interleaf info` and `interleaf check`.
+#include "cli/process.h"
+#include "cli/temporary_folder.h"
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include "hierarchy/measure.h"
+#include "io/family_file.h"
+#include "io/hierarchy_file.h"
+
+namespace interleaf {
+namespace {
+
+using nlohmann::json;
+
+json info(const std::string& file) {
+    const Outcome outcome = run_interleaf({"info", file, "--json"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    return json::parse(outcome.output);
+}
+
+/// Two triangles that share their refinement edge.
+Hierarchy square() {
+    return unrefined(RootComplex(4, {{0, 1, 2}, {3, 2, 1}}), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
+}
+
+TEST_CASE("the figures of a key are those of its leaves and its file") {
+    const std::string file = INTERLEAF_FIVE_KEYS "/star.ilh";
+    const json figures = info(file);
+    const Hierarchy star = read_hierarchy(file);
+    std::vector<Triangle> triangles;
+    unsigned lowest = max_level;
+    unsigned highest = 0;
+    for (const Leaf& leaf : leaves_of(star)) {
+        triangles.push_back(leaf.vertices);
+        lowest = std::min<unsigned>(lowest, leaf.level);
+        highest = std::max<unsigned>(highest, leaf.level);
+    }
+    const Box box = bounding_box(star.positions);
+    CHECK(figures.at("kind") == "hierarchy");
+    CHECK(figures.at("roots") == 20);
+    CHECK(figures.at("leaves") == triangles.size());
+    CHECK(figures.at("vertices") == star.vertex_count());
+    CHECK(figures.at("levels") == json{{"min", lowest}, {"max", highest}});
+    CHECK(figures.at("bytes") ==
+          json{{"memory", star.byte_count()}, {"file", std::filesystem::file_size(file)}});
+    CHECK(figures.at("angles").at("min").get<double>() ==
+          doctest::Approx(measure(triangles, star.positions).min_angle));
+    CHECK(figures.at("euler") == 2);
+    CHECK(figures.at("boundary_edges") == 0);
+    CHECK(figures.at("box") == json{{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}});
+}
+
+TEST_CASE("the figures of a family list its keys, its timeline and its domain") {
+    const json figures = info(INTERLEAF_FIVE_KEYS);
+    CHECK(figures == info(INTERLEAF_FIVE_KEYS "/family.json"));
+    CHECK(figures.at("kind") == "family");
+    REQUIRE(figures.at("keys").size() == 5);
+    std::uintmax_t bytes = std::filesystem::file_size(INTERLEAF_FIVE_KEYS "/family.json");
+    std::size_t leaves = 0;
+    for (const json& key : figures.at("keys")) {
+        json alone = info(INTERLEAF_FIVE_KEYS "/" + key.at("name").get<std::string>() + ".ilh");
+        alone.erase("kind");
+        CHECK(key == alone);
+        bytes += key.at("bytes").at("file").get<std::uintmax_t>();
+        leaves += key.at("leaves").get<std::size_t>();
+    }
+    CHECK(figures.at("bytes").at("file") == bytes);
+    CHECK(figures.at("leaves") == leaves);
+    CHECK(figures.at("timeline").at("keys").size() >= 5);
+    CHECK(figures.at("domain").at("vertices").size() == 5);
+    CHECK(figures.at("domain").at("triangles").size() == 4);
+}
+
+TEST_CASE("an open mesh has level 0 and boundary edges") {
+    const TemporaryFolder folder;
+    set_content(folder / "square.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 4 3 2\n");
+    const json figures = info(folder / "square.obj");
+    CHECK(figures.at("kind") == "mesh");
+    CHECK(figures.at("leaves") == 2);
+    CHECK(figures.at("levels") == json{{"min", 0}, {"max", 0}});
+    CHECK(figures.at("euler") == 1);
+    CHECK(figures.at("boundary_edges") == 4);
+    CHECK(figures.at("angles").at("min").get<double>() == doctest::Approx(45));
+    CHECK(figures.at("bytes").at("file") == std::filesystem::file_size(folder / "square.obj"));
+}
+
+TEST_CASE("people read the same figures") {
+    const Outcome key = run_interleaf({"info", INTERLEAF_FIVE_KEYS "/star.ilh"});
+    CHECK(key.status == 0);
+    CHECK(contains(key.output, "\nleaves        20,000\n"));
+    const Outcome family = run_interleaf({"info", INTERLEAF_FIVE_KEYS});
+    CHECK(family.status == 0);
+    for (const std::string part :
+         {"Five keys", "icosahedron", "bone", "cushion", "star", "sphere", "timeline"}) {
+        CHECK(contains(family.output, part));
+    }
+}
+
+TEST_CASE("check accepts sound files, one line each") {
+    const Outcome outcome = run_interleaf(
+        {"check", INTERLEAF_FIVE_KEYS, INTERLEAF_FIVE_KEYS "/star.ilh", INTERLEAF_FIVE_KEYS "/bone.ilh"});
+    CHECK(outcome.status == 0);
+    CHECK(outcome.errors.empty());
+    CHECK(std::ranges::count(outcome.output, '\n') == 3);
+    CHECK(contains(outcome.output, INTERLEAF_FIVE_KEYS "/bone.ilh: sound"));
+}
+
+TEST_CASE("check names the file at fault and goes on with the others") {
+    const TemporaryFolder folder;
+    std::string bytes = content_of(INTERLEAF_FIVE_KEYS "/star.ilh");
+    bytes[bytes.size() / 2] ^= 1;
+    set_content(folder / "damaged.ilh", bytes);
+    const Outcome outcome = run_interleaf(
+        {"check", folder / "damaged.ilh", folder / "missing.ilh", INTERLEAF_FIVE_KEYS "/star.ilh"});
+    CHECK(outcome.status == 1);
+    CHECK(contains(outcome.errors, "interleaf: " + (folder / "damaged.ilh") + ": "));
+    CHECK(contains(outcome.errors, "interleaf: " + (folder / "missing.ilh") + ": "));
+    CHECK(outcome.output == INTERLEAF_FIVE_KEYS "/star.ilh: sound, 1 key\n");
+}
+
+TEST_CASE("check names the keys that do not share their roots: constraints (B)") {
+    const TemporaryFolder folder;
+    write_hierarchy(square(), folder / "square.ilh");
+    std::filesystem::copy(INTERLEAF_FIVE_KEYS "/star.ilh", folder.path());
+    set_content(folder / "family.json",
+                R"({"format": "interleaf-family", "version": 1, "name": "mixed", "keys": [)"
+                R"({"name": "star", "file": "star.ilh"}, {"name": "square", "file": "square.ilh"}]})");
+    const Outcome outcome = run_interleaf({"check", folder.path().string()});
+    CHECK(outcome.status == 1);
+    CHECK(outcome.output.empty());
+    CHECK(contains(outcome.errors, "family.json"));
+    CHECK(contains(outcome.errors, "different roots"));
+    CHECK(contains(outcome.errors, "square"));
+}
+
+}  // namespace
+}  // namespace interleaf

@@ -1,0 +1,78 @@
+// `interleaf make`: keys from formulas, and the built-in family.
+#include "cli/process.h"
+#include "cli/temporary_folder.h"
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+#include "io/family_file.h"
+#include "io/hierarchy_file.h"
+
+namespace interleaf {
+namespace {
+
+Hierarchy make(const std::vector<std::string>& arguments) {
+    const TemporaryFolder folder;
+    std::vector<std::string> line = {"make", "-o", folder / "key.ilh"};
+    line.insert(line.end(), arguments.begin(), arguments.end());
+    const Outcome outcome = run_interleaf(line);
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    return read_hierarchy(folder / "key.ilh");
+}
+
+TEST_CASE("--list names every shape that can be made") {
+    const Outcome outcome = run_interleaf({"make", "--list"});
+    CHECK(outcome.status == 0);
+    for (const std::string name : {"icosahedron", "bone", "cushion", "star", "sphere"}) {
+        CAPTURE(name);
+        CHECK(contains("\n" + outcome.output, "\n" + name + " "));
+        CHECK(make({name, "--leaves", "100"}).leaf_count() <= 100);
+    }
+}
+
+TEST_CASE("a budget of leaves is kept and nearly used up") {
+    const std::size_t leaves = make({"star", "--leaves", "1000"}).leaf_count();
+    CHECK(leaves <= 1000);
+    CHECK(leaves > 980);
+}
+
+TEST_CASE("a smaller tolerance makes more leaves") {
+    CHECK(make({"sphere", "--tolerance", "0.0005"}).leaf_count() >
+          make({"sphere", "--tolerance", "0.005"}).leaf_count());
+}
+
+TEST_CASE("standard output gets the bytes that a file gets") {
+    const TemporaryFolder folder;
+    REQUIRE(run_interleaf({"make", "bone", "--leaves", "200", "-o", folder / "bone.ilh"}).status == 0);
+    const Outcome outcome = run_interleaf({"make", "bone", "--leaves", "200", "-o", "-"});
+    CHECK(outcome.status == 0);
+    CHECK(outcome.output == content_of(folder / "bone.ilh"));
+}
+
+TEST_CASE("the shipped family is what `make five-keys` writes") {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_interleaf({"make", "five-keys", "-o", folder / "made"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    CHECK(content_of(folder / "made/family.json") == content_of(INTERLEAF_FIVE_KEYS "/family.json"));
+
+    const Family made = read_family(folder / "made");
+    const Family shipped = read_family(INTERLEAF_FIVE_KEYS);
+    REQUIRE(made.keys.size() == shipped.keys.size());
+    for (std::size_t i = 0; i < made.keys.size(); ++i) {
+        CAPTURE(shipped.keys[i].name);
+        const Hierarchy& ours = made.keys[i].hierarchy;
+        const Hierarchy& theirs = shipped.keys[i].hierarchy;
+        CHECK(made.keys[i].name == shipped.keys[i].name);
+        CHECK(ours.roots == theirs.roots);
+        CHECK(ours.bits == theirs.bits);
+        CHECK(ours.midpoints == theirs.midpoints);
+        REQUIRE(ours.positions.size() == theirs.positions.size());
+        float farthest = 0;
+        for (std::size_t v = 0; v < ours.positions.size(); ++v) {
+            farthest = std::max(farthest, glm::distance(ours.positions[v], theirs.positions[v]));
+        }
+        CHECK(farthest < 1e-6F);  // mathematical libraries may round differently
+    }
+}
+
+}  // namespace
+}  // namespace interleaf

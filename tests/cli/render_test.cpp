@@ -1,0 +1,129 @@
+// `interleaf render`: pictures without a display.
+#include <algorithm>
+#include <memory>
+#include <span>
+
+#include "cli/process.h"
+#include "cli/temporary_folder.h"
+#include <doctest/doctest.h>
+#include <stb/stb_image.h>
+
+namespace interleaf {
+namespace {
+
+struct Picture {
+    int width = 0;
+    int height = 0;
+    std::vector<unsigned char> rgb;
+};
+
+Picture decode(const std::string& png) {
+    Picture picture;
+    int channels = 0;
+    const std::unique_ptr<unsigned char, decltype(&stbi_image_free)> pixels(
+        stbi_load_from_memory(reinterpret_cast<const unsigned char*>(png.data()),
+                              static_cast<int>(png.size()), &picture.width, &picture.height, &channels, 3),
+        stbi_image_free);
+    REQUIRE(pixels != nullptr);
+    const std::size_t size =
+        3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    picture.rgb.assign(pixels.get(), pixels.get() + size);
+    return picture;
+}
+
+/// A small picture of the given choice.
+Picture render(const std::vector<std::string>& choice) {
+    std::vector<std::string> line = {"render", "-o", "-", "--format", "png", "--size", "320x180"};
+    line.insert(line.end(), choice.begin(), choice.end());
+    const Outcome outcome = run_interleaf(line);
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    CHECK(outcome.errors.empty());
+    return decode(outcome.output);
+}
+
+/// The part of the pixels that differ by more than rounding, 0 to 1.
+double difference(const Picture& a, const Picture& b) {
+    REQUIRE(a.rgb.size() == b.rgb.size());
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); i += 3) {
+        const auto differs = [&](std::size_t c) { return std::abs(a.rgb[i + c] - b.rgb[i + c]) > 8; };
+        if (differs(0) || differs(1) || differs(2)) ++changed;
+    }
+    return static_cast<double>(changed) / (static_cast<double>(a.rgb.size()) / 3);
+}
+
+TEST_CASE("the picture is a PNG of the size asked for, 1280x720 if nothing is said") {
+    const TemporaryFolder folder;
+    REQUIRE(run_interleaf({"render", "--at", "0.3,0.4", "-o", folder / "a.png"}).status == 0);
+    const Picture standard = decode(content_of(folder / "a.png"));
+    CHECK(standard.width == 1280);
+    CHECK(standard.height == 720);
+    REQUIRE(run_interleaf({"render", "--at", "0.3,0.4", "-o", folder / "a.png", "--size", "33x17"}).status ==
+            0);
+    const Picture small = decode(content_of(folder / "a.png"));
+    CHECK(small.width == 33);
+    CHECK(small.height == 17);
+}
+
+TEST_CASE("the same command draws the same picture") {
+    CHECK(render({"--at", "0.3,0.4"}).rgb == render({"--at", "0.3,0.4"}).rgb);
+}
+
+TEST_CASE("every choice changes the picture where it should") {
+    const Picture plain = render({"--at", "0.3,0.4"});
+    const std::vector<std::vector<std::string>> choices = {
+        {"--color", "level"},           {"--color", "origin"},    {"--show", "wireframe"},
+        {"--show", "refinement-edges"}, {"--show", "root-edges"}, {"--camera", "120,20"},
+        {"--camera", "30,20,2"}};
+    std::vector<Picture> pictures = {plain};
+    for (std::vector<std::string> choice : choices) {
+        choice.insert(choice.end(), {"--at", "0.3,0.4"});
+        pictures.push_back(render(choice));
+    }
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            CAPTURE(i);
+            CAPTURE(j);
+            CHECK(difference(pictures[i], pictures[j]) > 0.005);
+        }
+    }
+}
+
+TEST_CASE("flat shading shows the faces of a coarse key") {
+    const std::string icosahedron = INTERLEAF_FIVE_KEYS "/icosahedron.ilh";
+    CHECK(difference(render({icosahedron}), render({icosahedron, "--shading", "flat"})) > 0.02);
+}
+
+TEST_CASE("edges are drawn on the surface and leave the background as it is") {
+    const Picture plain = render({"--at", "0,0"});
+    const Picture edges = render({"--at", "0,0", "--show", "wireframe,refinement-edges,root-edges"});
+    const std::size_t row = 3 * static_cast<std::size_t>(plain.width);
+    CHECK(std::equal(plain.rgb.begin(), plain.rgb.begin() + static_cast<std::ptrdiff_t>(row),
+                     edges.rgb.begin()));
+    CHECK(difference(plain, edges) > 0.02);
+}
+
+TEST_CASE("a point of the domain, the weights there and the key at a corner are the same picture") {
+    CHECK(difference(render({"--at", "-1,1"}), render({"--weights", "star=1"})) < 0.001);
+    CHECK(difference(render({"--at", "-1,1"}), render({"--at", "1,1"})) > 0.02);
+    CHECK(difference(render({"--at", "0.5,0"}), render({"--weights", "sphere=0.5,bone=0.25,cushion=0.25"})) <
+          0.001);
+}
+
+TEST_CASE("the camera frames all keys: none reaches the border of the picture") {
+    for (const std::string key : {"icosahedron", "bone", "cushion", "star", "sphere"}) {
+        CAPTURE(key);
+        const Picture picture = render({"--weights", key + "=1"});
+        const Picture empty = render({"--weights", key + "=0"});
+        CHECK(difference(picture, empty) > 0.01);
+        const std::size_t row = 3 * static_cast<std::size_t>(picture.width);
+        for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
+            const bool is_border =
+                i < row || i >= picture.rgb.size() - row || i % row < 3 || i % row >= row - 3;
+            if (is_border && picture.rgb[i] != empty.rgb[i]) FAIL("drawn on the border");
+        }
+    }
+}
+
+}  // namespace
+}  // namespace interleaf

@@ -1,0 +1,269 @@
+// End-to-end tests: a person at the real window. State and picture both change as they must, and stay as they
+// must.
+#include <cmath>
+#include <set>
+
+#include "e2e/running_viewer.h"
+#include <X11/keysym.h>
+#include <doctest/doctest.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+using namespace interleaf;
+using State = RunningViewer::State;
+
+namespace {
+
+/// The pixel of a point of the five keys' domain, the square from -1 to 1.
+glm::vec2 domain_pixel(const State& state, glm::vec2 point) {
+    const State& r = state["rects"]["domain"];
+    return {r[0].get<float>() + r[2].get<float>() * (point.x + 1) / 2,
+            r[1].get<float>() + r[3].get<float>() * (1 - point.y) / 2};
+}
+
+/// The point of the domain that is shown, as pixel.
+glm::vec2 point_pixel(const State& state) {
+    return domain_pixel(state, {state["point"][0].get<float>(), state["point"][1].get<float>()});
+}
+
+/// The pixel of \p part of the timeline, 0 to 1.
+glm::vec2 timeline_pixel(const State& state, float part) {
+    const State& r = state["rects"]["timeline"];
+    return {r[0].get<float>() + r[2].get<float>() * part, r[1].get<float>() + r[3].get<float>() / 2};
+}
+
+/// The pixel of the view's middle, moved by \p offset.
+glm::vec2 view_pixel(const State& state, glm::vec2 offset = {0, 0}) {
+    const State& r = state["rects"]["view"];
+    return glm::vec2(r[0].get<float>() + r[2].get<float>() / 2, r[1].get<float>() + r[3].get<float>() / 2) +
+           offset;
+}
+
+double weight_sum(const State& state) {
+    double sum = 0;
+    for (const State& weight : state["weights"]) sum += weight.get<double>();
+    return sum;
+}
+
+float eye_distance(const State& a, const State& b) {
+    const auto eye = [](const State& s) {
+        return glm::vec3(s["eye"][0].get<float>(), s["eye"][1].get<float>(), s["eye"][2].get<float>());
+    };
+    return glm::distance(eye(a), eye(b));
+}
+
+}  // namespace
+
+TEST_CASE("the window opens on the five keys at time 0, with a shaded surface in the view") {
+    const RunningViewer viewer;
+    const State state = viewer.state();
+    CHECK(state["time"] == 0);
+    CHECK(state["playing"] == false);
+    CHECK(state["driver"] == "timeline");
+    CHECK(state["message"] == "");
+    CHECK(state["rebuilds"] == 1);
+    CHECK(weight_sum(state) == doctest::Approx(1));
+    const Picture picture = viewer.settled_picture();
+    CHECK(std::set<std::uint32_t>(picture.begin(), picture.end()).size() > 200);
+}
+
+TEST_CASE("dragging in the domain keeps the point under the pointer, and leaves time and camera alone") {
+    const RunningViewer viewer;
+    const State start =
+        viewer.wait_for("a domain", [](const State& s) { return !s["rects"]["domain"].is_null(); });
+    Picture picture = viewer.settled_picture();
+
+    viewer.point_at(domain_pixel(start, {0.5F, 0}));
+    viewer.set_button(1, true);
+    for (const glm::vec2 point : {glm::vec2(0.5, 0), glm::vec2(0.4, 0.2), glm::vec2(0.8, -0.3),
+                                  glm::vec2(0.1, 0.75), glm::vec2(-0.6, 0.1), glm::vec2(-0.2, -0.9)}) {
+        CAPTURE(point.x);
+        CAPTURE(point.y);
+        const glm::vec2 pixel = glm::round(domain_pixel(start, point));
+        viewer.point_at(pixel);
+        const State state = viewer.wait_for("the point under the pointer", [&](const State& s) {
+            return s["driver"] == "point" && glm::distance(point_pixel(s), pixel) <= 1;
+        });
+        CHECK(state["active"].size() == 3);
+        CHECK(weight_sum(state) == doctest::Approx(1));
+        CHECK(state["time"] == start["time"]);
+        CHECK(state["eye"] == start["eye"]);
+        picture = viewer.changed_picture(picture);
+    }
+    viewer.set_button(1, false);
+    CHECK(viewer.state()["playing"] == false);
+}
+
+TEST_CASE("within a triangle of the domain the union stays, in another it is made anew") {
+    const RunningViewer viewer;
+    const State start = viewer.state();
+    const auto drag_to = [&](glm::vec2 point) {
+        viewer.point_at(domain_pixel(start, point));
+        return viewer.state();
+    };
+    viewer.point_at(domain_pixel(start, {0.5F, 0.1F}));
+    viewer.set_button(1, true);
+    const State first = viewer.state();
+    const State second = drag_to({0.8F, -0.2F});
+    CHECK(second["rebuilds"] == first["rebuilds"]);
+    CHECK(second["active"] == first["active"]);
+    CHECK(second["weights"] != first["weights"]);
+    const State third = drag_to({-0.5F, 0.1F});
+    CHECK(third["rebuilds"] == first["rebuilds"].get<int>() + 1);
+    CHECK(third["active"] != first["active"]);
+    viewer.set_button(1, false);
+}
+
+TEST_CASE("dragging out of the domain holds the point at its rim") {
+    const RunningViewer viewer;
+    const State start = viewer.state();
+    viewer.drag(domain_pixel(start, {0.2F, 0.1F}), domain_pixel(start, {0.25F, 1.6F}));
+    const State state = viewer.state();
+    CHECK(state["point"][1] == 1);
+    CHECK(state["point"][0].get<double>() == doctest::Approx(0.25).epsilon(0.05));
+}
+
+TEST_CASE("scrubbing the timeline sets the time under the pointer, and takes the point back to its path") {
+    const RunningViewer viewer;
+    const State start = viewer.state();
+    Picture picture = viewer.settled_picture();
+    viewer.drag(domain_pixel(start, {0.5F, 0}), domain_pixel(start, {0.7F, 0.3F}));
+    CHECK(viewer.state()["driver"] == "point");
+    picture = viewer.changed_picture(picture);
+
+    viewer.point_at(timeline_pixel(start, 0.1F));
+    viewer.set_button(1, true);
+    const double seconds_a_pixel = 10 / start["rects"]["timeline"][2].get<double>();
+    for (const float part : {0.1F, 0.33F, 0.71F, 0.55F}) {
+        CAPTURE(part);
+        viewer.point_at(timeline_pixel(start, part));
+        const State state = viewer.state();
+        CHECK(state["driver"] == "timeline");
+        CHECK(std::abs(state["time"].get<double>() - 10 * part) <= seconds_a_pixel);
+        CHECK(state["active"].size() == 2);
+        CHECK(weight_sum(state) == doctest::Approx(1));
+        CHECK(state["eye"] == start["eye"]);
+        picture = viewer.changed_picture(picture);
+    }
+    viewer.point_at(timeline_pixel(start, 1.01F));
+    CHECK(viewer.state()["time"] == 10);
+    viewer.set_button(1, false);
+}
+
+TEST_CASE("Space plays and pauses: time runs, then stands") {
+    const RunningViewer viewer;
+    const Picture before = viewer.settled_picture();
+    viewer.press(XK_space);
+    viewer.wait_for("playing", [](const State& s) { return s["playing"] == true; });
+    viewer.wait_for("time to run", [](const State& s) { return s["time"] > 0.3; });
+    viewer.press(XK_space);
+    const State paused = viewer.wait_for("a pause", [](const State& s) { return s["playing"] == false; });
+    viewer.changed_picture(before);
+    CHECK(viewer.state()["time"] == paused["time"]);
+}
+
+TEST_CASE("dragging the point while it plays pauses, and Space goes on from there") {
+    const RunningViewer viewer;
+    const State start = viewer.state();
+    viewer.press(XK_space);
+    viewer.wait_for("time to run", [](const State& s) { return s["time"] > 0.2; });
+    viewer.drag(domain_pixel(start, {0.5F, 0}), domain_pixel(start, {0.6F, -0.2F}));
+    const State dragged = viewer.state();
+    CHECK(dragged["playing"] == false);
+    CHECK(dragged["driver"] == "point");
+    viewer.press(XK_space);
+    const State state = viewer.wait_for("playing", [](const State& s) { return s["playing"] == true; });
+    CHECK(state["driver"] == "timeline");
+    CHECK(state["time"].get<double>() >= dragged["time"].get<double>());
+}
+
+TEST_CASE("each display key changes the picture, and changes it back") {
+    struct Toggle {
+        KeyName key;
+        const char* name;
+    };
+    const RunningViewer viewer;
+    // Two keys of different levels, so that there is something to see for each.
+    viewer.drag(timeline_pixel(viewer.state(), 0.4F), timeline_pixel(viewer.state(), 0.47F));
+    viewer.point_at(view_pixel(viewer.state()));
+    const Picture plain = viewer.settled_picture();
+    const State start = viewer.state();
+    std::set<Picture> pictures{plain};
+    for (const auto& [key, name] : {Toggle{XK_w, "wireframe"}, Toggle{XK_r, "refinement_edges"},
+                                    Toggle{XK_e, "root_edges"}, Toggle{XK_s, "shading"}}) {
+        CAPTURE(name);
+        viewer.press(key);
+        const State on =
+            viewer.wait_for(name, [&](const State& s) { return s["display"] != start["display"]; });
+        CHECK(on["display"][name] != start["display"][name]);
+        CHECK(on["rebuilds"] == start["rebuilds"]);
+        CHECK(pictures.insert(viewer.changed_picture(plain)).second);
+        viewer.press(key);
+        viewer.wait_for("the display as before",
+                        [&](const State& s) { return s["display"] == start["display"]; });
+        CHECK(viewer.shows(plain));
+    }
+    for (const char* coloring : {"level", "origin"}) {
+        viewer.press(XK_c);
+        viewer.wait_for(coloring, [&](const State& s) { return s["display"]["coloring"] == coloring; });
+        CHECK(pictures.insert(viewer.changed_picture(plain)).second);
+    }
+    viewer.press(XK_c);
+    CHECK(viewer.shows(plain));
+}
+
+TEST_CASE("the mouse in the view moves the camera alone, and F sees the whole model again") {
+    const RunningViewer viewer;
+    const State start = viewer.state();
+    const Picture before = viewer.settled_picture();
+    const auto nothing_else_changed = [&] {
+        const State state = viewer.state();
+        return state["weights"] == start["weights"] && state["time"] == start["time"] &&
+               state["rebuilds"] == start["rebuilds"];
+    };
+
+    viewer.drag(view_pixel(start), view_pixel(start, {120, 40}));
+    const State turned =
+        viewer.wait_for("another view", [&](const State& s) { return s["eye"] != start["eye"]; });
+    const Picture turned_picture = viewer.changed_picture(before);
+    viewer.press(XK_f);
+    const State framed =
+        viewer.wait_for("the model framed", [&](const State& s) { return s["eye"] != turned["eye"]; });
+    const Picture framed_picture = viewer.changed_picture(turned_picture);
+    CHECK(nothing_else_changed());
+
+    viewer.turn_wheel(true);
+    const State nearer =
+        viewer.wait_for("a nearer view", [&](const State& s) { return s["eye"] != framed["eye"]; });
+    const Picture nearer_picture = viewer.changed_picture(framed_picture);
+    viewer.drag(view_pixel(start), view_pixel(start, {-90, 60}), 3);
+    const State shifted =
+        viewer.wait_for("a shifted view", [&](const State& s) { return s["eye"] != nearer["eye"]; });
+    viewer.changed_picture(nearer_picture);
+    CHECK(nothing_else_changed());
+
+    viewer.press(XK_f);
+    viewer.wait_for("the model framed as before",
+                    [&](const State& s) { return eye_distance(s, framed) < 1e-4F; });
+    CHECK(eye_distance(shifted, framed) > 0.01F);
+    CHECK(viewer.shows(framed_picture));
+}
+
+TEST_CASE("the help covers the view until it is closed") {
+    const RunningViewer viewer;
+    const Picture before = viewer.settled_picture();
+    viewer.press(XK_h);
+    viewer.wait_for("the help", [](const State& s) { return s["help"] == true; });
+    viewer.changed_picture(before);
+    viewer.press(XK_Escape);
+    viewer.wait_for("the help closed", [](const State& s) { return s["help"] == false; });
+    CHECK(viewer.shows(before));
+}
+
+TEST_CASE("Ctrl+Q ends the program with status 0") {
+    RunningViewer viewer;
+    viewer.point_at(view_pixel(viewer.state()));
+    viewer.press(XK_q, XK_Control_L);
+    CHECK(viewer.exit_status() == 0);
+}

@@ -1,0 +1,4 @@
+// A program of nothing but the libraries it is linked with.
+int main() {
+    return 0;
+}

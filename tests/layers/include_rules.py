@@ -1,0 +1,91 @@
+"""Reads the includes of every file of src/ and names each one that crosses the layers.
+
+The table below is the project's: a folder of src/ is a layer, and includes go one way only. OpenGL, windows
+and Dear ImGui stay in the layers that draw; CLI11 and Boost, which are slow to compile, in one place each.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+# What of ours each layer may include besides itself.
+LAYERS = {
+    "hierarchy": set(),
+    "family": {"hierarchy"},
+    "shapes": {"hierarchy"},
+    "fit": {"hierarchy"},
+    "sequence": {"hierarchy", "family"},
+    "io": {"hierarchy", "family"},
+    "render": {"hierarchy", "family"},
+    "ui": {"hierarchy", "family", "render"},
+    "app": {"hierarchy", "family", "shapes", "fit", "sequence", "io", "render", "ui"},
+}
+DRAWING_LAYERS = {"render", "ui", "app"}
+DRAWING_HEADER = re.compile(r"(GL|GLES\d?|GLFW|EGL|KHR|X11|glad)/|imgui")
+# The headers of a library that only one file, or a header and its source, may include.
+IN_ONE_PLACE = {"CLI11": re.compile(r"CLI/"), "Boost": re.compile(r"boost/")}
+
+SOURCE_FILE = {".h", ".hpp", ".cpp", ".c", ".inl"}
+DIRECTIVE = re.compile(r"^\s*#\s*include\b\s*(.*)")
+OPERAND = re.compile(r'([<"])([^">]+)[">]')
+
+
+def includes(path):
+    """Yields (line number, quoted or not, header) for each include; header is None where a macro makes it."""
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+        directive = DIRECTIVE.match(line)
+        if directive:
+            operand = OPERAND.match(directive[1])
+            yield (number, operand[1] == '"', operand[2]) if operand else (number, False, None)
+
+
+def fault(layer, quoted, header):
+    """What is wrong with this include in this layer, or None."""
+    if header is None:
+        return "an include is spelled out, not made by a macro"
+    folder = header.split("/")[0]
+    if folder in LAYERS:
+        if not quoted:
+            return f"<{header}> is ours: include it in quotes"
+        if folder != layer and folder not in LAYERS[layer]:
+            return f'{layer} may not include "{header}"'
+    elif quoted:
+        return f'"{header}" does not begin with a layer; what is not ours goes in angle brackets'
+    elif DRAWING_HEADER.match(header) and layer not in DRAWING_LAYERS:
+        return f"{layer} may not include <{header}>: only {', '.join(sorted(DRAWING_LAYERS))} draw"
+    return None
+
+
+def violations(src):
+    """Every broken rule below the folder src, as lines of text."""
+    found = []
+    places = {library: set() for library in IN_ONE_PLACE}
+    for path in sorted(path for path in src.rglob("*") if path.suffix in SOURCE_FILE):
+        name = path.relative_to(src)
+        layer = name.parts[0]
+        if layer not in LAYERS:
+            found.append(f"{name}: {layer} is not in the table of layers")
+            continue
+        for number, quoted, header in includes(path):
+            wrong = fault(layer, quoted, header)
+            if wrong:
+                found.append(f"{name}:{number}: {wrong}")
+            for library, pattern in IN_ONE_PLACE.items():
+                if header and pattern.match(header):
+                    places[library].add(str(name.with_suffix("")))
+    for library, names in places.items():
+        if len(names) > 1:
+            found.append(f"{library} is included in more than one place: {', '.join(sorted(names))}")
+    return found
+
+
+def main():
+    src = Path(sys.argv[1])
+    checked = sum(path.suffix in SOURCE_FILE for path in src.rglob("*"))
+    found = violations(src)
+    print(*found, f"{checked} files of {src}, {len(found)} violations", sep="\n")
+    return 1 if found or not checked else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

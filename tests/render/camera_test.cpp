@@ -1,0 +1,152 @@
+// The camera without OpenGL.
+#include "render/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+using namespace interleaf;
+
+namespace {
+
+constexpr float aspect = 1.6F;
+
+glm::vec3 device_coordinates(const Camera& camera, glm::vec3 point, float at_aspect = aspect) {
+    const glm::vec4 clip = camera.projection(at_aspect) * camera.view() * glm::vec4(point, 1);
+    return glm::vec3(clip) / clip.w;
+}
+
+float random(std::mt19937& generator, float low, float high) {
+    return std::uniform_real_distribution<float>(low, high)(generator);
+}
+
+glm::vec3 random_point(std::mt19937& generator, float size) {
+    return {random(generator, -size, size), random(generator, -size, size), random(generator, -size, size)};
+}
+
+Camera looking_at_unit_box(float azimuth = 30, float elevation = 20) {
+    Camera camera;
+    camera.look_from(azimuth, elevation);
+    camera.frame({glm::vec3(-1), glm::vec3(1)}, aspect);
+    return camera;
+}
+
+}  // namespace
+
+TEST_CASE("a framed box lies in the picture and fills it, whatever its size, the view and the aspect") {
+    const unsigned seed = 7;
+    CAPTURE(seed);
+    std::mt19937 generator(seed);
+    for (int i = 0; i < 500; ++i) {
+        const float size = std::exp(random(generator, -8, 8));
+        const glm::vec3 a = random_point(generator, size);
+        const glm::vec3 b = random_point(generator, size);
+        const Box box{glm::min(a, b), glm::max(a, b)};
+        const float at_aspect = random(generator, 0.4F, 2.5F);
+        Camera camera;
+        camera.look_from(random(generator, -180, 180), random(generator, -90, 90));
+        camera.frame(box, at_aspect);
+        float reach = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::vec3 point((corner & 1) != 0 ? a.x : b.x, (corner & 2) != 0 ? a.y : b.y,
+                                  (corner & 4) != 0 ? a.z : b.z);
+            const glm::vec3 seen = device_coordinates(camera, point, at_aspect);
+            reach = std::max({reach, std::abs(seen.x), std::abs(seen.y)});
+            CHECK(std::abs(seen.z) < 1);
+        }
+        CHECK(reach < 1);
+        CHECK(reach > 0.9F);
+    }
+}
+
+TEST_CASE("a box of no size can be framed") {
+    Camera camera;
+    camera.frame({glm::vec3(2), glm::vec3(2)}, aspect);
+    const glm::vec3 seen = device_coordinates(camera, glm::vec3(2));
+    CHECK(std::abs(seen.x) < 1e-4F);
+    CHECK(std::abs(seen.z) < 1);
+}
+
+TEST_CASE("azimuth turns about Y from +Z, elevation lifts towards +Y") {
+    const auto direction = [](float azimuth, float elevation) {
+        return glm::normalize(looking_at_unit_box(azimuth, elevation).eye());
+    };
+    CHECK(glm::distance(direction(0, 0), {0, 0, 1}) < 1e-5F);
+    CHECK(glm::distance(direction(90, 0), {1, 0, 0}) < 1e-5F);
+    CHECK(glm::distance(direction(0, 90), {0, 1, 0}) < 1e-5F);
+    CHECK(glm::distance(direction(0, -45), glm::normalize(glm::vec3(0, -1, 1))) < 1e-5F);
+}
+
+TEST_CASE("orbiting keeps the distance, follows the pointer and stops at the poles") {
+    Camera camera = looking_at_unit_box(0, 0);
+    const float distance = glm::length(camera.eye());
+    const glm::vec3 front(0, 0, 1);
+    camera.orbit({0.05F, 0.02F});
+    CHECK(glm::length(camera.eye()) == doctest::Approx(distance));
+    CHECK(device_coordinates(camera, front).x > 0);
+    CHECK(device_coordinates(camera, front).y < 0);
+    camera.orbit({0, 10});
+    CHECK(glm::distance(glm::normalize(camera.eye()), {0, 1, 0}) < 1e-5F);
+    // No roll: the world's vertical stays upright in the picture, or a point at the pole.
+    camera.orbit({0.3F, -0.2F});
+    const glm::vec4 up = camera.view() * glm::vec4(0, 1, 0, 0);
+    CHECK(std::abs(up.x) < 1e-5F);
+    CHECK(up.y > 0);
+}
+
+TEST_CASE("panning keeps the point under the pointer") {
+    Camera camera = looking_at_unit_box();
+    const glm::vec3 before = device_coordinates(camera, glm::vec3(0));
+    const glm::vec2 delta(0.17F, -0.08F);  // of the picture's height, y down
+    camera.pan(delta);
+    const glm::vec3 after = device_coordinates(camera, glm::vec3(0));
+    CHECK(after.x - before.x == doctest::Approx(2 * delta.x / aspect).epsilon(1e-4));
+    CHECK(after.y - before.y == doctest::Approx(-2 * delta.y).epsilon(1e-4));
+}
+
+TEST_CASE("zooming and approaching keep the point under the pointer and come nearer by the factor") {
+    const unsigned seed = 11;
+    CAPTURE(seed);
+    std::mt19937 generator(seed);
+    for (int i = 0; i < 200; ++i) {
+        Camera camera = looking_at_unit_box(random(generator, -180, 180), random(generator, -80, 80));
+        const glm::vec2 pointer(random(generator, -0.9F, 0.9F), random(generator, -0.9F, 0.9F));
+        const float factor = random(generator, 0.5F, 4);
+        Camera zoomed = camera;
+        zoomed.zoom(factor, pointer, aspect);
+        const glm::vec3 center_depth = device_coordinates(camera, glm::vec3(0));
+        const glm::vec3 under_pointer = camera.point_at(pointer, (center_depth.z + 1) / 2, aspect);
+        const glm::vec3 seen = device_coordinates(zoomed, under_pointer);
+        CHECK(glm::distance(glm::vec2(seen), pointer) < 1e-3F);
+        CHECK(glm::distance(zoomed.eye(), under_pointer) * factor ==
+              doctest::Approx(glm::distance(camera.eye(), under_pointer)).epsilon(1e-3));
+
+        const glm::vec3 point = random_point(generator, 0.5F);
+        Camera nearer = camera;
+        nearer.approach(factor, point);
+        CHECK(glm::distance(glm::vec2(device_coordinates(nearer, point)),
+                            glm::vec2(device_coordinates(camera, point))) < 1e-3F);
+        CHECK(glm::distance(nearer.eye(), point) * factor ==
+              doctest::Approx(glm::distance(camera.eye(), point)).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("the point under the pointer has the pointer's coordinates and depth") {
+    const Camera camera = looking_at_unit_box(200, -35);
+    for (const float depth : {0.1F, 0.5F, 0.9F}) {
+        const glm::vec3 seen = device_coordinates(camera, camera.point_at({0.3F, -0.6F}, depth, aspect));
+        CHECK(glm::distance(seen, {0.3F, -0.6F, 2 * depth - 1}) < 1e-3F);
+    }
+}
+
+TEST_CASE("a surface point that is approached a thousandfold is still between the clipping planes") {
+    Camera camera = looking_at_unit_box(0, 0);
+    const glm::vec3 point(0.1F, 0.2F, 1);
+    for (int i = 0; i < 40; ++i) {
+        camera.approach(1.2F, point);
+        CHECK(std::abs(device_coordinates(camera, point).z) < 1);
+    }
+}

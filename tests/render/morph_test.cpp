@@ -1,0 +1,139 @@
+// The morph in the vertex shader against the one on the processor, and what weights do.
+#include "hierarchy/morph.h"
+
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <glad/gl.h>
+
+#include "render/context.h"
+#include "render/picture.h"
+#include "render/test_surfaces.h"
+#include "shapes/shapes.h"
+
+using namespace interleaf;
+
+namespace {
+
+TestSurface repeated(const std::vector<Hierarchy>& keys, std::size_t count) {
+    std::vector<Hierarchy> all;
+    all.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) all.push_back(keys[i % keys.size()]);
+    return surface_of(all);
+}
+
+/// \p weights shared out among the repeated keys.
+std::vector<float> repeated(const std::vector<float>& weights, std::size_t count) {
+    std::vector<float> all(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t times = (count - i % weights.size() + weights.size() - 1) / weights.size();
+        all[i] = weights[i % weights.size()] / static_cast<float>(times);
+    }
+    return all;
+}
+
+std::vector<Hierarchy> keys_of(std::initializer_list<std::string_view> names) {
+    std::vector<Hierarchy> keys;
+    ShapeBudget budget;
+    budget.leaves = 3000;
+    for (const std::string_view name : names) keys.push_back(make_key(*find_shape(name), budget));
+    return keys;
+}
+
+}  // namespace
+
+TEST_CASE("the picture is the same for one to four keys on the GPU and for more on the processor") {
+    const EglContext context;
+    const std::vector<Hierarchy> keys = keys_of({"star", "bone"});
+    const std::vector<float> weights = {0.7F, 0.3F};
+    OffscreenTarget target(640, 480, 1);
+    Renderer renderer;
+    const TestSurface two = repeated(keys, 2);
+    const Camera camera = framing(two, target);
+    renderer.upload(two.mesh, two.form);
+    const Picture expected = take_picture(renderer, target, camera, weights);
+    for (const std::size_t count : {3, 4, 5, 6}) {
+        CAPTURE(count);
+        const TestSurface surface = repeated(keys, count);
+        renderer.upload(surface.mesh, surface.form);
+        const Picture picture = take_picture(renderer, target, camera, repeated(weights, count));
+        CHECK(count_differences(picture, expected, 2) < 60);
+    }
+    // One key: the morph itself, uploaded.
+    const TestSurface morphed = surface_of({morphed_hierarchy(two.mesh, weights)});
+    renderer.upload(morphed.mesh, morphed.form);
+    const float one[] = {1};
+    const Picture picture = take_picture(renderer, target, camera, one);
+    CHECK(count_differences(picture, expected, 40) < 0.01 * 640 * 480);
+}
+
+TEST_CASE("the blend on the processor follows the weights") {
+    const EglContext context;
+    const std::vector<Hierarchy> keys = keys_of({"star", "bone", "cushion", "sphere", "icosahedron"});
+    const TestSurface five = surface_of(keys);
+    Renderer renderer;
+    renderer.upload(five.mesh, five.form);
+    OffscreenTarget target(320, 240, 1);
+    const Camera camera = framing(five, target);
+    const std::vector<float> star = {1, 0, 0, 0, 0};
+    const std::vector<float> sphere = {0, 0, 0, 1, 0};
+    const Picture first = take_picture(renderer, target, camera, star);
+    CHECK(count_differences(take_picture(renderer, target, camera, sphere), first, 8) > 3000);
+    CHECK(take_picture(renderer, target, camera, star) == first);
+}
+
+TEST_CASE("weights alone change the picture, and back") {
+    const EglContext context;
+    const TestSurface surface = surface_of(keys_of({"star", "sphere"}));
+    Renderer renderer;
+    renderer.upload(surface.mesh, surface.form);
+    OffscreenTarget target(320, 240, 4);
+    const Camera camera = framing(surface, target);
+    const float star[] = {1, 0};
+    const float half[] = {0.5F, 0.5F};
+    const float beyond[] = {1.5F, -0.5F};
+    const Picture at_star = take_picture(renderer, target, camera, star);
+    const Picture at_half = take_picture(renderer, target, camera, half);
+    CHECK(count_differences(at_half, at_star, 8) > 3000);
+    CHECK(count_differences(take_picture(renderer, target, camera, beyond), at_star, 8) > 3000);
+    CHECK(take_picture(renderer, target, camera, star) == at_star);
+}
+
+TEST_CASE("weight 1 on a key shows that key, whatever other key refines the union") {
+    const EglContext context;
+    const std::vector<Hierarchy> keys = keys_of({"star", "bone", "cushion"});
+    const TestSurface all = surface_of(keys);
+    OffscreenTarget target(640, 480, 1);
+    const Camera camera = framing(all, target);
+    Renderer renderer;
+    for (std::size_t key = 0; key < keys.size(); ++key) {
+        CAPTURE(key);
+        std::vector<float> weights(keys.size(), 0);
+        weights[key] = 1;
+        renderer.upload(all.mesh, all.form);
+        const Picture of_union = take_picture(renderer, target, camera, weights);
+        const TestSurface alone = surface_of({keys[key]});
+        renderer.upload(alone.mesh, alone.form);
+        const float one[] = {1};
+        const Picture of_key = take_picture(renderer, target, camera, one);
+        CHECK(count_differences(of_union, of_key, 40) < 0.002 * 640 * 480);
+    }
+}
+
+TEST_CASE("a smaller surface after a larger one leaves nothing behind") {
+    const EglContext context;
+    const TestSurface large = surface_of(keys_of({"star", "bone", "cushion", "sphere"}));
+    const TestSurface small = surface_of(keys_of({"icosahedron"}));
+    OffscreenTarget target(320, 240, 1);
+    const Camera camera = framing(small, target);
+    const float one[] = {1};
+    const float four[] = {0.25F, 0.25F, 0.25F, 0.25F};
+    Renderer fresh;
+    fresh.upload(small.mesh, small.form);
+    const Picture expected = take_picture(fresh, target, camera, one);
+    Renderer used;
+    used.upload(large.mesh, large.form);
+    take_picture(used, target, camera, four);
+    used.upload(small.mesh, small.form);
+    CHECK(take_picture(used, target, camera, one) == expected);
+}

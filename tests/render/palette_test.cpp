@@ -1,0 +1,53 @@
+// Colours without OpenGL.
+#include "render/palette.h"
+
+#include <numeric>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+using namespace interleaf;
+
+namespace {
+
+/// CIE luminance of an sRGB-encoded colour.
+float luminance(glm::vec3 color) {
+    return glm::dot(linear_light(color), {0.2126F, 0.7152F, 0.0722F});
+}
+
+}  // namespace
+
+TEST_CASE("a deeper level is lighter, from viridis' violet to its yellow") {
+    for (const LevelRange range : {LevelRange{0, 1}, LevelRange{3, 17}, LevelRange{0, 64}}) {
+        CHECK(glm::distance(level_color(range.min, range), glm::vec3(0x44, 0x01, 0x54) / 255.0F) < 1e-5F);
+        CHECK(glm::distance(level_color(range.max, range), glm::vec3(0xfd, 0xe7, 0x25) / 255.0F) < 1e-5F);
+        for (unsigned level = range.min; level < range.max; ++level)
+            CHECK(luminance(level_color(level, range)) < luminance(level_color(level + 1, range)));
+    }
+}
+
+TEST_CASE("levels of a mesh that has one, and levels outside the range, have colours") {
+    CHECK(level_color(5, {5, 5}) == level_color(0, {5, 5}));
+    CHECK(level_color(9, {2, 6}) == level_color(6, {2, 6}));
+}
+
+TEST_CASE("every set of up to four keys has a colour of its own") {
+    for (std::size_t count = 1; count <= 4; ++count) {
+        std::vector<std::size_t> keys(count);
+        std::iota(keys.begin(), keys.end(), std::size_t{0});
+        for (KeySet a = 1; a < KeySet{1} << count; ++a)
+            for (KeySet b = 1; b < a; ++b) {
+                CAPTURE(a);
+                CAPTURE(b);
+                CHECK(glm::distance(origin_color(a, keys), origin_color(b, keys)) > 0.05F);
+            }
+    }
+}
+
+TEST_CASE("a key keeps its colour whatever other keys are active") {
+    const std::size_t few[] = {4, 6};
+    const std::size_t more[] = {1, 4, 5, 6};
+    CHECK(glm::distance(origin_color(key_bit(0), few), key_color(4)) < 1e-3F);
+    CHECK(glm::distance(origin_color(key_bit(1), more), key_color(4)) < 1e-3F);
+    CHECK(glm::distance(origin_color(key_bit(3), more), key_color(6)) < 1e-3F);
+}

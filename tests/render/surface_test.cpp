@@ -1,0 +1,196 @@
+// What the picture of a surface looks like: shape, light, colours.
+#include <numbers>
+#include <set>
+
+#include <doctest/doctest.h>
+#include <glad/gl.h>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "render/context.h"
+#include "render/picture.h"
+#include "render/test_surfaces.h"
+
+using namespace interleaf;
+
+namespace {
+
+constexpr float one[] = {1};
+constexpr float both[] = {0.5F, 0.5F};
+
+Picture background_of(OffscreenTarget& target) {
+    Renderer renderer;
+    return take_picture(renderer, target, Camera(), {});
+}
+
+std::size_t distinct_colors(const Picture& picture) {
+    std::set<std::array<float, 3>> colors;
+    count_pixels(picture, [&](glm::vec3 light) { return colors.insert({light.r, light.g, light.b}).second; });
+    return colors.size();
+}
+
+/// Middle of the leaf in the first key.
+glm::vec3 middle(const UnionMesh& mesh, std::size_t leaf) {
+    const auto& [a, b, c] = mesh.triangles[leaf];
+    const auto& positions = mesh.positions.front();
+    return (positions[a] + positions[b] + positions[c]) / 3.0F;
+}
+
+/// Checks that \p picture shows each leaf in its color_of() times the light that falls on it, which \p plain,
+/// of the colour \p plain_color, tells.
+void check_leaf_colors(const UnionMesh& mesh, const Camera& camera, const Picture& plain,
+                       glm::vec3 plain_color, const Picture& picture,
+                       const std::function<glm::vec3(std::size_t)>& color_of) {
+    for (std::size_t leaf = 0; leaf < mesh.leaf_count(); ++leaf) {
+        CAPTURE(leaf);
+        const glm::ivec2 at(pixel_of(camera, plain, middle(mesh, leaf)));
+        const glm::vec3 light = plain.light(at.x, at.y) / linear_light(plain_color);
+        const glm::vec3 expected = light * linear_light(color_of(leaf));
+        CHECK(glm::distance(picture.light(at.x, at.y), expected) < 0.02F);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a sphere covers the disc that geometry says, with and without samples") {
+    const EglContext context;
+    const TestSurface sphere = surface_of_shapes({"sphere"}, 20000);
+    Renderer renderer;
+    renderer.upload(sphere.mesh, sphere.form);
+    for (const int samples : {1, 4}) {
+        OffscreenTarget target(640, 480, samples);
+        const Camera camera = framing(sphere, target);
+        const Picture picture = take_picture(renderer, target, camera, one);
+        const Picture background = background_of(target);
+        const double distance = glm::length(camera.eye());
+        const double field = std::tan(glm::radians(static_cast<double>(vertical_field_degrees) / 2));
+        const double radius = 240 / field / std::sqrt(distance * distance - 1);
+        const double area = std::numbers::pi * radius * radius;
+        const double rim = samples > 1 ? std::numbers::pi * radius : 0;  // half covered pixels count, too
+        CHECK(count_differences(picture, background) == doctest::Approx(area + rim).epsilon(0.01));
+    }
+}
+
+TEST_CASE("light comes from above left, and the background stays darker than the lit surface") {
+    const EglContext context;
+    const TestSurface sphere = surface_of_shapes({"sphere"}, 5000);
+    Renderer renderer;
+    renderer.upload(sphere.mesh, sphere.form);
+    OffscreenTarget target(300, 300, 4);
+    const Picture picture = take_picture(renderer, target, framing(sphere, target), one);
+    const auto brightness = [&](int x, int y) { return glm::dot(picture.light(x, y), glm::vec3(1)); };
+    CHECK(brightness(110, 100) > 2 * brightness(200, 210));
+    CHECK(brightness(110, 100) > 4 * brightness(2, 2));
+    CHECK(brightness(2, 2) > 2 * brightness(2, 297));
+}
+
+TEST_CASE("flat shading gives each face one colour") {
+    const EglContext context;
+    const TestSurface icosahedron = surface_of_shapes({"icosahedron"}, 20);
+    Renderer renderer;
+    renderer.upload(icosahedron.mesh, icosahedron.form);
+    OffscreenTarget target(320, 240, 1);
+    const Camera camera = framing(icosahedron, target);
+    Display display;
+    const Picture smooth = take_picture(renderer, target, camera, one, display);
+    display.shading = Shading::flat;
+    const Picture flat = take_picture(renderer, target, camera, one, display);
+    const std::size_t of_background = distinct_colors(background_of(target));
+    CHECK(distinct_colors(smooth) > of_background + 300);
+    // The highlight varies a little over a face.
+    CHECK(distinct_colors(flat) < of_background + 80);
+    CHECK(count_differences(smooth, flat, 8) > 2000);
+}
+
+TEST_CASE("where the normal vanishes, smooth shading takes the face's") {
+    const EglContext context;
+    TestSurface sphere = surface_of_shapes({"sphere"}, 500);
+    for (auto& product : sphere.form.products) product.assign(product.size(), glm::vec3(0));
+    Renderer renderer;
+    renderer.upload(sphere.mesh, sphere.form);
+    OffscreenTarget target(320, 240, 1);
+    const Camera camera = framing(sphere, target);
+    Display display;
+    const Picture smooth = take_picture(renderer, target, camera, one, display);
+    display.shading = Shading::flat;
+    CHECK(take_picture(renderer, target, camera, one, display) == smooth);
+}
+
+TEST_CASE("an open surface is seen from behind, darker") {
+    const EglContext context;
+    const TestSurface square = surface_of(two_keys_of_a_square());
+    Renderer renderer;
+    renderer.upload(square.mesh, square.form);
+    OffscreenTarget target(200, 200, 1);
+    const Picture front = take_picture(renderer, target, framing(square, target, 0, 0), both);
+    const Picture back = take_picture(renderer, target, framing(square, target, 180, 0), both);
+    const Picture background = background_of(target);
+    CHECK(count_differences(front, background) ==
+          doctest::Approx(count_differences(back, background)).epsilon(0.02));
+    const float seen = glm::dot(back.light(100, 100), glm::vec3(1));
+    CHECK(seen < 0.8F * glm::dot(front.light(100, 100), glm::vec3(1)));
+    CHECK(seen > 0.2F * glm::dot(front.light(100, 100), glm::vec3(1)));
+}
+
+TEST_CASE("colours by level and by origin are those of the legend") {
+    const EglContext context;
+    const TestSurface square = surface_of(two_keys_of_a_square());
+    const UnionMesh& mesh = square.mesh;
+    REQUIRE(mesh.leaf_count() > 4);
+    Renderer renderer;
+    renderer.upload(mesh, square.form);
+    OffscreenTarget target(400, 400, 1);
+    const Camera camera = framing(square, target, 0, 0);
+    Display display;
+    const Picture plain = take_picture(renderer, target, camera, both, display);
+
+    display.coloring = Coloring::level;
+    const LevelRange levels = level_range(mesh);
+    REQUIRE(levels.min < levels.max);
+    check_leaf_colors(mesh, camera, plain, plain_color, take_picture(renderer, target, camera, both, display),
+                      [&](std::size_t leaf) { return level_color(mesh.tags[leaf].level(), levels); });
+
+    display.coloring = Coloring::origin;
+    const std::size_t keys[] = {3, 5};
+    renderer.upload(mesh, square.form, keys);
+    check_leaf_colors(mesh, camera, plain, plain_color, take_picture(renderer, target, camera, both, display),
+                      [&](std::size_t leaf) { return origin_color(mesh.origins[leaf], keys); });
+}
+
+TEST_CASE("each origin of a union is seen in its colour") {
+    const EglContext context;
+    const TestSurface surface = surface_of_shapes({"star", "bone", "cushion"}, 3000);
+    Renderer renderer;
+    renderer.upload(surface.mesh, surface.form);
+    OffscreenTarget target(640, 480, 4);
+    const Camera camera = framing(surface, target);
+    const float weights[] = {0.4F, 0.3F, 0.3F};
+    Display display;
+    const Picture plain = take_picture(renderer, target, camera, weights, display);
+    display.coloring = Coloring::origin;
+    const Picture picture = take_picture(renderer, target, camera, weights, display);
+    const std::size_t keys[] = {0, 1, 2};
+    for (std::size_t key = 0; key < 3; ++key) {
+        CAPTURE(key);
+        const glm::vec3 color = linear_light(key_color(key));
+        const auto has_hue = [&](glm::vec3 light) {
+            const float sum = glm::dot(light, glm::vec3(1));
+            return sum > 0.15F && glm::distance(light / sum, color / glm::dot(color, glm::vec3(1))) < 0.06F;
+        };
+        CHECK(origin_color(key_bit(key), keys) == key_color(key));
+        CHECK(count_pixels(plain, has_hue) == 0);
+        CHECK(count_pixels(picture, has_hue) > 200);
+    }
+}
+
+TEST_CASE("shaders that are read again draw the same picture") {
+    const EglContext context;
+    const TestSurface sphere = surface_of_shapes({"sphere"}, 500);
+    Renderer renderer;
+    renderer.upload(sphere.mesh, sphere.form);
+    OffscreenTarget target(160, 120, 1);
+    const Camera camera = framing(sphere, target);
+    const Picture before = take_picture(renderer, target, camera, one);
+    renderer.reload_shaders();
+    CHECK(take_picture(renderer, target, camera, one) == before);
+}
