@@ -1,14 +1,14 @@
-// The core: union, normals and morph of three keys, beside a copy of the same bytes (the limit that memory sets), and
-// the memory of frozen keys, beside the plain indexed mesh of the same leaves.
-#include <benchmark/benchmark.h>
-
+// The core: union, normals and morph of three keys, beside a copy of the same bytes (the limit that memory
+// sets), and the memory of frozen keys, beside the plain indexed mesh of the same leaves.
 #include <cstring>
 #include <vector>
+
+#include "keys.h"
+#include <benchmark/benchmark.h>
 
 #include "hierarchy/morph.h"
 #include "hierarchy/union_mesh.h"
 #include "hierarchy/vertex_normals.h"
-#include "keys.h"
 
 namespace {
 
@@ -16,7 +16,8 @@ using namespace interleaf;
 
 struct ThreeKeys {
     explicit ThreeKeys(Index leaves) {
-        for (std::uint64_t seed = 1; seed <= 3; ++seed) keys.push_back(bench::random_sphere_key(leaves, seed));
+        for (std::uint64_t seed = 1; seed <= 3; ++seed)
+            keys.push_back(bench::random_sphere_key(leaves, seed));
         for (const Hierarchy& key : keys) pointers.push_back(&key);
     }
     std::vector<Hierarchy> keys;
@@ -94,7 +95,8 @@ void key_memory(benchmark::State& state) {
     const Hierarchy key = bench::random_sphere_key(static_cast<Index>(state.range(0)), 1);
     for (auto _ : state) benchmark::DoNotOptimize(key.byte_count());
     const auto leaves = static_cast<double>(key.leaf_count());
-    const auto indexed = static_cast<double>(key.vertex_count() * sizeof(glm::vec3) + key.leaf_count() * sizeof(Triangle));
+    const auto indexed =
+        static_cast<double>(key.vertex_count() * sizeof(glm::vec3) + key.leaf_count() * sizeof(Triangle));
     state.counters["leaves"] = leaves;
     state.counters["bytes_per_leaf"] = static_cast<double>(key.byte_count()) / leaves;
     state.counters["indexed_mesh_bytes_per_leaf"] = indexed / leaves;

@@ -1,9 +1,10 @@
 #include "keys.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <random>
 #include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "hierarchy/adaptive_mesh.h"
 #include "shapes/icosahedron.h"

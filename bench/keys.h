@@ -7,7 +7,8 @@
 
 namespace interleaf::bench {
 
-/// A key of about \p leaves leaves, refined at random with a density that \p seed decides, midpoints on the unit sphere.
+/// A key of about \p leaves leaves, refined at random with a density that \p seed decides, midpoints on the
+/// unit sphere.
 Hierarchy random_sphere_key(Index leaves, std::uint64_t seed);
 
 }  // namespace interleaf::bench

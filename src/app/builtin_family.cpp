@@ -15,7 +15,7 @@ namespace interleaf {
 std::filesystem::path builtin_family_folder() {
     std::error_code error;
     const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path installed =
+    std::filesystem::path installed =
         executable.parent_path().parent_path() / "share" / "interleaf" / "families" / "five-keys";
     if (std::filesystem::is_directory(installed, error)) return installed;
     return INTERLEAF_SOURCE_FAMILY;

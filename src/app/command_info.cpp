@@ -31,6 +31,7 @@ Kind kind_of(const std::filesystem::path& file) {
 
 std::vector<Figures> figures_of(const Family& family) {
     std::vector<Figures> figures;
+    figures.reserve(family.keys.size());
     // There is one way to write a key, so this is the size of the file it was read from.
     for (const Key& key : family.keys) {
         figures.push_back(figures_of(key.hierarchy, serialize_hierarchy(key.hierarchy).size()));

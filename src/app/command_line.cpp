@@ -43,7 +43,7 @@ class HelpFormatter : public CLI::Formatter {
     }
 
     std::string make_option_desc(const CLI::Option* option) const override {
-        const std::string text = option->get_description();
+        const std::string& text = option->get_description();
         if (option->get_required() && !option->get_positional()) return text + " (required)";
         return option->get_default_str().empty() ? text
                                                  : text + " (default " + option->get_default_str() + ")";
@@ -98,27 +98,6 @@ void add_output(CLI::App& command, Output& output, const std::string& files, con
         ->type_name("NAME");
 }
 
-void add_view(CLI::App& program) {
-    const auto options = std::make_shared<ViewOptions>();
-    CLI::App* command = program.add_subcommand("view", "Open the viewer");
-    add_family(*command, options->family);
-    add_text_option(*command, "--size", "Size of the window",
-                    [options](const std::string& text) {
-                        const PictureSize size = parse_size(text);
-                        options->viewer.width = size.width;
-                        options->viewer.height = size.height;
-                    })
-        ->type_name("WxH")
-        ->default_str(fmt::format("{}x{}", options->viewer.width, options->viewer.height));
-    command
-        ->add_option_function<std::string>(
-            "--trace", [options](const std::string& path) { options->viewer.trace = path; },
-            "A file that gets one JSON line at every change of state")
-        ->type_name("FILE");
-    command->final_callback([options] { run_view(*options); });
-    command->footer("Example:\n  interleaf view assets/families/five-keys");
-}
-
 void add_display(CLI::App& command, Display& display) {
     add_text_option(command, "--show", "Edges shown: wireframe, refinement-edges, root-edges",
                     [&display](const std::string& text) { parse_shown_edges(text, display); })
@@ -132,6 +111,44 @@ void add_display(CLI::App& command, Display& display) {
                     [&display](const std::string& text) { display.coloring = parse_coloring(text); })
         ->type_name("NAME")
         ->default_str("plain");
+}
+
+void add_view(CLI::App& program) {
+    const auto options = std::make_shared<ViewOptions>();
+    CLI::App* command = program.add_subcommand("view", "Open the viewer");
+    add_family(*command, options->family);
+    add_text_option(*command, "--size", "Size of the window",
+                    [options](const std::string& text) {
+                        const PictureSize size = parse_size(text);
+                        options->viewer.width = size.width;
+                        options->viewer.height = size.height;
+                    })
+        ->type_name("WxH")
+        ->default_str(fmt::format("{}x{}", options->viewer.width, options->viewer.height));
+    CLI::Option* at =
+        add_text_option(*command, "--at", "Begin at this point of the parameter domain",
+                        [options](const std::string& text) { options->viewer.at = parse_point(text); });
+    at->type_name("U,V");
+    add_text_option(*command, "--time", "Begin at this time of the timeline, seconds",
+                    [options](const std::string& text) { options->viewer.time = parse_number(text); })
+        ->type_name("T")
+        ->excludes(at);
+    add_display(*command, options->viewer.display);
+    command
+        ->add_option_function<std::string>(
+            "--picture", [options](const std::string& path) { options->viewer.picture = path; },
+            "Write a PNG of the window, then close it")
+        ->type_name("FILE");
+    command
+        ->add_option_function<std::string>(
+            "--trace", [options](const std::string& path) { options->viewer.trace = path; },
+            "A file that gets one JSON line at every change of state")
+        ->type_name("FILE");
+    command->final_callback([options] { run_view(*options); });
+    command->footer(
+        "Examples:\n"
+        "  interleaf view assets/families/five-keys\n"
+        "  interleaf view --at 0.3,0.4 --show wireframe --picture window.png");
 }
 
 void add_render(CLI::App& program) {

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "app/builtin_family.h"
-#include "app/family_box.h"
+#include "app/family_extent.h"
 #include "hierarchy/vertex_normals.h"
 #include "io/mesh_file.h"
 #include "render/camera.h"
@@ -20,7 +20,7 @@ constexpr int samples = 4;
 Camera camera_on(const Family& family, const Viewpoint& viewpoint, float aspect) {
     Camera camera;
     camera.look_from(viewpoint.azimuth, viewpoint.elevation);
-    camera.frame(bounding_box(family), aspect);
+    camera.frame(extent(family), aspect);
     camera.zoom(viewpoint.zoom, {0, 0}, aspect);
     return camera;
 }

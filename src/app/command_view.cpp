@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/builtin_family.h"
-#include "hierarchy/error.h"
+#include "render/context.h"
 
 namespace interleaf {
 
@@ -13,7 +13,7 @@ void run_view(const ViewOptions& options) {
     Family family = open_family(options.family);
     try {
         run_viewer(std::move(family), options.viewer);
-    } catch (const MachineError& error) {
+    } catch (const DisplayError& error) {
         const bool has_display =
             std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
         throw MachineError(fmt::format("{}; to draw without a window: interleaf render --at 0.3,0.4 -o a.png",

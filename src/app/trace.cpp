@@ -89,7 +89,7 @@ void Trace::record(std::size_t frame, const ViewerState& state, const SurfaceFig
     std::string members = json.dump(-1, ' ', false, Json::error_handler_t::replace).substr(1);
     if (members == last_) return;
     last_ = std::move(members);
-    file_ << "{\"frame\":" << frame << ',' << last_ << std::endl;
+    file_ << "{\"frame\":" << frame << ',' << last_ << '\n' << std::flush;
     if (!file_) throw MachineError(fmt::format("{}: cannot be written", path_.string()));
 }
 

@@ -15,13 +15,15 @@
 #include <malloc.h>
 
 #include "app/commands.h"
-#include "app/family_box.h"
+#include "app/family_extent.h"
 #include "app/morph_surface.h"
+#include "app/scene_picture.h"
 #include "app/trace.h"
 #include "hierarchy/error.h"
+#include "io/mesh_file.h"
+#include "io/safe_write.h"
 #include "render/camera.h"
 #include "render/context.h"
-#include "render/offscreen_target.h"
 #include "ui/display_panel.h"
 #include "ui/gui.h"
 #include "ui/help_overlay.h"
@@ -45,7 +47,7 @@ constexpr int settling_frames = 3;
 
 /// What stays the same while the family is open.
 struct FamilyFigures {
-    Box box;
+    Extent extent;
     std::vector<std::string> key_names;
     std::vector<KeyRow> key_rows;
     std::vector<glm::dvec2> path;  ///< of the timeline through the domain
@@ -53,7 +55,7 @@ struct FamilyFigures {
 
 FamilyFigures figures_of(const Family& family) {
     FamilyFigures figures;
-    figures.box = bounding_box(family);
+    figures.extent = extent(family);
     for (const Key& key : family.keys) {
         const std::vector<Leaf> leaves = leaves_of(key.hierarchy);
         const unsigned deepest = std::ranges::max_element(leaves, {}, &Leaf::level)->level;
@@ -95,6 +97,7 @@ class Viewer {
     void move_camera(const ViewInput& input);
     void zoom(const ViewInput& input);
     void draw_surface();
+    void save_picture();
     float aspect() const { return layout_.view.width / std::max(layout_.view.height, 1.0F); }
 
     Window window_;
@@ -103,7 +106,8 @@ class Viewer {
     FamilyFigures family_figures_;
     Gui gui_;
     MorphSurface surface_;
-    std::unique_ptr<OffscreenTarget> target_;
+    ScenePicture picture_;
+    std::optional<std::filesystem::path> picture_file_;
     Camera camera_;
     std::optional<Trace> trace_;
     Layout layout_;
@@ -130,8 +134,12 @@ Viewer::Viewer(Family family, const ViewerOptions& options)
     : window_(family.name + " – Interleaf", options.width, options.height),
       state_{.session = Session(std::move(family))},
       family_figures_(figures_of(state_.session.family())),
-      gui_(watch_keys(window_.handle(), pressed_)) {
+      gui_(watch_keys(window_.handle(), pressed_)),
+      picture_file_(options.picture) {
     if (options.trace) trace_.emplace(*options.trace);
+    state_.session.display = options.display;
+    if (options.time) state_.session.seek(*options.time, glfwGetTime());
+    if (options.at) state_.session.move_point(*options.at, glfwGetTime());
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(window_.handle(), 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
     camera_.look_from(30, 20);
@@ -174,6 +182,7 @@ void Viewer::frame() {
     surface_.update(state_.session.family(), state_.session.weights());
     draw_surface();
     gui_.end_frame();
+    if (picture_file_ && settling_ == 0) save_picture();
     glfwSwapBuffers(window_.handle());
 
     frame_milliseconds_ = 1000 * (glfwGetTime() - now);
@@ -188,6 +197,7 @@ void Viewer::run_commands(double now) {
     state_.reload_wanted = false;
     try {
         surface_.renderer().reload_shaders();
+        picture_.forget();
     } catch (const std::runtime_error& error) {
         state_.message = error.what();
     }
@@ -263,7 +273,7 @@ void Viewer::move_camera(const ViewInput& input) {
     camera_.pan(input.pan);
     if (input.zoom != 1) zoom(input);
     if (input.frame || std::exchange(state_.frame_wanted, false))
-        camera_.frame(family_figures_.box, aspect());
+        camera_.frame(family_figures_.extent, aspect());
 }
 
 void Viewer::zoom(const ViewInput& input) {
@@ -273,8 +283,10 @@ void Viewer::zoom(const ViewInput& input) {
     const auto pixel = [](float place, int count) {
         return std::clamp(static_cast<int>(place * static_cast<float>(count)), 0, count - 1);
     };
+    OffscreenTarget* const target = picture_.target();
     const float depth =
-        target_ ? target_->depth_at(pixel(part.x, target_->width()), pixel(part.y, target_->height())) : 1;
+        target != nullptr ? target->depth_at(pixel(part.x, target->width()), pixel(part.y, target->height()))
+                          : 1;
     if (depth < 1) {
         camera_.approach(input.zoom, camera_.point_at(pointer, depth, aspect()));
     } else {
@@ -287,21 +299,29 @@ void Viewer::draw_surface() {
         return static_cast<int>(std::lround(length * gui_.density()));
     };
     const Rect& view = layout_.view;
-    const int width = std::max(pixels(view.width), 1);
-    const int height = std::max(pixels(view.height), 1);
-    if (!target_ || target_->width() != width || target_->height() != height) {
-        target_.reset();  // two at a time could be more than there is memory for
-        target_ = std::make_unique<OffscreenTarget>(width, height, 4);
-    }
-    Display display = state_.session.display;
-    display.line_width *= gui_.scale() * gui_.density();
-    surface_.renderer().draw(*target_, camera_, weight_values(state_.session.weights()), display);
-    target_->blit_to_window(pixels(view.x), pixels(places_.window.y - view.bottom()));
+    Scene scene{.width = std::max(pixels(view.width), 1),
+                .height = std::max(pixels(view.height), 1),
+                .camera = camera_,
+                .weights = weight_values(state_.session.weights()),
+                .display = state_.session.display,
+                .surface = surface_.figures().rebuilds};
+    scene.display.line_width *= gui_.scale() * gui_.density();
+    if (!picture_.update(surface_.renderer(), scene)) settling_ = std::max(settling_, 1);
+    picture_.target()->blit_to_window(pixels(view.x), pixels(places_.window.y - view.bottom()));
+}
+
+/// Once nothing changes any more.
+void Viewer::save_picture() {
+    const glm::ivec2 size = window_.framebuffer_size();
+    write_file(*picture_file_, png_bytes(window_.read_rgba(), size.x, size.y));
+    state_.quit_wanted = true;
 }
 
 }  // namespace
 
 void run_viewer(Family family, const ViewerOptions& options) {
+    if (options.at && !family.domain) throw UsageError("--at: the family has no parameter domain");
+    if (options.time && !family.timeline) throw UsageError("--time: the family has no timeline");
     // A software renderer takes and gives back its frame's memory every time otherwise, which costs it most
     // of its speed.
     mallopt(M_TRIM_THRESHOLD, 256 << 20);

@@ -4,19 +4,28 @@
 #include <filesystem>
 #include <optional>
 
+#include <glm/vec2.hpp>
+
 #include "family/family.h"
+#include "render/display.h"
 
 namespace interleaf {
 
 struct ViewerOptions {
     int width = 1280;  ///< of the window, screen coordinates
     int height = 800;
+    std::optional<glm::dvec2> at;  ///< where the point begins; needs a domain
+    std::optional<double> time;    ///< where the timeline begins, seconds; needs one
+    Display display;               ///< what is shown at first
     std::optional<std::filesystem::path>
-        trace;  ///< a file that gets one JSON line at every change of state, for tests and bug reports
+        picture;  ///< a PNG of the window, written once it rests; then it closes
+    std::optional<std::filesystem::path> trace;  ///< gets a JSON line at every change of state
 };
 
 /// Opens a window on \p family and returns when it is closed.
-/// \throw MachineError when there is no display
+/// \throw UsageError   when the family lacks the domain or the timeline that the options need
+/// \throw DisplayError when no window can be opened
+/// \throw MachineError when the picture or the trace cannot be written
 void run_viewer(Family family, const ViewerOptions& options);
 
 }  // namespace interleaf

@@ -50,7 +50,7 @@ void write_preorder(Hierarchy& hierarchy, const std::vector<Leaf>& leaves) {
 
 std::size_t Hierarchy::byte_count() const {
     return bits.size() * sizeof(bits[0]) + midpoints.size() * sizeof(midpoints[0]) +
-           positions.size() * sizeof(positions[0]) + 2 * roots.triangle_count() * sizeof(Triangle);
+           positions.size() * sizeof(positions[0]) + 2 * roots.triangles().size_bytes();
 }
 
 Hierarchy hierarchy_from_leaves(const RootComplex& roots, const std::vector<Leaf>& leaves,

@@ -35,6 +35,14 @@ float Box::diagonal() const {
     return glm::distance(min, max);
 }
 
+glm::vec3 Box::center() const {
+    return min + (max - min) / 2.0F;
+}
+
+Extent extent_of(const Box& box) {
+    return {box, box.diagonal() / 2};
+}
+
 Box bounding_box(std::span<const glm::vec3> positions) {
     if (positions.empty()) return {};
     Box box{positions[0], positions[0]};

@@ -14,9 +14,19 @@ struct Box {
     glm::vec3 min{0};
     glm::vec3 max{0};
     float diagonal() const;
+    glm::vec3 center() const;
 };
 
 Box bounding_box(std::span<const glm::vec3> positions);
+
+/// What a camera frames: everything lies in the box, and in the sphere about the box's centre.
+struct Extent {
+    Box box;
+    float radius = 0;
+};
+
+/// The box alone: the sphere goes through its corners.
+Extent extent_of(const Box& box);
 
 struct Measures {
     double area = 0;       ///< in squared units of the positions

@@ -175,6 +175,7 @@ void unite(std::span<const Hierarchy* const> keys, UnionMesh& mesh) {
     start_with_roots(keys, mesh);
 
     std::vector<Cursor> cursors;
+    cursors.reserve(keys.size());
     for (std::size_t key = 0; key < keys.size(); ++key)
         cursors.push_back({keys[key]->bits.data(), keys[key]->midpoints.data(), keys[key]->positions.data(),
                            mesh.positions[key].data(), mesh.own_vertices[key].data(), 0,

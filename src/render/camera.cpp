@@ -25,21 +25,24 @@ glm::mat3 Camera::axes() const {
     return glm::mat3(glm::rotate(turn, glm::radians(-elevation_), glm::vec3(1, 0, 0)));
 }
 
-void Camera::frame(const Box& box, float aspect) {
-    scene_center_ = (box.min + box.max) / 2.0F;
-    scene_radius_ = box.diagonal() / 2;
-    if (!(scene_radius_ > 0)) scene_radius_ = 1;
+void Camera::frame(const Extent& extent, float aspect) {
+    const Box& box = extent.box;
+    scene_center_ = box.center();
+    scene_radius_ = extent.radius > 0 ? extent.radius : 1;
     target_ = scene_center_;
-    distance_ = scene_radius_ / 100;
     const float tangent = half_height() / margin;
+    const float sphere_distance = scene_radius_ / std::sin(std::atan(tangent * std::min(aspect, 1.0F)));
+
+    float box_distance = scene_radius_ / 100;
     const glm::vec3 half = (box.max - box.min) / 2.0F;
     for (int corner = 0; corner < 8; ++corner) {
         const glm::vec3 signs((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
                               (corner & 4) != 0 ? 1 : -1);
         const glm::vec3 seen = glm::transpose(axes()) * (signs * half);
         const float reach = std::max(std::abs(seen.x) / aspect, std::abs(seen.y));
-        distance_ = std::max(distance_, seen.z + reach / tangent);
+        box_distance = std::max(box_distance, seen.z + reach / tangent);
     }
+    distance_ = std::min(sphere_distance, box_distance);
 }
 
 void Camera::look_from(float azimuth, float elevation) {

@@ -17,8 +17,8 @@ inline constexpr float vertical_field_degrees = 35.0F;
 
 class Camera {
   public:
-    /// Sees the whole of \p box at width / height = \p aspect from where it looks now, with a margin.
-    void frame(const Box& box, float aspect);
+    /// Sees the whole of \p extent at width / height = \p aspect from where it looks now, with a margin.
+    void frame(const Extent& extent, float aspect);
 
     /// Looks from \p azimuth (about Y, 0 from +Z) and \p elevation (above the XZ plane, -90 to 90), both in
     /// degrees.
@@ -46,6 +46,8 @@ class Camera {
     glm::mat4 projection(float aspect) const;
     glm::vec3 eye() const;
 
+    bool operator==(const Camera&) const = default;
+
   private:
     glm::mat3 axes() const;
 
@@ -53,7 +55,7 @@ class Camera {
     float azimuth_ = 0;    ///< degrees
     float elevation_ = 0;  ///< degrees
     float distance_ = 4;
-    glm::vec3 scene_center_{0};  ///< of the framed box, for the clipping planes
+    glm::vec3 scene_center_{0};  ///< of what was framed, for the clipping planes
     float scene_radius_ = 1;
 };
 

@@ -3,9 +3,14 @@
 // them. One of them at a time; what was made in it goes before it.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "hierarchy/error.h"
 
 struct GLFWwindow;
 
@@ -25,17 +30,28 @@ class EglContext {
     std::unique_ptr<State> state_;
 };
 
+/// No window can be opened: there is no display, or none with OpenGL 3.3.
+struct DisplayError : MachineError {
+    using MachineError::MachineError;
+};
+
 /// A GLFW window, shown or hidden.
 class Window {
   public:
     /// \param width, height  in screen coordinates
-    /// \throw MachineError when there is no display or no OpenGL 3.3
+    /// \throw DisplayError
     Window(const std::string& title, int width, int height, bool visible = true);
     ~Window();
     Window(Window&& other) noexcept;
     Window& operator=(Window&& other) noexcept;
 
     GLFWwindow* handle() const;
+
+    /// Size of its framebuffer, pixels.
+    glm::ivec2 framebuffer_size() const;
+
+    /// What has been drawn since the last swap, 8-bit RGBA, top row first.
+    std::vector<std::uint8_t> read_rgba() const;
 
   private:
     struct State;

@@ -1,13 +1,13 @@
 // Drawing into renderbuffers, resolving their samples, reading them and copying them to the window.
 #include "render/offscreen_target.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include <fmt/core.h>
 #include <glad/gl.h>
 
 #include "hierarchy/error.h"
+#include "render/read_pixels.h"
 
 namespace interleaf {
 namespace {
@@ -88,20 +88,11 @@ void OffscreenTarget::blit_to_window(int x, int y) {
 
 std::vector<std::uint8_t> OffscreenTarget::read_rgba() {
     resolve(GL_COLOR_BUFFER_BIT);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, readable());
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    const auto stride = static_cast<std::size_t>(width_) * 4;
-    std::vector<std::uint8_t> pixels(stride * static_cast<std::size_t>(height_));
-    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    return read_pixels(readable(), width_, height_);
+}
 
-    // OpenGL's first row is the lowest.
-    const auto rows = static_cast<std::ptrdiff_t>(height_);
-    const auto row = static_cast<std::ptrdiff_t>(stride);
-    for (std::ptrdiff_t y = 0; y < rows / 2; ++y)
-        std::swap_ranges(pixels.begin() + y * row, pixels.begin() + (y + 1) * row,
-                         pixels.begin() + (rows - 1 - y) * row);
-    return pixels;
+void OffscreenTarget::finish() const {
+    glFinish();
 }
 
 float OffscreenTarget::depth_at(int x, int y) {

@@ -29,6 +29,9 @@ class OffscreenTarget {
     /// What was drawn, 8-bit RGBA, sRGB-encoded, top row first.
     std::vector<std::uint8_t> read_rgba();
 
+    /// Waits until everything has been drawn.
+    void finish() const;
+
     /// Depth at the pixel \p x, \p y (from the top), 0 at the near plane; 1 where nothing was drawn.
     float depth_at(int x, int y);
 

@@ -5,9 +5,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "hierarchy/error.h"
 #include "render/context.h"
 #include "render/debug_messages.h"
+#include "render/read_pixels.h"
 
 namespace interleaf {
 
@@ -27,7 +27,7 @@ namespace {
     glfwGetError(&description);
     const std::string reason = description != nullptr ? description : step;
     glfwTerminate();
-    throw MachineError(fmt::format("cannot open a window: {}", reason));
+    throw DisplayError(fmt::format("cannot open a window: {}", reason));
 }
 
 void hint(bool visible) {
@@ -63,6 +63,17 @@ Window& Window::operator=(Window&& other) noexcept = default;
 
 GLFWwindow* Window::handle() const {
     return state_->window;
+}
+
+glm::ivec2 Window::framebuffer_size() const {
+    glm::ivec2 size;
+    glfwGetFramebufferSize(state_->window, &size.x, &size.y);
+    return size;
+}
+
+std::vector<std::uint8_t> Window::read_rgba() const {
+    const glm::ivec2 size = framebuffer_size();
+    return read_pixels(0, size.x, size.y);
 }
 
 }  // namespace interleaf

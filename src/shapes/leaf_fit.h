@@ -13,9 +13,9 @@ namespace interleaf {
 struct LeafFit {
     double distance;  ///< largest distance of a sample from the leaf, in the surface's unit
     double apart;     ///< largest distance of a sample from its own point of the leaf, that of the same grid
-                   ///< place: it bounds the distance both from surface to leaf and from leaf to surface
-    double turn;  ///< largest difference between the leaf's unit normal and a grid triangle's: 0 to 2
-    double size;  ///< longest edge
+                      ///< place: it bounds the distance both from surface to leaf and from leaf to surface
+    double turn;      ///< largest difference between the leaf's unit normal and a grid triangle's: 0 to 2
+    double size;      ///< longest edge
 };
 
 /// Points of the spherical triangle with these corners: its flat triangle's regular grid with \p parts parts

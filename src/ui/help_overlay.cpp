@@ -44,7 +44,7 @@ bool begin_rows(const char* name, float key_width) {
 void help_overlay(std::span<const MenuEntry> entries, const Rect& area, bool& shown) {
     if (!shown) return;
     const float width = std::min(scaled(560), area.width - scaled(24));
-    const float height = std::min(scaled(640), area.height - scaled(24));
+    const float height = std::min(scaled(676), area.height - scaled(24));
     ImGui::SetNextWindowPos({area.x + area.width / 2, area.y + area.height / 2}, ImGuiCond_Always,
                             {0.5F, 0.5F});
     ImGui::SetNextWindowSize({width, height});

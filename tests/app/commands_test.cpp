@@ -1,12 +1,15 @@
 // Tests of the command table: that keys, menus and help can come from it, and what its commands do.
 #include "app/commands.h"
 
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "app/sample_family.h"
 
@@ -26,6 +29,17 @@ void press(ViewerState& state, Shortcut shortcut, double now = 0) {
 }
 
 }  // namespace
+
+TEST_CASE("the user guide lists every command with its keys") {
+    std::ifstream file(USER_GUIDE);
+    const std::string guide{std::istreambuf_iterator<char>(file), {}};
+    for (const Command& command : commands()) {
+        const std::string row =
+            fmt::format("| {} | {} | {} |\n", shortcut_text(command), command.name, command.description);
+        CAPTURE(row);
+        CHECK(guide.find(row) != std::string::npos);
+    }
+}
 
 TEST_CASE("every command can be found in a menu and in the help, and by its keys") {
     std::set<std::string_view> names;

@@ -227,26 +227,29 @@ TEST_CASE("the mouse in the view moves the camera alone, and F sees the whole mo
     const State turned =
         viewer.wait_for("another view", [&](const State& s) { return s["eye"] != start["eye"]; });
     const Picture turned_picture = viewer.changed_picture(before);
-    viewer.press(XK_f);
-    const State framed =
-        viewer.wait_for("the model framed", [&](const State& s) { return s["eye"] != turned["eye"]; });
-    const Picture framed_picture = viewer.changed_picture(turned_picture);
     CHECK(nothing_else_changed());
 
     viewer.turn_wheel(true);
     const State nearer =
-        viewer.wait_for("a nearer view", [&](const State& s) { return s["eye"] != framed["eye"]; });
-    const Picture nearer_picture = viewer.changed_picture(framed_picture);
+        viewer.wait_for("a nearer view", [&](const State& s) { return s["eye"] != turned["eye"]; });
+    const Picture nearer_picture = viewer.changed_picture(turned_picture);
+    CHECK(nothing_else_changed());
+
+    viewer.press(XK_f);
+    const State framed =
+        viewer.wait_for("the model framed", [&](const State& s) { return s["eye"] != nearer["eye"]; });
+    const Picture framed_picture = viewer.changed_picture(nearer_picture);
+
     viewer.drag(view_pixel(start), view_pixel(start, {-90, 60}), 3);
     const State shifted =
-        viewer.wait_for("a shifted view", [&](const State& s) { return s["eye"] != nearer["eye"]; });
-    viewer.changed_picture(nearer_picture);
+        viewer.wait_for("a shifted view", [&](const State& s) { return s["eye"] != framed["eye"]; });
+    viewer.changed_picture(framed_picture);
+    CHECK(eye_distance(shifted, framed) > 0.01F);
     CHECK(nothing_else_changed());
 
     viewer.press(XK_f);
     viewer.wait_for("the model framed as before",
                     [&](const State& s) { return eye_distance(s, framed) < 1e-4F; });
-    CHECK(eye_distance(shifted, framed) > 0.01F);
     CHECK(viewer.shows(framed_picture));
 }
 

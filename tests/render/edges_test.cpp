@@ -125,7 +125,7 @@ TEST_CASE("a line is whole where its triangle reaches behind the viewer") {
     // Close above the square's middle, grazing: a corner of both triangles is behind.
     Camera camera;
     camera.look_from(-45, 4);
-    camera.frame({glm::vec3(-1, -1, 0), glm::vec3(1, 1, 0)}, 1);
+    camera.frame(extent_of({glm::vec3(-1, -1, 0), glm::vec3(1, 1, 0)}), 1);
     camera.look_from(80, 0);
     camera.approach(30, glm::vec3(0));
     const Picture picture = take_picture(renderer, target, camera, one, showing(false, true, false));

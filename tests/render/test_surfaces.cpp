@@ -49,7 +49,7 @@ Camera framing(const TestSurface& surface, const OffscreenTarget& target, float 
     }
     Camera camera;
     camera.look_from(azimuth, elevation);
-    camera.frame(box, static_cast<float>(target.width()) / static_cast<float>(target.height()));
+    camera.frame(extent_of(box), static_cast<float>(target.width()) / static_cast<float>(target.height()));
     return camera;
 }
 
