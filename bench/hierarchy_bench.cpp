@@ -14,18 +14,30 @@ namespace {
 
 using namespace interleaf;
 
+constexpr Index leaves_a_key = 200000;
+
 struct ThreeKeys {
-    explicit ThreeKeys(Index leaves) {
-        for (std::uint64_t seed = 1; seed <= 3; ++seed)
-            keys.push_back(bench::random_sphere_key(leaves, seed));
-        for (const Hierarchy& key : keys) pointers.push_back(&key);
-    }
     std::vector<Hierarchy> keys;
     std::vector<const Hierarchy*> pointers;
 };
 
-const ThreeKeys& three_keys() {
-    static const ThreeKeys keys(200000);
+template <typename MakeKey>
+ThreeKeys three(MakeKey make_key) {
+    ThreeKeys result;
+    for (const unsigned n : {0U, 5U, 8U}) result.keys.push_back(make_key(leaves_a_key, n));
+    for (const Hierarchy& key : result.keys) result.pointers.push_back(&key);
+    return result;
+}
+
+/// Refined at random all over; the union has about twice the leaves of one.
+const ThreeKeys& random_keys() {
+    static const ThreeKeys keys = three(bench::random_key);
+    return keys;
+}
+
+/// Refined at different places; the union has nearly the leaves of all three.
+const ThreeKeys& local_keys() {
+    static const ThreeKeys keys = three(bench::local_key);
     return keys;
 }
 
@@ -40,26 +52,26 @@ std::size_t union_bytes(const UnionMesh& mesh) {
            mesh.vertex_count() * (sizeof(VertexOrigin) + mesh.key_count() * sizeof(glm::vec3));
 }
 
-void union_reused(benchmark::State& state) {
+void union_reused(benchmark::State& state, const ThreeKeys& keys) {
     UnionMesh mesh;
     for (auto _ : state) {
-        unite(three_keys().pointers, mesh);
+        unite(keys.pointers, mesh);
         benchmark::DoNotOptimize(mesh.triangles.data());
     }
     count_leaves(state, mesh.leaf_count());
 }
 
-void union_fresh(benchmark::State& state) {
+void union_fresh(benchmark::State& state, const ThreeKeys& keys) {
     std::size_t leaves = 0;
     for (auto _ : state) {
-        const UnionMesh mesh = unite(three_keys().pointers);
+        const UnionMesh mesh = unite(keys.pointers);
         leaves = mesh.leaf_count();
     }
     count_leaves(state, leaves);
 }
 
 void copy_of_union(benchmark::State& state) {
-    const UnionMesh mesh = unite(three_keys().pointers);
+    const UnionMesh mesh = unite(local_keys().pointers);
     const std::vector<char> from(union_bytes(mesh), 1);
     std::vector<char> to(from.size());
     for (auto _ : state) {
@@ -71,7 +83,7 @@ void copy_of_union(benchmark::State& state) {
 }
 
 void normals_reused(benchmark::State& state) {
-    const UnionMesh mesh = unite(three_keys().pointers);
+    const UnionMesh mesh = unite(local_keys().pointers);
     NormalForm form;
     for (auto _ : state) {
         normal_form(mesh, form);
@@ -81,7 +93,7 @@ void normals_reused(benchmark::State& state) {
 }
 
 void morph_reused(benchmark::State& state) {
-    const UnionMesh mesh = unite(three_keys().pointers);
+    const UnionMesh mesh = unite(local_keys().pointers);
     const std::vector<float> weights = {0.2F, 0.3F, 0.5F};
     std::vector<glm::vec3> positions;
     for (auto _ : state) {
@@ -92,7 +104,7 @@ void morph_reused(benchmark::State& state) {
 }
 
 void key_memory(benchmark::State& state) {
-    const Hierarchy key = bench::random_sphere_key(static_cast<Index>(state.range(0)), 1);
+    const Hierarchy key = bench::random_key(static_cast<Index>(state.range(0)), 1);
     for (auto _ : state) benchmark::DoNotOptimize(key.byte_count());
     const auto leaves = static_cast<double>(key.leaf_count());
     const auto indexed =
@@ -102,8 +114,9 @@ void key_memory(benchmark::State& state) {
     state.counters["indexed_mesh_bytes_per_leaf"] = indexed / leaves;
 }
 
-BENCHMARK(union_reused)->Unit(benchmark::kMillisecond);
-BENCHMARK(union_fresh)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(union_reused, local, local_keys())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(union_reused, random, random_keys())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(union_fresh, local, local_keys())->Unit(benchmark::kMillisecond);
 BENCHMARK(copy_of_union)->Unit(benchmark::kMillisecond);
 BENCHMARK(normals_reused)->Unit(benchmark::kMillisecond);
 BENCHMARK(morph_reused)->Unit(benchmark::kMillisecond);

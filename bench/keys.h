@@ -1,4 +1,4 @@
-// The keys that are measured: spheres over the icosahedron's 20 triangles, refined towards different places.
+// The keys that are measured: spheres over the icosahedron's 20 triangles.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,10 @@
 
 namespace interleaf::bench {
 
-/// A key of about \p leaves leaves, refined at random with a density that \p seed decides, midpoints on the
-/// unit sphere.
-Hierarchy random_sphere_key(Index leaves, std::uint64_t seed);
+/// A key of \p leaves leaves, but for closure, refined at random all over: keys of different seeds share most of their nodes.
+Hierarchy random_key(Index leaves, std::uint64_t seed);
+
+/// The same, refined around one of the icosahedron's vertices, \p place from 0 to 11: keys of different places share few nodes.
+Hierarchy local_key(Index leaves, std::size_t place);
 
 }  // namespace interleaf::bench
