@@ -9,7 +9,9 @@
 
 #include "app/builtin_family.h"
 #include "app/figures.h"
+#include "io/family_file.h"
 #include "io/hierarchy_file.h"
+#include "ui/number_text.h"
 
 namespace interleaf {
 namespace {
@@ -24,7 +26,7 @@ std::string_view name_of(Kind kind) {
 }
 
 Kind kind_of(const std::filesystem::path& file) {
-    const std::string extension = file.extension().string();
+    const std::string extension = lower_case_extension(file);
     if (extension == ".ilh") return Kind::hierarchy;
     return extension == ".obj" ? Kind::mesh : Kind::family;
 }
@@ -92,12 +94,6 @@ void print_json(Kind kind, const Family& family, std::span<const Figures> keys, 
     if (family.timeline) document["timeline"] = json_of(*family.timeline, family);
     if (family.domain) document["domain"] = json_of(*family.domain, family);
     fmt::print("{}\n", document.dump(2, ' ', false, Json::error_handler_t::replace));
-}
-
-/// 12345678 as 12,345,678.
-std::string grouped(std::uintmax_t number) {
-    if (number < 1000) return fmt::format("{}", number);
-    return fmt::format("{},{:03}", grouped(number / 1000), number % 1000);
 }
 
 std::string levels(const Figures& figures) {

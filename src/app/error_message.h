@@ -5,7 +5,8 @@
 
 namespace interleaf {
 
-/// Prints the line "interleaf: TEXT"; \p text is what() of one of our errors.
+/// Prints the line "interleaf: TEXT"; \p text is what() of one of our errors. It may hold names of files, so
+/// control characters in it are escaped.
 void print_error(std::string_view text);
 
 }  // namespace interleaf

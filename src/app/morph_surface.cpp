@@ -17,8 +17,8 @@ void MorphSurface::update(const Family& family, const Weights& weights) {
     figures_ = {.keys = std::move(keys),
                 .leaves = mesh_.leaf_count(),
                 .vertices = mesh_.vertex_count(),
-                .levels = level_range(mesh_),
-                .origins = origins_of(mesh_),
+                .levels = renderer_.levels(),
+                .origins = {renderer_.origins().begin(), renderer_.origins().end()},
                 .rebuilds = figures_.rebuilds + 1,
                 .rebuild_milliseconds = taken.count()};
 }

@@ -210,7 +210,7 @@ void Viewer::show_panels(double now) {
     const MenuBarResult menu = menu_bar(entries, family.name);
     if (menu.chosen) commands()[*menu.chosen].run(state_, now);
 
-    layout_ = lay_out(places_.window, menu.height, gui_.scale());
+    layout_ = lay_out(places_.window, menu.height, gui_.scale(), session.has_timeline());
     places_.view = layout_.view;
     move_camera(view_area(layout_.view));
 

@@ -22,14 +22,13 @@ void check_names(const Family& family, std::vector<std::string>& violations) {
 }
 
 void check_roots(const Family& family, std::vector<std::string>& violations) {
-    for (const Key& key : family.keys) {
-        const Key& first = family.keys.front();
-        const std::array<const Hierarchy*, 2> pair{&first.hierarchy, &key.hierarchy};
-        for (const std::string& violation : check_constraints(pair)) {
-            violations.push_back(
-                fmt::format("keys \"{}\" (key 0) and \"{}\" (key 1) have different roots: {}", first.name,
-                            key.name, violation));
-        }
+    const Key& first = family.keys.front();
+    for (std::size_t i = 1; i < family.keys.size(); ++i) {
+        const Key& key = family.keys[i];
+        const std::string found = difference(first.hierarchy.roots, key.hierarchy.roots);
+        if (found.empty()) continue;
+        violations.push_back(fmt::format("keys \"{}\" (key 0) and \"{}\" (key {}) have different roots: {}",
+                                         first.name, key.name, i, found));
     }
 }
 

@@ -176,9 +176,13 @@ DomainPoint ParameterDomain::locate(glm::dvec2 point, Index current) const {
     point = glm::clamp(point, -1e100, 1e100);
 
     Nearest nearest{std::numeric_limits<double>::infinity(), {}, {}};
-    for (const Triangle& triangle : triangles_) {
-        const Nearest candidate = nearest_in_triangle(corners_of(vertices_, triangle), point);
-        if (candidate.distance < nearest.distance) nearest = candidate;
+    Index nearest_triangle = 0;
+    for (Index t = 0; t < triangles_.size(); ++t) {
+        const Nearest candidate = nearest_in_triangle(corners_of(vertices_, triangles_[t]), point);
+        if (candidate.distance < nearest.distance) {
+            nearest = candidate;
+            nearest_triangle = t;
+        }
     }
     // On a shared edge rounding decides which triangle is nearest, so all that touch count.
     const double slack = touching * diagonal(vertices_);
@@ -187,8 +191,9 @@ DomainPoint ParameterDomain::locate(glm::dvec2 point, Index current) const {
     };
     Index triangle = current;
     if (current >= triangles_.size() || distance_to(current) > slack) {
+        // Far from the origin even the nearest triangle may not touch its own rounded point.
         triangle = 0;
-        while (distance_to(triangle) > slack) ++triangle;
+        while (triangle < nearest_triangle && distance_to(triangle) > slack) ++triangle;
     }
     return {nearest.at, triangle,
             nearest_in_triangle(corners_of(vertices_, triangles_[triangle]), nearest.at).barycentric};

@@ -17,7 +17,9 @@ class Report {
 
     template <typename... Arguments>
     void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-        if (!full()) violations_.push_back(fmt::format(format, std::forward<Arguments>(arguments)...));
+        if (full()) return;
+        violations_.push_back(fmt::format(format, std::forward<Arguments>(arguments)...));
+        if (full()) violations_.back() += " (the check ends here)";
     }
 
     bool full() const { return violations_.size() >= limit_; }
@@ -195,28 +197,26 @@ std::vector<std::string> check(const Hierarchy& hierarchy, std::size_t limit) {
     return report.take();
 }
 
+std::string difference(const RootComplex& first, const RootComplex& other) {
+    if (other.vertex_count() != first.vertex_count() || other.triangle_count() != first.triangle_count())
+        return fmt::format("{} root triangles over {} vertices, expected {} over {}", other.triangle_count(),
+                           other.vertex_count(), first.triangle_count(), first.vertex_count());
+    for (Index t = 0; t < first.triangle_count(); ++t) {
+        const auto& [a, b, c] = first.triangles()[t];
+        const auto& [d, e, f] = other.triangles()[t];
+        if (first.triangles()[t] != other.triangles()[t])
+            return fmt::format("root triangle {} is ({}, {}, {}), expected ({}, {}, {})", t, d, e, f, a, b,
+                               c);
+    }
+    return {};
+}
+
 std::vector<std::string> check_constraints(std::span<const Hierarchy* const> keys) {
     std::vector<std::string> violations;
     for (std::size_t key = 1; key < keys.size(); ++key) {
-        const RootComplex& first = keys[0]->roots;
-        const RootComplex& other = keys[key]->roots;
-        if (other == first) continue;
-        if (other.vertex_count() != first.vertex_count() ||
-            other.triangle_count() != first.triangle_count()) {
-            violations.push_back(fmt::format(
-                "key {} has {} root triangles over {} vertices, key 0 has {} over {}", key,
-                other.triangle_count(), other.vertex_count(), first.triangle_count(), first.vertex_count()));
-            continue;
-        }
-        for (Index t = 0; t < first.triangle_count(); ++t) {
-            const auto& [a, b, c] = first.triangles()[t];
-            const auto& [d, e, f] = other.triangles()[t];
-            if (first.triangles()[t] == other.triangles()[t]) continue;
-            violations.push_back(
-                fmt::format("key {}: root triangle {} is ({}, {}, {}), in key 0 it is ({}, {}, {})", key, t,
-                            d, e, f, a, b, c));
-            break;
-        }
+        const std::string found = difference(keys[0]->roots, keys[key]->roots);
+        if (!found.empty())
+            violations.push_back(fmt::format("key {} has other roots than key 0: {}", key, found));
     }
     return violations;
 }

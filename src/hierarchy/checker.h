@@ -28,6 +28,10 @@ namespace interleaf {
 /// that leaves the rest unreadable. Takes time proportional to the nodes.
 std::vector<std::string> check(const Hierarchy& hierarchy, std::size_t limit = 20);
 
+/// How \p other differs from \p first as a root complex: in its counts, or in the first root triangle whose
+/// vertices or refinement edge are others. Empty when they are the same.
+std::string difference(const RootComplex& first, const RootComplex& other);
+
 /// Constraints (B) over several keys (paper, section 3.2): the same root complex, vertex for vertex and
 /// refinement edge for refinement edge. Each violation names a key by its number and the root triangle or
 /// vertex count that differs from the first key's.

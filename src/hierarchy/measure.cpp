@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <compare>
+#include <functional>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -13,17 +14,24 @@ namespace interleaf {
 
 namespace {
 
-/// Directed edges as (from, to) in 64 bits, the smaller end first in the upper half and the direction in the
-/// lowest bit.
-std::vector<std::uint64_t> sorted_edges(std::span<const Triangle> triangles) {
-    std::vector<std::uint64_t> edges;
+/// An edge as one triangle runs along it: its ends in ascending order, and whether it runs downwards.
+struct DirectedEdge {
+    Index low;
+    Index high;
+    bool downwards;
+    auto operator<=>(const DirectedEdge&) const = default;
+
+    bool has_ends_of(const DirectedEdge& other) const { return low == other.low && high == other.high; }
+};
+
+std::vector<DirectedEdge> sorted_edges(std::span<const Triangle> triangles) {
+    std::vector<DirectedEdge> edges;
     edges.reserve(3 * triangles.size());
     for (const Triangle& triangle : triangles)
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint64_t from = triangle[k];
-            const std::uint64_t to = triangle[(k + 1) % 3];
-            edges.push_back(std::min(from, to) << 33 | std::max(from, to) << 1 |
-                            static_cast<std::uint64_t>(from > to));
+            const Index from = triangle[k];
+            const Index to = triangle[(k + 1) % 3];
+            edges.push_back({std::min(from, to), std::max(from, to), from > to});
         }
     std::sort(edges.begin(), edges.end());
     return edges;
@@ -81,18 +89,19 @@ int euler_number(std::span<const Triangle> triangles) {
     std::sort(vertices.begin(), vertices.end());
     const auto vertex_count = std::unique(vertices.begin(), vertices.end()) - vertices.begin();
 
-    std::vector<std::uint64_t> edges = sorted_edges(triangles);
-    for (std::uint64_t& edge : edges) edge >>= 1;
-    const auto edge_count = std::unique(edges.begin(), edges.end()) - edges.begin();
+    std::vector<DirectedEdge> edges = sorted_edges(triangles);
+    const auto edge_count =
+        std::unique(edges.begin(), edges.end(), std::mem_fn(&DirectedEdge::has_ends_of)) - edges.begin();
     return static_cast<int>(vertex_count - edge_count + static_cast<std::ptrdiff_t>(triangles.size()));
 }
 
 bool is_closed_manifold(std::span<const Triangle> triangles) {
-    const std::vector<std::uint64_t> edges = sorted_edges(triangles);
+    const std::vector<DirectedEdge> edges = sorted_edges(triangles);
     if (edges.size() % 2 != 0) return false;
     for (std::size_t e = 0; e < edges.size(); e += 2) {
-        if ((edges[e] & 1) != 0 || edges[e + 1] != (edges[e] | 1)) return false;
-        if (e > 0 && edges[e] >> 1 == edges[e - 1] >> 1) return false;
+        if (!edges[e].has_ends_of(edges[e + 1]) || edges[e].downwards || !edges[e + 1].downwards)
+            return false;
+        if (e > 0 && edges[e].has_ends_of(edges[e - 1])) return false;
     }
     return true;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "family/family.h"
 
@@ -12,6 +13,9 @@ namespace interleaf {
 /// \throw InputError   naming the file, the place and what was expected
 /// \throw MachineError when a file cannot be opened or read
 Family read_family(const std::filesystem::path& path);
+
+/// The extension of \p file as read_family() takes it: ".ILH" as ".ilh".
+std::string lower_case_extension(const std::filesystem::path& file);
 
 /// Writes family.json and the keys as NAME.ilh into \p folder, which is made if missing. Key files that the
 /// family.json found there names stay until the new one is in place; then those it does not name are removed.

@@ -59,6 +59,7 @@ std::vector<Key> keys_at(const JsonPlace& place, const fs::path& folder) {
     keys.reserve(place.size());
     std::map<std::string, std::size_t> names;
     std::map<fs::path, std::size_t> files;
+    std::vector<std::string> faults;  // of all key files, so that all are named
     for (std::size_t i = 0; i < place.size(); ++i) {
         const JsonPlace key = place.element(i);
         const JsonPlace name = key.member("name");
@@ -69,8 +70,13 @@ std::vector<Key> keys_at(const JsonPlace& place, const fs::path& folder) {
         const JsonPlace file = key.member("file");
         const auto [same_file, file_is_new] = files.emplace(key_file_at(file, folder), i);
         if (!file_is_new) file.fail(fmt::format("is the file of keys[{}], too", same_file->second));
-        keys.push_back({same_name->first, read_hierarchy(same_file->first)});
+        try {
+            keys.push_back({same_name->first, read_hierarchy(same_file->first)});
+        } catch (const InputError& error) {
+            faults.emplace_back(error.what());
+        }
     }
+    if (!faults.empty()) throw InputError(joined(faults, "; "));
     return keys;
 }
 
@@ -173,14 +179,14 @@ Family family_of_one(const fs::path& file, Hierarchy hierarchy) {
     return family;
 }
 
+}  // namespace
+
 std::string lower_case_extension(const fs::path& file) {
     std::string extension = file.extension().string();
     for (char& c : extension)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return extension;
 }
-
-}  // namespace
 
 Family read_family(const fs::path& path) {
     std::error_code ignored;

@@ -77,8 +77,12 @@ json parse_json(std::string_view text, std::string_view file) {
     } catch (const json::exception& error) {
         // "[json.exception.parse_error.101] parse error at line 1, column 2: ...": the bracket is for
         // programmers.
+        // It quotes what it read last, however long that was.
         const std::string_view what = error.what();
-        throw InputError(fmt::format("{}: {}", file, what.substr(what.find("] ") + 2)));
+        constexpr std::size_t longest_shown = 200;
+        const std::string_view shown = what.substr(what.find("] ") + 2);
+        throw InputError(fmt::format("{}: {}{}", file, shown.substr(0, longest_shown),
+                                     shown.size() > longest_shown ? "..." : ""));
     }
 }
 

@@ -78,9 +78,13 @@ void flush_folder(const std::filesystem::path& folder) {
 }  // namespace
 
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
-    std::error_code ignored;
-    const bool is_link = std::filesystem::is_symlink(file, ignored);
-    const std::filesystem::path target = is_link ? std::filesystem::weakly_canonical(file, ignored) : file;
+    std::error_code error;
+    std::filesystem::path target = file;
+    if (std::filesystem::is_symlink(file, error)) target = std::filesystem::weakly_canonical(file, error);
+    if (error && target.empty()) {
+        errno = error.value();
+        throw_system_error(file, cannot_write);
+    }
 
     struct stat status {};
     const bool exists = ::stat(target.c_str(), &status) == 0;

@@ -36,7 +36,7 @@ class Camera {
     void zoom(float factor, glm::vec2 pointer, float aspect);
 
     /// Comes nearer to the world point \p point by \p factor. It stays where it is in the picture; so a
-    /// surface point under the pointer can be approached without end.
+    /// surface point under the pointer can be approached until it fills the picture.
     void approach(float factor, glm::vec3 point);
 
     /// The world point under \p pointer (as in zoom()) at \p depth, 0 to 1 as the depth buffer has it.

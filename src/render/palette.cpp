@@ -54,9 +54,10 @@ LevelRange level_range(const UnionMesh& mesh) {
 }
 
 std::vector<KeySet> origins_of(const UnionMesh& mesh) {
-    std::vector<KeySet> origins(mesh.origins.begin(), mesh.origins.end());
+    std::vector<KeySet> origins;  // few, so that looking one up is quick
+    for (const KeySet origin : mesh.origins)
+        if (std::find(origins.begin(), origins.end(), origin) == origins.end()) origins.push_back(origin);
     std::sort(origins.begin(), origins.end());
-    origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
     return origins;
 }
 

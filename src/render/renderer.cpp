@@ -135,12 +135,12 @@ void Renderer::upload(const UnionMesh& mesh, const NormalForm& form, std::span<c
     }
     assert(family_keys.size() == mesh.key_count());
 
-    const std::vector<KeySet> origins = origins_of(mesh);
+    origins_ = origins_of(mesh);
     origin_colors_.clear();
-    for (const KeySet origin : origins)
+    for (const KeySet origin : origins_)
         origin_colors_.push_back(linear_light(origin_color(origin, family_keys)));
     levels_ = level_range(mesh);
-    upload_leaves(mesh, origins);
+    upload_leaves(mesh);
 
     if (mesh.key_count() <= max_gpu_keys) {
         processor_blend_.reset();
@@ -153,8 +153,8 @@ void Renderer::upload(const UnionMesh& mesh, const NormalForm& form, std::span<c
     }
 }
 
-void Renderer::upload_leaves(const UnionMesh& mesh, std::span<const KeySet> origins) {
-    fill_buffer_texture<LeafTexel>(leaf_data_, leaf_texture_, GL_RG32UI, leaf_texels(mesh, origins));
+void Renderer::upload_leaves(const UnionMesh& mesh) {
+    fill_buffer_texture<LeafTexel>(leaf_data_, leaf_texture_, GL_RG32UI, leaf_texels(mesh, origins_));
 
     leaf_count_ = mesh.leaf_count();
     glBindVertexArray(attributes_.name());

@@ -31,13 +31,18 @@ class Renderer {
 
     /// Replaces the surface.
     /// \param keys  index in the family of each key of \p mesh, for the colours by origin; 0, 1, 2, ... when
-    /// empty \throw MachineError if there are more leaves than a buffer texture holds here; the old surface
-    /// stays
+    /// empty
+    ///
+    /// \throw MachineError if there are more leaves than a buffer texture holds here; the old surface stays
     void upload(const UnionMesh& mesh, const NormalForm& form, std::span<const std::size_t> keys = {});
 
     /// Draws the background and the surface with \p weights, one a key of the uploaded mesh, into \p target.
     void draw(const OffscreenTarget& target, const Camera& camera, std::span<const float> weights,
               const Display& display);
+
+    /// The levels, and the sets of keys, that occur on the surface: what a legend explains.
+    LevelRange levels() const { return levels_; }
+    std::span<const KeySet> origins() const { return origins_; }
 
     /// Reads the shader files again and compiles them; keeps the old ones when that fails.
     /// \throw InputError with the compiler's message
@@ -58,7 +63,7 @@ class Renderer {
     };
 
     const GlProgram& surface_program(bool edges);
-    void upload_leaves(const UnionMesh& mesh, std::span<const KeySet> origins);
+    void upload_leaves(const UnionMesh& mesh);
     void upload_streams(std::span<const Stream> positions, std::span<const Stream> normals);
     void blend_on_processor(ProcessorBlend& blend, std::span<const float> weights);
     void upload_palette(const Display& display);
@@ -81,6 +86,7 @@ class Renderer {
     std::size_t gpu_key_count_ = 0;  ///< 0 before the first upload
     std::size_t leaf_count_ = 0;
     LevelRange levels_;
+    std::vector<KeySet> origins_;
     std::vector<glm::vec3> origin_colors_;  ///< of the origins that occur, in linear light
     std::optional<ProcessorBlend> processor_blend_;
 };

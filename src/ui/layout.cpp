@@ -5,7 +5,7 @@
 
 namespace interleaf {
 
-Layout lay_out(glm::vec2 size, float menu_height, float scale) {
+Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline) {
     constexpr float narrow = 960;
     constexpr float column_width = 248;
     constexpr float timeline_height = 82;
@@ -13,7 +13,7 @@ Layout lay_out(glm::vec2 size, float menu_height, float scale) {
     const auto pixels = [scale](float length) { return std::round(length * scale); };
 
     const float status_top = std::max(size.y - pixels(status_height), menu_height);
-    const float timeline_top = std::max(status_top - pixels(timeline_height), menu_height);
+    const float timeline_top = std::max(status_top - pixels(has_timeline ? timeline_height : 0), menu_height);
     const float middle_height = timeline_top - menu_height;
     // Whatever happens, the surface keeps some of the width.
     const float column = std::min(pixels(column_width), std::floor(size.x * 0.45F));

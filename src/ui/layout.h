@@ -14,13 +14,14 @@ struct Layout {
     std::optional<Rect> left;  ///< keys and display; a narrow window has them in the right column
     Rect view;
     Rect right;
-    Rect timeline;
+    Rect timeline;  ///< without height where there is none to show
     Rect status;
 };
 
 /// \param size         of the window
 /// \param menu_height  of the menu bar along the top
 /// \param scale        of the user interface, 1 for an ordinary display
-Layout lay_out(glm::vec2 size, float menu_height, float scale);
+/// \param has_timeline whether there is a timeline to show
+Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline);
 
 }  // namespace interleaf

@@ -279,3 +279,20 @@ TEST_CASE("a domain is refused unless its triangles share vertices and edges and
 TEST_CASE("domains whose triangles touch along lines that rounding bends are accepted") {
     for (unsigned count = 3; count < 60; ++count) CHECK(fan(count).triangles().size() == count);
 }
+
+TEST_CASE("a point is located far from the origin, where rounding is coarser than the domain's own slack") {
+    const unsigned seed = 11;
+    CAPTURE(seed);
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<double> unit(-1, 2);
+    for (const double offset : {0.0, 1e4, 1e5, 1e6, 1e7}) {
+        CAPTURE(offset);
+        const ParameterDomain domain({{{offset, 0}, 0}, {{offset + 1, 0.3}, 1}, {{offset, 1}, 2}},
+                                     {{0, 1, 2}});
+        for (int i = 0; i < 3000; ++i) {
+            const DomainPoint point = domain.locate({offset + unit(generator), unit(generator)});
+            REQUIRE(point.triangle == 0);
+            REQUIRE(point.barycentric.x + point.barycentric.y + point.barycentric.z == doctest::Approx(1));
+        }
+    }
+}

