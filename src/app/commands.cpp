@@ -75,7 +75,7 @@ constexpr Command table[] = {
     {"Playback",
      "Begin",
      {{{GLFW_KEY_HOME}}},
-     "Go to the begin of the timeline",
+     "Go to the beginning of the timeline",
      [](ViewerState& state, double now) {
          if (state.session.has_timeline()) state.session.seek(state.session.family().timeline->begin(), now);
      }},

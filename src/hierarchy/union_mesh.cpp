@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <type_traits>
 
 #include <fmt/core.h>
 
@@ -23,10 +24,10 @@ struct Cursor {
     Index next_vertex;    ///< the vertex that the next first visit meets
     KeySet bit;
 
-    bool take_bit() {
-        const bool bisected = (bits[node / 64] >> (node % 64) & 1) != 0;
-        ++node;
-        return bisected;
+    /// 1 if the next node is bisected, 0 if it is a leaf.
+    std::size_t take_bit() {
+        const std::size_t position = node++;
+        return bits[position / 64] >> (position % 64) & 1;
     }
 };
 
@@ -45,46 +46,70 @@ class Walk {
 
     void run(std::span<const Triangle> roots) {
         for (std::size_t key = 0; key < cursors_.size(); ++key) alive_[key] = &cursors_[key];
-        for (const Triangle& root : roots)
-            visit(root, LeafTag(0, 0b111, {0, 0, 0}), alive_.data(), cursors_.size());
+        for (const auto& [i, j, k] : roots)
+            dispatch(i, j, k, LeafTag(0, 0b111, {0, 0, 0}), alive_.data(), cursors_.size());
     }
 
     std::size_t leaf_count() const { return leaf_count_; }
     std::size_t vertex_count() const { return vertex_count_; }
 
   private:
-    /// \p alive, \p alive_count: the cursors of the keys alive here; behind them is room for the children's.
-    void visit(const Triangle& node, LeafTag tag, Cursor** alive, std::size_t alive_count) {
-        if (alive_count == 1) return visit_alone(node, tag, *alive[0]);
-        Cursor** const bisected = alive + alive_count;
+    /// A list length that the compiler knows.
+    template <std::size_t length>
+    using Fixed = std::integral_constant<std::size_t, length>;
+
+    /// Visits a node, with the loops over its list unrolled where the list is short. Where the keys are
+    /// refined apart, most of their union is alive in one of them.
+    void dispatch(Index i, Index j, Index k, LeafTag tag, Cursor** alive, std::size_t count) {
+        switch (count) {
+            case 1:
+                return visit_alone(i, j, k, tag, *alive[0]);
+            case 2:
+                return visit(i, j, k, tag, alive, Fixed<2>());
+            case 3:
+                return visit(i, j, k, tag, alive, Fixed<3>());
+            default:
+                return visit(i, j, k, tag, alive, count);
+        }
+    }
+
+    /// The node (i, j, k), alive in the keys of alive[0 .. count). Behind these is room for its descendants'
+    /// lists.
+    template <typename Count>
+    void visit(Index i, Index j, Index k, LeafTag tag, Cursor** alive, Count count) {
+        Cursor** const bisected = alive + count;
         std::size_t bisected_count = 0;
         KeySet origin = 0;
-        for (std::size_t n = 0; n < alive_count; ++n) {
+        for (std::size_t n = 0; n < count; ++n) {
             origin |= alive[n]->bit;
             bisected[bisected_count] = alive[n];
-            if (alive[n]->take_bit()) ++bisected_count;
+            bisected_count += alive[n]->take_bit();
         }
-        if (bisected_count == 0) return add_leaf(node, tag, origin);
-        const Index midpoint = take_midpoint(node, std::span(bisected, bisected_count));
-        const auto children = bisect(node, midpoint);
+        if (bisected_count == 0) return add_leaf({i, j, k}, tag, origin);
         const auto tags = tag.children();
-        visit(children[0], tags[0], bisected, bisected_count);
-        visit(children[1], tags[1], bisected, bisected_count);
+        if (bisected_count == count) {
+            const Index l = take_midpoint(j, k, alive, count);
+            visit(l, k, i, tags[0], alive, count);
+            visit(l, i, j, tags[1], alive, count);
+        } else {
+            const Index l = take_midpoint(j, k, bisected, bisected_count);
+            dispatch(l, k, i, tags[0], bisected, bisected_count);
+            dispatch(l, i, j, tags[1], bisected, bisected_count);
+        }
     }
 
-    /// The same where only one key is alive, which is most of a union: without the lists.
-    void visit_alone(const Triangle& node, LeafTag tag, Cursor& alive) {
-        if (!alive.take_bit()) return add_leaf(node, tag, alive.bit);
-        Cursor* const bisected = &alive;
-        const Index midpoint = take_midpoint(node, std::span(&bisected, 1));
-        const auto children = bisect(node, midpoint);
+    /// The same where one key is alive, without a list.
+    void visit_alone(Index i, Index j, Index k, LeafTag tag, Cursor& alive) {
+        if (alive.take_bit() == 0) return add_leaf({i, j, k}, tag, alive.bit);
+        Cursor* bisected = &alive;
+        const Index l = take_midpoint(j, k, &bisected, Fixed<1>());
         const auto tags = tag.children();
-        visit_alone(children[0], tags[0], alive);
-        visit_alone(children[1], tags[1], alive);
+        visit_alone(l, k, i, tags[0], alive);
+        visit_alone(l, i, j, tags[1], alive);
     }
 
-    void add_leaf(const Triangle& node, LeafTag tag, KeySet origin) {
-        triangles_[leaf_count_] = node;
+    void add_leaf(const Triangle& leaf, LeafTag tag, KeySet origin) {
+        triangles_[leaf_count_] = leaf;
         tags_[leaf_count_] = tag;
         origins_[leaf_count_] = origin;
         ++leaf_count_;
@@ -93,23 +118,26 @@ class Walk {
     /// The keys bisected at an edge are the same on both sides of it, and each of them meets its midpoint
     /// there for the first or for the second time; so any one of them tells whether the union has the vertex,
     /// and which it is.
-    Index take_midpoint(const Triangle& node, std::span<Cursor* const> bisected) {
+    template <typename Count>
+    Index take_midpoint(Index a, Index b, Cursor** bisected, Count count) {
         const Index own = *bisected[0]->next_midpoint;
         const bool is_new = own == bisected[0]->next_vertex;
-        for (Cursor* cursor : bisected) ++cursor->next_midpoint;
-        return is_new ? add_midpoint(node[1], node[2], bisected) : bisected[0]->own_vertices[own];
+        for (std::size_t n = 0; n < count; ++n) ++bisected[n]->next_midpoint;
+        return is_new ? add_midpoint(a, b, bisected, count) : bisected[0]->own_vertices[own];
     }
 
-    Index add_midpoint(Index a, Index b, std::span<Cursor* const> bisected) {
+    template <typename Count>
+    Index add_midpoint(Index a, Index b, Cursor** bisected, Count count) {
         const Index midpoint = vertex_count_++;
         for (const Cursor& cursor : cursors_)
             cursor.stream[midpoint] = (cursor.stream[a] + cursor.stream[b]) * 0.5F;
         KeySet owners = 0;
-        for (Cursor* cursor : bisected) {
-            const Index own = cursor->next_vertex++;
-            cursor->own_vertices[own] = midpoint;
-            cursor->stream[midpoint] = cursor->positions[own];
-            owners |= cursor->bit;
+        for (std::size_t n = 0; n < count; ++n) {
+            Cursor& cursor = *bisected[n];
+            const Index own = cursor.next_vertex++;
+            cursor.own_vertices[own] = midpoint;
+            cursor.stream[midpoint] = cursor.positions[own];
+            owners |= cursor.bit;
         }
         vertices_[midpoint] = {{a, b}, owners};
         return midpoint;
