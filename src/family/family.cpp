@@ -22,8 +22,8 @@ void check_names(const Family& family, std::vector<std::string>& violations) {
 }
 
 void check_roots(const Family& family, std::vector<std::string>& violations) {
-    const Key& first = family.keys.front();
     for (std::size_t i = 1; i < family.keys.size(); ++i) {
+        const Key& first = family.keys.front();
         const Key& key = family.keys[i];
         const std::string found = difference(first.hierarchy.roots, key.hierarchy.roots);
         if (found.empty()) continue;

@@ -119,6 +119,31 @@ TEST_CASE("check names the file at fault and goes on with the others") {
     CHECK(outcome.output == INTERLEAF_FIVE_KEYS "/star.ilh: sound, 1 key\n");
 }
 
+TEST_CASE("check names every damaged key of a family") {
+    const TemporaryFolder folder;
+    std::filesystem::copy(INTERLEAF_FIVE_KEYS, folder.path(), std::filesystem::copy_options::recursive);
+    set_content(folder / "bone.ilh", "damaged");
+    set_content(folder / "star.ilh", "damaged");
+    const Outcome outcome = run_interleaf({"check", folder.path().string()});
+    CHECK(outcome.status == 1);
+    CHECK(contains(outcome.errors, "bone.ilh: signature"));
+    CHECK(contains(outcome.errors, "star.ilh: signature"));
+    CHECK_FALSE(contains(outcome.errors, "sphere.ilh"));
+}
+
+TEST_CASE("the kind of a file does not depend on the case of its extension") {
+    const TemporaryFolder folder;
+    write_hierarchy(square(), folder / "SQUARE.ILH");
+    CHECK(info(folder / "SQUARE.ILH").at("kind") == "hierarchy");
+}
+
+TEST_CASE("a message is one line, whatever a file is called") {
+    const Outcome outcome = run_interleaf({"info", "first\nsecond.ilh"});
+    CHECK(outcome.status == 1);
+    CHECK(is_one_message(outcome.errors));
+    CHECK(contains(outcome.errors, "first\\x0asecond.ilh"));
+}
+
 TEST_CASE("check names the keys that do not share their roots: constraints (B)") {
     const TemporaryFolder folder;
     write_hierarchy(square(), folder / "square.ilh");
@@ -130,7 +155,7 @@ TEST_CASE("check names the keys that do not share their roots: constraints (B)")
     CHECK(outcome.status == 1);
     CHECK(outcome.output.empty());
     CHECK(contains(outcome.errors, "family.json"));
-    CHECK(contains(outcome.errors, "different roots"));
+    CHECK(contains(outcome.errors, "(key 1) have different roots"));
     CHECK(contains(outcome.errors, "square"));
 }
 

@@ -1,14 +1,20 @@
 // End-to-end tests: a person at the real window. State and picture both change as they must, and stay as they
 // must.
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "e2e/running_viewer.h"
 #include <X11/keysym.h>
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <unistd.h>
 
 using namespace interleaf;
 using State = RunningViewer::State;
@@ -269,4 +275,25 @@ TEST_CASE("Ctrl+Q ends the program with status 0") {
     viewer.point_at(view_pixel(viewer.state()));
     viewer.press(XK_q, XK_Control_L);
     CHECK(viewer.exit_status() == 0);
+}
+
+TEST_CASE("view writes a picture of the window as it is told to begin, and closes") {
+    const std::filesystem::path folder = std::filesystem::temp_directory_path();
+    const auto picture_of = [&](const std::string& options) {
+        const std::filesystem::path file = folder / fmt::format("interleaf-e2e-{}.png", getpid());
+        const std::string command = fmt::format("'{}' view --size 900x600 --picture '{}' {}",
+                                                INTERLEAF_PROGRAM, file.string(), options);
+        REQUIRE(std::system(command.c_str()) == 0);
+        std::ifstream stream(file, std::ios::binary);
+        std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+        std::filesystem::remove(file);
+        // Signature, then the header chunk with width and height, big endian: 900 is 0x384, 600 is 0x258.
+        REQUIRE(bytes.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+        CHECK(bytes.substr(16, 8) == std::string("\0\0\x03\x84\0\0\x02\x58", 8));
+        return bytes;
+    };
+    const std::string first = picture_of("--at 0.3,0.4");
+    CHECK(picture_of("--at 0.3,0.4 --show root-edges") != first);
+    CHECK(picture_of("--at -0.3,0.4") != first);
+    CHECK(picture_of("--time 3.5") != first);
 }
