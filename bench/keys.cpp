@@ -18,7 +18,7 @@ namespace {
 Hierarchy refined_sphere(Index leaves, const std::function<bool(const AdaptiveMesh&, Index leaf)>& choose) {
     const Hierarchy roots = icosahedron();
     const AdaptiveMesh* self = nullptr;
-    AdaptiveMesh mesh(roots.roots, roots.positions, [&](Index a, Index b) {
+    AdaptiveMesh mesh(roots.roots, roots.positions, [&](Index a, Index b, Index) {
         return glm::normalize(self->positions()[a] + self->positions()[b]);
     });
     self = &mesh;

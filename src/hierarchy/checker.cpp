@@ -1,7 +1,10 @@
 #include "hierarchy/checker.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include <fmt/core.h>
@@ -46,7 +49,17 @@ bool check_sizes(const Hierarchy& hierarchy, Report& report) {
     return report.empty();
 }
 
+/// Whether all floats are finite: no exponent has all bits set.
+bool are_finite(std::span<const float> values) {
+    constexpr std::uint32_t exponent = 0x7f800000;
+    std::uint32_t found = 0;
+    for (const float value : values) found |= (std::bit_cast<std::uint32_t>(value) & exponent) == exponent;
+    return found == 0;
+}
+
 void check_positions(const Hierarchy& hierarchy, Report& report) {
+    static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
+    if (are_finite({&hierarchy.positions.data()->x, 3 * hierarchy.positions.size()})) return;
     for (std::size_t v = 0; v < hierarchy.positions.size() && !report.full(); ++v) {
         const glm::vec3& p = hierarchy.positions[v];
         if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
@@ -54,136 +67,189 @@ void check_positions(const Hierarchy& hierarchy, Report& report) {
     }
 }
 
+/// An edge from one vertex to another as one number.
+constexpr std::uint64_t directed(Index from, Index to) {
+    return from | std::uint64_t{to} << 32;
+}
+constexpr Index from_of(std::uint64_t edge) {
+    return static_cast<Index>(edge);
+}
+constexpr Index to_of(std::uint64_t edge) {
+    return static_cast<Index>(edge >> 32);
+}
+
+/// A node that waits for its turn, in two words: it is written to a stack and read back soon after, and what
+/// is written in pieces narrower than those it is read in waits until it has reached the cache.
+struct PendingNode {
+    std::uint64_t i_and_j;
+    std::uint64_t k_and_place;
+
+    PendingNode() = default;
+    /// \p boundary: bit c tells that the edge opposite vertex c is on the boundary of the surface.
+    PendingNode(Index i, Index j, Index k, unsigned level, unsigned boundary)
+        : i_and_j(directed(i, j)), k_and_place(directed(k, level << 3 | boundary)) {}
+
+    Index i() const { return from_of(i_and_j); }
+    Index j() const { return to_of(i_and_j); }
+    Index k() const { return from_of(k_and_place); }
+    unsigned level() const { return to_of(k_and_place) >> 3; }
+    unsigned boundary() const { return to_of(k_and_place) & 7; }
+};
+
 /// The walk over the preorder that checks trees, numbering and conformity at once.
+///
+/// It runs whenever a file is read, so it has no branch that depends on the forest: leaves are passed over in
+/// runs, and a midpoint's first and second visit are told apart by arithmetic. Branches that are taken only
+/// where something is wrong cost nothing.
 class Walk {
   public:
     Walk(const Hierarchy& hierarchy, Report& report)
-        : hierarchy_(hierarchy), report_(report), edges_(hierarchy.positions.size(), closed) {}
+        : hierarchy_(hierarchy), report_(report), progress_{0, 0, hierarchy.roots.vertex_count(), 0} {
+        edges_.resize(hierarchy.positions.size());
+    }
 
     void run() {
         const auto roots = hierarchy_.roots.triangles();
-        next_vertex_ = hierarchy_.roots.vertex_count();
-        for (root_ = 0; root_ < roots.size(); ++root_)
-            if (!walk_root(roots[root_])) return;
+        for (root_ = 0; root_ < roots.size(); ++root_) {
+            Progress progress = progress_;  // on its own, so that the loop keeps it in registers
+            const bool readable = walk_tree(roots[root_], progress);
+            progress_ = progress;
+            if (!readable) return;
+        }
         check_leftovers();
     }
 
   private:
-    using Edge = std::array<Index, 2>;
-    static constexpr Edge closed = {no_index, no_index};
+    static constexpr std::uint64_t closed = directed(no_index, no_index);
 
-    struct Node {
-        Triangle vertices;
-        unsigned level;
-        unsigned boundary;  ///< bit c: the edge opposite vertex c is on the boundary of the surface
+    struct Progress {
+        std::size_t position;  ///< next in the preorder
+        std::size_t midpoint;  ///< place of the next one
+        Index next_vertex;     ///< that the next first visit meets
+        std::size_t open;      ///< midpoints whose other side is awaited
     };
 
     /// \return false when what follows cannot be read
-    bool walk_root(const Triangle& root) {
+    bool walk_tree(const Triangle& root, Progress& progress) {
+        const std::size_t node_count = hierarchy_.node_count();
+        std::size_t pending = 0;
+        stack_[pending++] = PendingNode(root[0], root[1], root[2], 0, boundary_of_root());
+        while (true) {
+            const std::size_t rest = std::min(64 - progress.position % 64, node_count - progress.position);
+            if (rest == 0) return report_end();
+            const std::uint64_t word = hierarchy_.bits[progress.position / 64] >> (progress.position % 64);
+            const auto leaves = static_cast<std::size_t>(std::countr_zero(word));
+            const std::size_t run = std::min({leaves, rest, pending});
+            progress.position += run;
+            pending -= run;
+            if (pending == 0) return true;
+            if (run == rest) continue;  // the next word, or the end
+
+            const PendingNode node = stack_[--pending];
+            if (node.level() == max_level) return report_depth(progress.position);
+            if (progress.midpoint == hierarchy_.midpoints.size())
+                return report_no_midpoint(progress.position);
+            const Index midpoint = hierarchy_.midpoints[progress.midpoint++];
+            if (midpoint < hierarchy_.roots.vertex_count() || midpoint > progress.next_vertex ||
+                midpoint >= edges_.size())
+                return report_number(progress.position, midpoint, progress.next_vertex);
+
+            const std::uint64_t edge = directed(node.j(), node.k());
+            const std::uint64_t other_side = directed(node.k(), node.j());
+            const bool is_new = midpoint == progress.next_vertex;
+            const bool is_inner = (node.boundary() & 1) == 0;
+            const std::uint64_t awaited = is_new ? other_side : edges_[midpoint];
+            if (awaited != other_side && !report_wrong_edge(progress.position, midpoint, edge)) return false;
+            edges_[midpoint] = is_new && is_inner ? edge : closed;
+            progress.next_vertex += is_new;
+            progress.open += is_new ? is_inner : std::size_t{0} - 1;
+
+            // Edges of the children (l, k, i) and (l, i, j), opposite their vertices: (ki, il, lk) and (ij,
+            // jl, li).
+            const unsigned jk = node.boundary() & 1, ki = node.boundary() >> 1 & 1, ij = node.boundary() >> 2;
+            put(pending++, PendingNode(midpoint, node.i(), node.j(), node.level() + 1, ij | jk << 1));
+            put(pending++, PendingNode(midpoint, node.k(), node.i(), node.level() + 1, ki | jk << 2));
+            ++progress.position;
+        }
+    }
+
+    unsigned boundary_of_root() const {
         const Triangle& sides = hierarchy_.roots.neighbours()[root_];
         unsigned boundary = 0;
         for (unsigned c = 0; c < 3; ++c) boundary |= static_cast<unsigned>(sides[c] == no_index) << c;
-        pending_.assign(1, {root, 0, boundary});
-        while (!pending_.empty()) {
-            const Node node = pending_.back();
-            pending_.pop_back();
-            if (position_ == hierarchy_.node_count()) {
-                report_.add("root {}: the preorder ends before its tree is complete", root_);
-                return false;
-            }
-            if (hierarchy_.is_bisected(position_) && !bisect_node(node)) return false;
-            ++position_;
-        }
-        return true;
+        return boundary;
     }
 
-    bool bisect_node(const Node& node) {
-        if (node.level == max_level) {
-            report_.add("root {}, node {}: bisected at level {}, expected leaves at most {} levels deep",
-                        root_, position_, node.level, max_level);
-            return false;
-        }
-        if (next_midpoint_ == hierarchy_.midpoints.size()) {
-            report_.add("root {}, node {}: bisected, but all {} midpoints are used up", root_, position_,
-                        hierarchy_.midpoints.size());
-            return false;
-        }
-        const Index midpoint = hierarchy_.midpoints[next_midpoint_++];
-        const auto [i, j, k] = node.vertices;
-        if (!visit_midpoint(midpoint, {j, k}, (node.boundary & 1) != 0)) return false;
-        // Edges of the children (l, k, i) and (l, i, j), opposite their vertices: (ki, il, lk) and (ij, jl,
-        // li).
-        const unsigned jk = node.boundary & 1;
-        const unsigned ki = node.boundary >> 1 & 1;
-        const unsigned ij = node.boundary >> 2 & 1;
-        const auto [first, second] = bisect(node.vertices, midpoint);
-        pending_.push_back({second, node.level + 1, ij | jk << 1});
-        pending_.push_back({first, node.level + 1, ki | jk << 2});
-        return true;
+    /// Word by word, so that it is read in the widths it was written in.
+    void put(std::size_t place, const PendingNode& node) {
+        stack_[place].i_and_j = node.i_and_j;
+        stack_[place].k_and_place = node.k_and_place;
     }
 
-    bool visit_midpoint(Index midpoint, const Edge& edge, bool on_boundary) {
-        if (midpoint < hierarchy_.roots.vertex_count() || midpoint > next_vertex_ ||
-            midpoint >= hierarchy_.positions.size()) {
-            report_.add(
-                "root {}, node {}: the midpoint is vertex {}, expected {} (the next new one) or a midpoint "
-                "visited before",
-                root_, position_, midpoint, next_vertex_);
-            return false;
-        }
-        if (midpoint == next_vertex_) {
-            ++next_vertex_;
-            if (on_boundary) return true;
-            edges_[midpoint] = edge;
-            ++open_count_;
-            return true;
-        }
-        if (edges_[midpoint] == Edge{edge[1], edge[0]}) {
-            edges_[midpoint] = closed;
-            --open_count_;
-            return true;
-        }
-        if (edges_[midpoint] == closed)
+    // Each returns whether what follows can be read. They take copies: see run().
+
+    bool report_end() {
+        report_.add("root {}: the preorder ends before its tree is complete", root_);
+        return false;
+    }
+    bool report_depth(std::size_t position) {
+        report_.add("root {}, node {}: bisected at level {}, expected leaves at most {} levels deep", root_,
+                    position, max_level, max_level);
+        return false;
+    }
+    bool report_no_midpoint(std::size_t position) {
+        report_.add("root {}, node {}: bisected, but all {} midpoints are used up", root_, position,
+                    hierarchy_.midpoints.size());
+        return false;
+    }
+    bool report_number(std::size_t position, Index midpoint, Index next_vertex) {
+        report_.add(
+            "root {}, node {}: the midpoint is vertex {}, expected {} (the next new one) or a midpoint "
+            "visited before",
+            root_, position, midpoint, next_vertex);
+        return false;
+    }
+    bool report_wrong_edge(std::size_t position, Index midpoint, std::uint64_t edge) {
+        const std::uint64_t awaited = edges_[midpoint];
+        if (awaited == closed)
             report_.add(
                 "root {}, node {}: vertex {} bisects edge ({}, {}), but was already the midpoint of another "
                 "edge",
-                root_, position_, midpoint, edge[0], edge[1]);
+                root_, position, midpoint, from_of(edge), to_of(edge));
         else
             report_.add(
                 "root {}, node {}: vertex {} bisects edge ({}, {}), expected ({}, {}), the other side of its "
                 "first visit",
-                root_, position_, midpoint, edge[0], edge[1], edges_[midpoint][1], edges_[midpoint][0]);
+                root_, position, midpoint, from_of(edge), to_of(edge), to_of(awaited), from_of(awaited));
         return !report_.full();
     }
 
     void check_leftovers() {
-        if (position_ != hierarchy_.node_count())
-            report_.add("{} nodes follow the last root's tree", hierarchy_.node_count() - position_);
+        if (progress_.position != hierarchy_.node_count())
+            report_.add("{} nodes follow the last root's tree", hierarchy_.node_count() - progress_.position);
         const std::size_t used = hierarchy_.node_count() % 64;
         if (used != 0 && hierarchy_.bits.back() >> used != 0)
             report_.add("bits after the last node are set, expected 0");
-        if (next_midpoint_ != hierarchy_.midpoints.size())
-            report_.add("{} midpoints are left over", hierarchy_.midpoints.size() - next_midpoint_);
-        if (next_vertex_ != hierarchy_.positions.size())
-            report_.add("vertex {} is no midpoint; {} vertices are used by no node", next_vertex_,
-                        hierarchy_.positions.size() - next_vertex_);
-        if (open_count_ == 0) return;
-        for (std::size_t v = 0; v < edges_.size() && !report_.full(); ++v)
+        if (progress_.midpoint != hierarchy_.midpoints.size())
+            report_.add("{} midpoints are left over", hierarchy_.midpoints.size() - progress_.midpoint);
+        if (progress_.next_vertex != hierarchy_.positions.size())
+            report_.add("vertex {} is no midpoint; {} vertices are used by no node", progress_.next_vertex,
+                        hierarchy_.positions.size() - progress_.next_vertex);
+        if (progress_.open == 0) return;
+        for (std::size_t v = hierarchy_.roots.vertex_count(); v < progress_.next_vertex && !report_.full();
+             ++v)
             if (edges_[v] != closed)
                 report_.add("vertex {} bisects edge ({}, {}) on one side only: it hangs on the other", v,
-                            edges_[v][0], edges_[v][1]);
+                            from_of(edges_[v]), to_of(edges_[v]));
     }
 
     const Hierarchy& hierarchy_;
     Report& report_;
-    std::vector<Edge>
-        edges_;  ///< of each vertex: the edge it was first visited on while its other side is awaited
-    std::vector<Node> pending_;
+    Buffer<std::uint64_t> edges_;  ///< by vertex that was visited: the edge of its first visit while the
+                                   ///< other side is awaited
+    std::array<PendingNode, max_level + 2> stack_;  ///< at most one more than levels
     std::size_t root_ = 0;
-    std::size_t position_ = 0;
-    std::size_t next_midpoint_ = 0;
-    Index next_vertex_ = 0;
-    std::size_t open_count_ = 0;
+    Progress progress_;
 };
 
 }  // namespace

@@ -33,7 +33,8 @@ void refine_greedily(AdaptiveMesh& mesh, const LeafError& error, const GreedyOpt
         const double value = error(mesh, leaf);
         if (value > options.tolerance) candidates.push({rounded_to_12_bits(value), leaf, mesh.level(leaf)});
     };
-    for (Index leaf = 0; leaf < mesh.leaf_count(); ++leaf) add(leaf);
+    for (Index leaf = 0; leaf < mesh.leaf_bound(); ++leaf)
+        if (mesh.is_leaf(leaf)) add(leaf);
 
     std::vector<Index> changed;
     while (!candidates.empty() && mesh.leaf_count() < options.leaves) {
@@ -41,8 +42,8 @@ void refine_greedily(AdaptiveMesh& mesh, const LeafError& error, const GreedyOpt
         candidates.pop();
         if (mesh.level(next.leaf) != next.level) continue;
         if (mesh.leaves_added_by(next.leaf) > options.leaves - mesh.leaf_count()) continue;
-        const std::span<const Index> refined = mesh.refine(std::span(&next.leaf, 1));
-        changed.assign(refined.begin(), refined.end());
+        changed.clear();
+        mesh.refine(std::span(&next.leaf, 1), &changed);
         std::sort(changed.begin(), changed.end());
         changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
         for (const Index leaf : changed) add(leaf);

@@ -54,7 +54,7 @@ std::size_t Hierarchy::byte_count() const {
 }
 
 Hierarchy hierarchy_from_leaves(const RootComplex& roots, const std::vector<Leaf>& leaves,
-                                const std::vector<glm::vec3>& positions) {
+                                std::span<const glm::vec3> positions) {
     Hierarchy hierarchy{roots, {}, {}, {}};
     const std::size_t bisected_count = leaves.size() - roots.triangle_count();
     hierarchy.midpoints.reserve(bisected_count);
@@ -98,9 +98,12 @@ std::vector<Leaf> leaves_of(const Hierarchy& hierarchy) {
     return leaves;
 }
 
-Hierarchy unrefined(RootComplex roots, std::vector<glm::vec3> positions) {
-    std::vector<std::uint64_t> bits((roots.triangle_count() + 63) / 64, 0);
-    return {std::move(roots), std::move(bits), {}, std::move(positions)};
+Hierarchy unrefined(RootComplex roots, const std::vector<glm::vec3>& positions) {
+    Hierarchy hierarchy;
+    hierarchy.bits.assign((roots.triangle_count() + 63) / 64, 0);
+    hierarchy.positions.assign(positions.begin(), positions.end());
+    hierarchy.roots = std::move(roots);
+    return hierarchy;
 }
 
 }  // namespace interleaf

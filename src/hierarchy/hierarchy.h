@@ -11,10 +11,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "hierarchy/buffer.h"
 #include "hierarchy/root_complex.h"
 #include "hierarchy/triangle.h"
 
@@ -22,10 +24,9 @@ namespace interleaf {
 
 struct Hierarchy {
     RootComplex roots;
-    std::vector<std::uint64_t>
-        bits;                      ///< preorder bits, lowest bit of the first word first; unused bits are 0
-    std::vector<Index> midpoints;  ///< vertex of each bisected node, in preorder
-    std::vector<glm::vec3> positions;  ///< one a vertex
+    Buffer<std::uint64_t> bits;   ///< preorder bits, lowest bit of the first word first; unused bits are 0
+    Buffer<Index> midpoints;      ///< vertex of each bisected node, in preorder
+    Buffer<glm::vec3> positions;  ///< one a vertex
 
     std::size_t vertex_count() const { return positions.size(); }
     std::size_t leaf_count() const { return roots.triangle_count() + midpoints.size(); }
@@ -50,12 +51,12 @@ struct Leaf {
 /// a union alike. Vertices are renumbered by first visit; \p positions is indexed by the numbers used in \p
 /// leaves, root vertices first. \pre  the leaves are those of a conforming refinement of \p roots
 Hierarchy hierarchy_from_leaves(const RootComplex& roots, const std::vector<Leaf>& leaves,
-                                const std::vector<glm::vec3>& positions);
+                                std::span<const glm::vec3> positions);
 
 /// The leaves of a hierarchy that has passed check(), in preorder.
 std::vector<Leaf> leaves_of(const Hierarchy& hierarchy);
 
 /// The root complex alone, not bisected, as a hierarchy. \p positions holds one position a root vertex.
-Hierarchy unrefined(RootComplex roots, std::vector<glm::vec3> positions);
+Hierarchy unrefined(RootComplex roots, const std::vector<glm::vec3>& positions);
 
 }  // namespace interleaf

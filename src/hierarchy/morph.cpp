@@ -1,6 +1,7 @@
 #include "hierarchy/morph.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 namespace interleaf {
@@ -16,16 +17,54 @@ void morph(const UnionMesh& mesh, std::span<const float> weights, std::vector<gl
     weighted_sum(mesh.positions, weights, positions);
 }
 
-void weighted_sum(std::span<const Buffer<glm::vec3>> streams, std::span<const float> weights,
-                  std::vector<glm::vec3>& sum) {
-    constexpr std::size_t block = 2048;  // vertices whose sum stays in the first-level cache
-    const std::size_t count = streams[0].size();
-    sum.resize(count);
-    for (std::size_t begin = 0; begin < count; begin += block) {
-        const std::size_t end = std::min(begin + block, count);
-        for (std::size_t v = begin; v < end; ++v) sum[v] = weights[0] * streams[0][v];
-        for (std::size_t s = 1; s < streams.size(); ++s)
-            for (std::size_t v = begin; v < end; ++v) sum[v] += weights[s] * streams[s][v];
+namespace {
+
+using Streams = std::span<const Buffer<glm::vec3>>;
+
+/// sum[n] = sum over s < count of weights[s] * streams[s][n], added to \p sum[n] unless \p is_first, over
+/// single floats.
+template <std::size_t count>
+void add_streams(Streams streams, std::span<const float> weights, bool is_first, std::span<float> sum) {
+    std::array<const float*, count> from;
+    std::array<float, count> factor;
+    for (std::size_t s = 0; s < count; ++s) {
+        from[s] = &streams[s].data()->x;
+        factor[s] = weights[s];
+    }
+    float* const __restrict to = sum.data();
+    const auto blended = [&](std::size_t n) {
+        float value = factor[0] * from[0][n];
+        for (std::size_t s = 1; s < count; ++s) value += factor[s] * from[s][n];
+        return value;
+    };
+    if (is_first)
+        for (std::size_t n = 0; n < sum.size(); ++n) to[n] = blended(n);
+    else
+        for (std::size_t n = 0; n < sum.size(); ++n) to[n] += blended(n);
+}
+
+}  // namespace
+
+void weighted_sum(Streams streams, std::span<const float> weights, std::vector<glm::vec3>& sum) {
+    sum.resize(streams[0].size());
+    const std::span<float> floats(sum.empty() ? nullptr : &sum.data()->x, 3 * sum.size());
+    // Memory is the limit: as many streams as are usually active are read in one pass.
+    for (std::size_t s = 0; s < streams.size();) {
+        const bool is_first = s == 0;
+        switch (streams.size() - s) {
+            case 1:
+                add_streams<1>(streams.subspan(s), weights.subspan(s), is_first, floats);
+                break;
+            case 2:
+                add_streams<2>(streams.subspan(s), weights.subspan(s), is_first, floats);
+                break;
+            case 3:
+                add_streams<3>(streams.subspan(s), weights.subspan(s), is_first, floats);
+                break;
+            default:
+                add_streams<4>(streams.subspan(s), weights.subspan(s), is_first, floats);
+        }
+        s += std::min<std::size_t>(streams.size() - s, 4);
     }
 }
 

@@ -19,6 +19,13 @@ inline constexpr Index no_index = 0xffffffff;
 /// Three vertices, counter-clockwise seen from outside; the refinement edge is opposite the first.
 using Triangle = std::array<Index, 3>;
 
+/// Sides of a triangle are numbered by the vertex they are opposite to. After bisect() the halves of the
+/// parent's refinement edge lie on these sides of the children, the edge to the sibling on those; side 0 is
+/// inherited whole, from the parent's side 1 by the first child and from its side 2 by the second.
+inline constexpr unsigned refinement_side = 0;
+inline constexpr std::array<unsigned, 2> half_side = {2, 1};
+inline constexpr std::array<unsigned, 2> sibling_side = {1, 2};
+
 /// Deepest level of a leaf. A path from a root to a leaf is one bit a level, so it fits 64 bits.
 inline constexpr unsigned max_level = 64;
 

@@ -1,11 +1,12 @@
 #include "hierarchy/vertex_normals.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
-#include <glm/geometric.hpp>
-
-#include "hierarchy/morph.h"
+#include "hierarchy/lanes.h"
 
 namespace interleaf {
 
@@ -15,26 +16,69 @@ float power_of_two(unsigned exponent) {
     return std::bit_cast<float>((exponent + 127U) << 23);
 }
 
-/// Adds w (e_i x f_j + e_j x f_i), half of it for i = j, at every corner of every triangle.
-void add_corners(const UnionMesh& mesh, std::size_t i, std::size_t j, Buffer<glm::vec3>& product) {
-    const Buffer<glm::vec3>& p = mesh.positions[i];
-    const Buffer<glm::vec3>& q = mesh.positions[j];
-    for (std::size_t t = 0; t < mesh.leaf_count(); ++t) {
-        const auto& [a, b, c] = mesh.triangles[t];
-        const glm::vec3 normal =
-            i == j ? glm::cross(p[b] - p[a], p[c] - p[a])
-                   : glm::cross(p[b] - p[a], q[c] - q[a]) + glm::cross(q[b] - q[a], p[c] - p[a]);
-        for (unsigned corner = 0; corner < 3; ++corner)
-            product[mesh.triangles[t][corner]] += power_of_two(mesh.tags[t].corner_exponent(corner)) * normal;
+/// The normals e_i x f_j + e_j x f_i of a leaf, e_i x f_i for i = j, 3 floats each. One float behind the last
+/// is written, too. \p edges has room for e and f of every key.
+template <typename Count>
+void leaf_products(const UnionMesh& mesh, const Triangle& leaf, Count key_count, std::array<Lanes, 2>* edges,
+                   float* products) {
+    const auto& [a, b, c] = leaf;
+    for (std::size_t j = 0; j < key_count; ++j) {
+        const glm::vec3* p = mesh.positions[j].data();
+        const Lanes at_a = load(p[a]);
+        edges[j] = {load(p[b]) - at_a, load(p[c]) - at_a};
+        for (std::size_t i = 0; i < j; ++i, products += 3)
+            store(products,
+                  yzx(turned_cross(edges[i][0], edges[j][1]) + turned_cross(edges[j][0], edges[i][1])));
+        store(products, yzx(turned_cross(edges[j][0], edges[j][1])));
+        products += 3;
+    }
+}
+
+/// Sums up the products of every leaf, weighted, at its corners.
+template <typename Count>
+void add_leaves(const UnionMesh& mesh, Count key_count, NormalForm& form) {
+    // Products are written in pieces of one size and read in another. In batches, the writing is over by
+    // then.
+    constexpr std::size_t batch = 32;
+    const std::size_t float_count = 3 * product_count(key_count);
+    std::vector<float> products(batch * float_count + 1);
+    std::vector<std::array<Lanes, 2>> edges(key_count);
+    float* const sums = &form.products[0].x;
+    for (std::size_t begin = 0; begin < mesh.leaf_count(); begin += batch) {
+        const std::size_t end = std::min(begin + batch, mesh.leaf_count());
+        for (std::size_t t = begin; t < end; ++t)
+            leaf_products(mesh, mesh.triangles[t], key_count, edges.data(),
+                          &products[(t - begin) * float_count]);
+        for (std::size_t t = begin; t < end; ++t) {
+            const float* const normal = &products[(t - begin) * float_count];
+            for (unsigned corner = 0; corner < 3; ++corner) {
+                const float weight = power_of_two(mesh.tags[t].corner_exponent(corner));
+                float* const __restrict sum = sums + mesh.triangles[t][corner] * float_count;
+                for (std::size_t n = 0; n < float_count; ++n) sum[n] += weight * normal[n];
+            }
+        }
     }
 }
 
 /// Rule 2: the mean of the ends where neither key has a vertex of its own. Ends come before midpoints, so one
 /// pass does it.
-void interpolate_elsewhere(const UnionMesh& mesh, KeySet keys, Buffer<glm::vec3>& product) {
+void interpolate_elsewhere(const UnionMesh& mesh, NormalForm& form) {
+    const std::size_t count = form.product_count;
+    KeySet all = 0;
+    for (std::size_t key = 0; key < mesh.key_count(); ++key) all |= key_bit(key);
     for (std::size_t v = mesh.roots.vertex_count(); v < mesh.vertex_count(); ++v) {
         const auto& [edge, owners] = mesh.vertices[v];
-        if ((owners & keys) == 0) product[v] = (product[edge[0]] + product[edge[1]]) * 0.5F;
+        if (owners == all) continue;
+        glm::vec3* const products = &form.products[v * count];
+        const glm::vec3* const from = &form.products[edge[0] * count];
+        const glm::vec3* const to = &form.products[edge[1] * count];
+        for (std::size_t j = 0; j < mesh.key_count(); ++j) {
+            if ((owners & key_bit(j)) != 0) continue;
+            for (std::size_t i = 0; i <= j; ++i) {
+                const std::size_t n = product_index(i, j);
+                if ((owners & key_bit(i)) == 0) products[n] = (from[n] + to[n]) * 0.5F;
+            }
+        }
     }
 }
 
@@ -47,22 +91,36 @@ NormalForm normal_form(const UnionMesh& mesh) {
 }
 
 void normal_form(const UnionMesh& mesh, NormalForm& form) {
-    form.products.resize(product_count(mesh.key_count()));
-    for (std::size_t j = 0; j < mesh.key_count(); ++j)
-        for (std::size_t i = 0; i <= j; ++i) {
-            Buffer<glm::vec3>& product = form.products[product_index(i, j)];
-            product.assign(mesh.vertex_count(), glm::vec3(0));
-            add_corners(mesh, i, j, product);
-            interpolate_elsewhere(mesh, key_bit(i) | key_bit(j), product);
-        }
+    form.product_count = product_count(mesh.key_count());
+    form.products.assign(mesh.vertex_count() * form.product_count, glm::vec3(0));
+    // The loops over keys are unrolled for as many keys as are usually active.
+    switch (mesh.key_count()) {
+        case 1:
+            add_leaves(mesh, std::integral_constant<std::size_t, 1>(), form);
+            break;
+        case 2:
+            add_leaves(mesh, std::integral_constant<std::size_t, 2>(), form);
+            break;
+        case 3:
+            add_leaves(mesh, std::integral_constant<std::size_t, 3>(), form);
+            break;
+        case 4:
+            add_leaves(mesh, std::integral_constant<std::size_t, 4>(), form);
+            break;
+        default:
+            add_leaves(mesh, mesh.key_count(), form);
+    }
+    interpolate_elsewhere(mesh, form);
 }
 
 std::vector<glm::vec3> morph_normals(const NormalForm& form, std::span<const float> weights) {
-    std::vector<float> factors(form.products.size());
+    std::vector<float> factors(form.product_count);
     for (std::size_t j = 0; j < weights.size(); ++j)
         for (std::size_t i = 0; i <= j; ++i) factors[product_index(i, j)] = weights[i] * weights[j];
-    std::vector<glm::vec3> normals;
-    weighted_sum(form.products, factors, normals);
+    std::vector<glm::vec3> normals(form.products.size() / form.product_count, glm::vec3(0));
+    for (std::size_t v = 0; v < normals.size(); ++v)
+        for (std::size_t n = 0; n < form.product_count; ++n)
+            normals[v] += factors[n] * form.products[v * form.product_count + n];
     return normals;
 }
 

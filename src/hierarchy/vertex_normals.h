@@ -23,12 +23,6 @@
 
 namespace interleaf {
 
-/// The products N_ij for i <= j: products[product_index(i, j)][vertex]. Not normalised; zero where the area
-/// vanishes.
-struct NormalForm {
-    std::vector<Buffer<glm::vec3>> products;
-};
-
 /// Number of products for \p key_count keys: n (n + 1) / 2.
 constexpr std::size_t product_count(std::size_t key_count) {
     return key_count * (key_count + 1) / 2;
@@ -38,6 +32,13 @@ constexpr std::size_t product_count(std::size_t key_count) {
 constexpr std::size_t product_index(std::size_t i, std::size_t j) {
     return j * (j + 1) / 2 + i;
 }
+
+/// The products N_ij for i <= j, not normalised; zero where the area vanishes. Those of one vertex follow
+/// each other, in the order of product_index(): they are summed up together, and read together.
+struct NormalForm {
+    std::size_t product_count = 0;  ///< a vertex
+    Buffer<glm::vec3> products;     ///< products[vertex * product_count + product_index(i, j)]
+};
 
 NormalForm normal_form(const UnionMesh& mesh);
 

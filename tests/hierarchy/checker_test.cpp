@@ -20,7 +20,8 @@ bool mentions(const std::vector<std::string>& violations, std::string_view text)
 /// Two triangles that share edge (1, 2), the refinement edge of both, with both bisected at it and vertex 4
 /// in its middle.
 Hierarchy bisected_square() {
-    AdaptiveMesh mesh(sheet(1, 1), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
+    const std::vector<glm::vec3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    AdaptiveMesh mesh(sheet(1, 1), corners);
     mesh.refine(std::vector<Index>{0});
     return mesh.freeze();
 }
@@ -44,7 +45,7 @@ TEST_CASE("any one change of a midpoint, a bit, a position or a size is found, 1
         REQUIRE_FALSE(check(damaged).empty());
 
         damaged = sound;
-        damaged.positions.emplace_back(0);
+        damaged.positions.emplace_back(0.0F);
         REQUIRE_FALSE(check(damaged).empty());
 
         damaged = sound;
@@ -92,13 +93,13 @@ TEST_CASE("a hanging node is named with its edge") {
 TEST_CASE("two vertices on one edge are found") {
     Hierarchy hierarchy = bisected_square();
     hierarchy.midpoints[1] = 5;
-    hierarchy.positions.emplace_back(0);
+    hierarchy.positions.emplace_back(0.0F);
     CHECK(mentions(check(hierarchy), "on one side only"));
 }
 
 TEST_CASE("what is missing or left over is named") {
     Hierarchy hierarchy = bisected_square();
-    hierarchy.positions.emplace_back(0);
+    hierarchy.positions.emplace_back(0.0F);
     CHECK(mentions(check(hierarchy), "vertex 5 is no midpoint"));
     hierarchy = bisected_square();
     hierarchy.bits[0] |= std::uint64_t{1} << 63;

@@ -5,6 +5,23 @@
 
 namespace interleaf::testing {
 
+namespace {
+
+/// The midpoint of each triangle above the leaves.
+std::map<Node, Index> midpoints_above(InfiniteComplex& complex, const std::set<Node>& leaves) {
+    std::map<Node, Index> midpoints;
+    for (Node node : leaves)
+        while (node.level > 0) {
+            node = node.parent();
+            if (midpoints.contains(node)) break;
+            const Triangle triangle = complex.triangle(node);
+            midpoints[node] = complex.midpoint(triangle[1], triangle[2]);
+        }
+    return midpoints;
+}
+
+}  // namespace
+
 Index InfiniteComplex::midpoint(Index a, Index b) {
     const auto [place, is_new] = midpoints_.try_emplace(std::minmax(a, b), next_);
     if (is_new) ++next_;
@@ -87,6 +104,51 @@ std::set<Node> rivara(InfiniteComplex& complex, std::set<Node> leaves, const std
         }
     }
     return leaves;
+}
+
+std::set<std::set<Index>> coarsening_steps(InfiniteComplex& complex, const std::set<Node>& leaves,
+                                           const std::set<Node>& marked) {
+    const std::map<Node, Index> midpoints = midpoints_above(complex, leaves);
+    std::map<Index, std::set<Index>> needs;
+    for (const auto& [node, midpoint] : midpoints) {
+        needs[midpoint];
+        if (node.level > 0) needs[midpoints.at(node.parent())].insert(midpoint);
+    }
+    std::set<Index> kept;  // vertices of leaves that are not marked
+    for (const Node& leaf : leaves)
+        if (!marked.contains(leaf))
+            for (const Index vertex : complex.triangle(leaf)) kept.insert(vertex);
+
+    const auto with_all_needed = [&](Index midpoint) {
+        std::set<Index> all;
+        const std::function<void(Index)> add = [&](Index added) {
+            if (all.insert(added).second)
+                for (const Index needed : needs.at(added)) add(needed);
+        };
+        add(midpoint);
+        return all;
+    };
+    std::set<std::set<Index>> steps;
+    for (const auto& entry : needs) {
+        const Index midpoint = entry.first;
+        const std::set<Index> together = with_all_needed(midpoint);
+        const bool goes = std::all_of(together.begin(), together.end(), [&](Index other) {
+            return !kept.contains(other) && with_all_needed(other).contains(midpoint);
+        });
+        if (goes) steps.insert(together);
+    }
+    return steps;
+}
+
+std::set<Node> coarsened(InfiniteComplex& complex, const std::set<Node>& leaves,
+                         const std::set<std::set<Index>>& steps) {
+    std::set<Index> removed;
+    for (const std::set<Index>& step : steps) removed.insert(step.begin(), step.end());
+    std::set<Node> bisected;
+    for (const auto& [node, midpoint] : midpoints_above(complex, leaves))
+        if (!removed.contains(midpoint)) bisected.insert(node);
+    const std::vector<Node> result = leaf_nodes(bisected, complex.roots().triangle_count());
+    return {result.begin(), result.end()};
 }
 
 std::vector<std::string> triangulation_violations(InfiniteComplex& complex, const std::vector<Node>& leaves,

@@ -23,6 +23,8 @@ struct Node {
     auto operator<=>(const Node&) const = default;
 
     Node child(unsigned which) const { return {root, level + 1, path | std::uint64_t{which} << level}; }
+    /// \pre  not a root
+    Node parent() const { return {root, level - 1, path & ~(std::uint64_t{1} << (level - 1))}; }
 };
 
 /// The infinite complex over some roots, its vertices named on demand: every edge has one midpoint, whichever
@@ -55,6 +57,20 @@ std::vector<Node> nodes_of_levels(const std::vector<unsigned>& levels);
 /// Algorithm (A) in passes, as the paper states it: bisects \p marked, then all non-conforming triangles,
 /// until there are none.
 std::set<Node> rivara(InfiniteComplex& complex, std::set<Node> leaves, const std::set<Node>& marked);
+
+/// The midpoints that coarsening removes when the leaves \p marked are marked: one set for each step, most of
+/// one midpoint.
+///
+/// Triangles can be leaves again when their children are leaves. So a midpoint needs those gone at which a
+/// child of a triangle bisected at it is bisected, and those that these need in turn. It goes alone when it
+/// needs none. The midpoints of a cycle need each other, and nothing else: they go together. In both cases
+/// all leaves that have one of them as vertex must be marked.
+std::set<std::set<Index>> coarsening_steps(InfiniteComplex& complex, const std::set<Node>& leaves,
+                                           const std::set<Node>& marked);
+
+/// The leaves when the triangles bisected at the midpoints of \p steps are leaves again.
+std::set<Node> coarsened(InfiniteComplex& complex, const std::set<Node>& leaves,
+                         const std::set<std::set<Index>>& steps);
 
 /// What is wrong with \p leaves as a conforming triangulation over the roots: an edge of more than two
 /// triangles, of two in the same direction, of one away from the boundary; a wrong Euler number; neighbours

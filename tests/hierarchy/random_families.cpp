@@ -200,7 +200,7 @@ void refine_at_random(AdaptiveMesh& mesh, Random& random, unsigned rounds, Index
 Hierarchy random_key(const RootComplex& roots, Random& random) {
     std::vector<glm::vec3> points = random_points(random, roots.vertex_count());
     AdaptiveMesh* self = nullptr;
-    AdaptiveMesh mesh(roots, std::move(points), [&](Index a, Index b) {
+    AdaptiveMesh mesh(roots, std::move(points), [&](Index a, Index b, Index) {
         const glm::vec3 p = self->positions()[a], q = self->positions()[b];
         return 0.5F * (p + q) + 0.2F * glm::distance(p, q) * random.point();
     });

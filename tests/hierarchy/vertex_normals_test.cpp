@@ -84,15 +84,9 @@ TEST_CASE("a flat triangle has one normal direction everywhere, however it is bi
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {
         CAPTURE(seed);
         Random random(seed);
-        AdaptiveMesh mesh(marked(sheet(2, 2), Marking::random, random), {{0, 0, 0},
-                                                                         {1, 0, 0},
-                                                                         {2, 0, 0},
-                                                                         {0, 1, 0},
-                                                                         {1, 1, 0},
-                                                                         {2, 1, 0},
-                                                                         {0, 2, 0},
-                                                                         {1, 2, 0},
-                                                                         {2, 2, 0}});
+        const std::vector<glm::vec3> grid = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0},
+                                             {2, 1, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}};
+        AdaptiveMesh mesh(marked(sheet(2, 2), Marking::random, random), grid);
         refine_at_random(mesh, random, 8, 300);
         const Hierarchy key = mesh.freeze();
         const UnionMesh alone = unite(std::vector<const Hierarchy*>{&key});
