@@ -61,9 +61,10 @@ double largest_turn(std::span<const glm::dvec3> samples, const glm::dvec3& leaf_
 
 }  // namespace
 
-std::vector<glm::dvec3> sphere_grid(const std::array<glm::dvec3, 3>& corners, unsigned parts) {
+std::vector<glm::dvec3> base_grid(const BaseSurface& base, const std::array<glm::dvec3, 3>& corners,
+                                  unsigned parts) {
     std::vector<glm::dvec3> points = flat_grid(corners, parts);
-    for (glm::dvec3& point : points) point = glm::normalize(point);
+    for (glm::dvec3& point : points) point = base.project(point);
     return points;
 }
 
@@ -80,8 +81,8 @@ double distance_to_triangle(const glm::dvec3& point, const std::array<glm::dvec3
                      distance_to_segment(point, c, a)});
 }
 
-LeafFit measure_fit(Surface surface, const std::array<glm::dvec3, 3>& sphere_corners) {
-    std::vector<glm::dvec3> samples = sphere_grid(sphere_corners, divisions);
+LeafFit measure_fit(const BaseSurface& base, Surface surface, const std::array<glm::dvec3, 3>& base_corners) {
+    std::vector<glm::dvec3> samples = base_grid(base, base_corners, divisions);
     for (glm::dvec3& sample : samples) sample = surface(sample);
 
     const std::array<glm::dvec3, 3> corners = {samples[grid_place(0, 0)], samples[grid_place(divisions, 0)],

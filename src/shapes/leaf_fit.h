@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "shapes/base_surface.h"
 #include "shapes/surfaces.h"
 
 namespace interleaf {
@@ -18,15 +19,16 @@ struct LeafFit {
     double size;      ///< longest edge
 };
 
-/// Points of the spherical triangle with these corners: its flat triangle's regular grid with \p parts parts
-/// an edge, pushed out to the unit sphere. Row r, from corner 0 to the edge opposite, holds r + 1 points.
-std::vector<glm::dvec3> sphere_grid(const std::array<glm::dvec3, 3>& corners, unsigned parts);
+/// Points of the part of \p base over the triangle with these corners: the triangle's regular grid with \p
+/// parts parts an edge, projected. Row r, from corner 0 to the edge opposite, holds r + 1 points.
+std::vector<glm::dvec3> base_grid(const BaseSurface& base, const std::array<glm::dvec3, 3>& corners,
+                                  unsigned parts);
 
 /// Distance of \p point from the closed triangle with these corners, which may be degenerate.
 double distance_to_triangle(const glm::dvec3& point, const std::array<glm::dvec3, 3>& corners);
 
-/// The fit to \p surface of the leaf over the spherical triangle with these corners: 12 samples beside them,
-/// 16 grid triangles.
-LeafFit measure_fit(Surface surface, const std::array<glm::dvec3, 3>& sphere_corners);
+/// The fit to \p surface, a map of \p base, of the leaf over these points of the base: 12 samples beside
+/// them, 16 grid triangles.
+LeafFit measure_fit(const BaseSurface& base, Surface surface, const std::array<glm::dvec3, 3>& base_corners);
 
 }  // namespace interleaf

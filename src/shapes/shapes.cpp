@@ -12,18 +12,19 @@
 #include "hierarchy/adaptive_mesh.h"
 #include "hierarchy/error.h"
 #include "hierarchy/greedy.h"
-#include "shapes/icosahedron.h"
+#include "shapes/brezel.h"
 #include "shapes/leaf_fit.h"
 
 namespace interleaf {
 namespace {
 
-constexpr std::array<Shape, 5> all_shapes = {{
-    {"icosahedron", "the 20 roots alone, on the unit sphere", nullptr},
-    {"bone", "a bone with two knobs at each end", bone_surface},
-    {"cushion", "a square cushion with four pointed corners", cushion_surface},
-    {"star", "a star with twelve arms", star_surface},
-    {"sphere", "the unit sphere", sphere_surface},
+constexpr std::array<Shape, 6> all_shapes = {{
+    {"icosahedron", "the 20 roots alone, on the unit sphere", unit_sphere, nullptr},
+    {"bone", "a bone with two knobs at each end", unit_sphere, bone_surface},
+    {"cushion", "a square cushion with four pointed corners", unit_sphere, cushion_surface},
+    {"star", "a star with twelve arms", unit_sphere, star_surface},
+    {"sphere", "the unit sphere", unit_sphere, sphere_surface},
+    {"brezel", "a brezel with two holes, over 144 roots of its own", brezel, brezel_surface},
 }};
 
 constexpr std::array<ShippedKey, 5> shipped_keys = {{
@@ -56,15 +57,15 @@ void check_budget(const ShapeBudget& budget, Index roots) {
 }
 
 /// Diagonal of the surface's box, from samples; they lie inside the box, so it is never too large.
-double box_diagonal(const Hierarchy& roots, Surface surface) {
+double box_diagonal(const Shape& shape, const Hierarchy& roots) {
     constexpr unsigned divisions = 24;
     glm::dvec3 low(std::numeric_limits<double>::infinity());
     glm::dvec3 high = -low;
     for (const auto& [a, b, c] : roots.roots.triangles()) {
         for (const glm::dvec3& u :
-             sphere_grid({roots.positions[a], roots.positions[b], roots.positions[c]}, divisions)) {
-            low = glm::min(low, surface(u));
-            high = glm::max(high, surface(u));
+             base_grid(shape.base, {roots.positions[a], roots.positions[b], roots.positions[c]}, divisions)) {
+            low = glm::min(low, shape.surface(u));
+            high = glm::max(high, shape.surface(u));
         }
     }
     return glm::distance(low, high);
@@ -87,26 +88,26 @@ const Shape* find_shape(std::string_view name) {
 }
 
 Hierarchy make_key(const Shape& shape, const ShapeBudget& budget) {
-    Hierarchy roots = icosahedron();
+    Hierarchy roots = shape.base.roots();
     check_budget(budget, roots.roots.triangle_count());
     if (shape.surface == nullptr) return roots;
 
-    std::vector<glm::dvec3> sphere_points;
+    std::vector<glm::dvec3> base_points;
     std::vector<glm::vec3> positions;
     for (const glm::dvec3 corner : roots.positions) {
-        sphere_points.push_back(glm::normalize(corner));
-        positions.emplace_back(shape.surface(sphere_points.back()));
+        base_points.push_back(shape.base.project(corner));
+        positions.emplace_back(shape.surface(base_points.back()));
     }
-    AdaptiveMesh mesh(roots.roots, std::move(positions), [&](Index a, Index b) {
-        sphere_points.push_back(glm::normalize(sphere_points[a] + sphere_points[b]));
-        return glm::vec3(shape.surface(sphere_points.back()));
+    AdaptiveMesh mesh(roots.roots, std::move(positions), [&](Index a, Index b, Index) {
+        base_points.push_back(shape.base.project((base_points[a] + base_points[b]) / 2.0));
+        return glm::vec3(shape.surface(base_points.back()));
     });
     const auto fit = [&](Index leaf) {
         const auto& [a, b, c] = mesh.vertices(leaf);
-        return measure_fit(shape.surface, {sphere_points[a], sphere_points[b], sphere_points[c]});
+        return measure_fit(shape.base, shape.surface, {base_points[a], base_points[b], base_points[c]});
     };
     if (budget.tolerance) {
-        const double most = *budget.tolerance * box_diagonal(roots, shape.surface) * (1 - sampling_margin);
+        const double most = *budget.tolerance * box_diagonal(shape, roots) * (1 - sampling_margin);
         const auto error = [&](const AdaptiveMesh&, Index leaf) { return fit(leaf).apart; };
         refine_greedily(mesh, error, {.tolerance = most});
     } else {

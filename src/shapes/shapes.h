@@ -1,9 +1,9 @@
-// The analytic keys of the paper's figure 8, generated from formulas: icosahedron, bone, cushion, star and
-// sphere.
+// Keys generated from formulas: icosahedron, bone, cushion, star and sphere of the paper's figure 8, and the
+// brezel of its appendix.
 //
-// Each maps the unit sphere to a closed surface. Over the icosahedron's 20 triangles the sphere is bisected
-// adaptively: a leaf's error is its distance from the surface plus a term for the turn of the normal, largest
-// first.
+// Each shape maps a base surface, the unit sphere or the brezel, to a closed surface. The base's root
+// triangles are bisected adaptively: a leaf's error is its distance from the surface plus a term for the turn
+// of the normal, largest first.
 #pragma once
 
 #include <optional>
@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "hierarchy/hierarchy.h"
+#include "shapes/base_surface.h"
 #include "shapes/surfaces.h"
 
 namespace interleaf {
@@ -19,6 +20,7 @@ namespace interleaf {
 struct Shape {
     std::string_view name;
     std::string_view description;  ///< one line, for people
+    BaseSurface base;              ///< whose points the vertices are made from
     Surface surface;               ///< nullptr for the icosahedron, whose 20 roots are enough
 };
 
@@ -29,7 +31,7 @@ std::span<const Shape> shapes();
 const Shape* find_shape(std::string_view name);
 
 struct ShapeBudget {
-    std::optional<Index> leaves;  ///< at most this many, as near as closure allows; at least the 20 roots
+    std::optional<Index> leaves;  ///< at most this many, as near as closure allows; at least the roots
     std::optional<double>
         tolerance;  ///< largest distance from the surface, as a fraction of its box's diagonal; at
                     ///< least 1e-6, which is what the floats of a position can tell

@@ -6,7 +6,8 @@
 
 namespace interleaf {
 
-/// From the unit sphere to a surface, one to one, keeping orientation.
+/// From a base surface, the unit sphere where nothing else is said, to a surface, one to one, keeping
+/// orientation.
 using Surface = glm::dvec3 (*)(const glm::dvec3& u);
 
 /// The unit sphere itself.

@@ -22,7 +22,7 @@ TEST_CASE("the distance to a triangle of no area is that to a segment or a point
 }
 
 TEST_CASE("a leaf over an octant of the sphere is as far off as its centroid, and turns as its corners do") {
-    const LeafFit fit = measure_fit(sphere_surface, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+    const LeafFit fit = measure_fit(unit_sphere, sphere_surface, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
     // The samples next to the centroid lie at (2, 1, 1) / sqrt(6).
     CHECK(fit.distance == doctest::Approx(4 / std::sqrt(18.0) - 1 / std::sqrt(3.0)));
     CHECK(fit.apart >= fit.distance);
@@ -36,13 +36,13 @@ TEST_CASE("a flat surface fits without distance and turn") {
     const Surface octahedron = [](const glm::dvec3& u) {
         return u / (std::abs(u.x) + std::abs(u.y) + std::abs(u.z));
     };
-    const LeafFit fit = measure_fit(octahedron, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+    const LeafFit fit = measure_fit(unit_sphere, octahedron, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
     CHECK(fit.distance < 1e-15);
     CHECK(fit.turn < 1e-12);
 }
 
 TEST_CASE("the grid of a spherical triangle lies on the sphere, corners included, row by row") {
-    const auto grid = sphere_grid({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 3);
+    const auto grid = base_grid(unit_sphere, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 3);
     REQUIRE(grid.size() == 10);
     CHECK(grid[0] == glm::dvec3(1, 0, 0));
     CHECK(grid[6] == glm::dvec3(0, 1, 0));

@@ -35,6 +35,14 @@ Hierarchy make(std::string_view name, const ShapeBudget& budget) {
     return make_key(*shape, budget);
 }
 
+/// All but the brezel, which has tests of its own.
+std::vector<Shape> shapes_over_the_icosahedron() {
+    std::vector<Shape> found;
+    for (const Shape& shape : shapes())
+        if (shape.base.roots == icosahedron) found.push_back(shape);
+    return found;
+}
+
 std::vector<Triangle> leaf_triangles(const Hierarchy& key) {
     std::vector<Triangle> triangles;
     for (const Leaf& leaf : leaves_of(key)) triangles.push_back(leaf.vertices);
@@ -71,7 +79,7 @@ double sampled_deviation(const Hierarchy& key, Surface surface) {
     glm::dvec3 high = -low;
     double distance = 0;
     for (const SphereLeaf& leaf : sphere_leaves(key)) {
-        for (const glm::dvec3& u : sphere_grid(leaf.on_sphere, 13)) {
+        for (const glm::dvec3& u : base_grid(unit_sphere, leaf.on_sphere, 13)) {
             const glm::dvec3 point = surface(u);
             low = glm::min(low, point);
             high = glm::max(high, point);
@@ -90,13 +98,15 @@ TEST_CASE("shapes are found by name, each once") {
         CHECK_FALSE(shape.description.empty());
         names.insert(shape.name);
     }
-    CHECK(names == std::set<std::string_view>{"icosahedron", "bone", "cushion", "star", "sphere"});
+    CHECK(names == std::set<std::string_view>{"icosahedron", "bone", "cushion", "star", "sphere", "brezel"});
     CHECK(find_shape("Star") == nullptr);
     CHECK(find_shape("") == nullptr);
 }
 
-TEST_CASE("every key is sound, closed, of Euler number 2, faces out, and meets its budget of leaves") {
-    for (const Shape& shape : shapes()) {
+TEST_CASE(
+    "every key over the icosahedron is sound, closed, of Euler number 2, faces out, and meets its budget of "
+    "leaves") {
+    for (const Shape& shape : shapes_over_the_icosahedron()) {
         CAPTURE(shape.name);
         for (const Index budget : {20U, 21U, 100U, 1001U, 6000U}) {
             CAPTURE(budget);
@@ -119,7 +129,7 @@ TEST_CASE("a key has 20,000 leaves when the budget names neither leaves nor tole
 }
 
 TEST_CASE("positions are on the surface, to the precision of floats") {
-    for (const Shape& shape : shapes()) {
+    for (const Shape& shape : shapes_over_the_icosahedron()) {
         if (shape.surface == nullptr) continue;
         CAPTURE(shape.name);
         for (const SphereLeaf& leaf : sphere_leaves(make_key(shape, leaves(2000)))) {
@@ -160,7 +170,7 @@ TEST_CASE("area and volume of the sphere key are near those of the unit sphere")
 }
 
 TEST_CASE("a tolerance holds on dense samples of the surface, and is not met by far too many leaves") {
-    for (const Shape& shape : shapes()) {
+    for (const Shape& shape : shapes_over_the_icosahedron()) {
         if (shape.surface == nullptr) continue;
         CAPTURE(shape.name);
         for (const double value : {0.1, 0.02, 0.005, 0.001}) {
@@ -175,7 +185,7 @@ TEST_CASE("a tolerance holds on dense samples of the surface, and is not met by 
 }
 
 TEST_CASE("more leaves are nearer to the surface") {
-    for (const Shape& shape : shapes()) {
+    for (const Shape& shape : shapes_over_the_icosahedron()) {
         if (shape.surface == nullptr) continue;
         CAPTURE(shape.name);
         const double coarse = sampled_deviation(make_key(shape, leaves(500)), shape.surface);
