@@ -4,10 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "app/builtin_family.h"
 #include "hierarchy/error.h"
 #include "hierarchy/morph.h"
-#include "io/hierarchy_file.h"
 #include "io/mesh_file.h"
 
 namespace interleaf {
@@ -23,6 +24,8 @@ bool is_finite(const glm::vec3& p) {
 
 void run_export(const ExportOptions& options) {
     const std::string_view format = format_of(options.output, formats);
+    if (options.form.compressed && format != "ilh")
+        throw UsageError(fmt::format("--compress: expected the format ilh, got '{}'", format));
     const Family family = open_family(options.morph.family);
     const Weights weights = selected_weights(options.morph, family);
     const UnionMesh mesh = unite(family, weights);
@@ -36,7 +39,7 @@ void run_export(const ExportOptions& options) {
     } else if (format == "ply") {
         write_output(options.output, ply_bytes(mesh.triangles, positions));
     } else {
-        write_output(options.output, serialize_hierarchy(morphed_hierarchy(mesh, values)));
+        write_output(options.output, serialize_hierarchy(morphed_hierarchy(mesh, values), options.form));
     }
 }
 

@@ -3,12 +3,14 @@
 
 #include "app/morph_selection.h"
 #include "app/output.h"
+#include "io/hierarchy_file.h"
 
 namespace interleaf {
 
 struct ExportOptions {
     MorphSelection morph;
-    Output output;  ///< obj, ply or ilh
+    Output output;              ///< obj, ply or ilh
+    HierarchyFileOptions form;  ///< of an ilh
 };
 
 /// \throw InputError, UsageError, MachineError

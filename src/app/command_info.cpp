@@ -31,21 +31,30 @@ Kind kind_of(const std::filesystem::path& file) {
     return extension == ".obj" ? Kind::mesh : Kind::family;
 }
 
-std::vector<Figures> figures_of(const Family& family) {
+std::string_view form_of(const std::filesystem::path& file) {
+    if (kind_of(file) != Kind::hierarchy) return {};
+    return is_compressed_hierarchy(file) ? "compressed" : "plain";
+}
+
+/// The figures of each key. \p files are what they were read from.
+std::vector<Figures> figures_of(const Family& family, std::span<const std::filesystem::path> files) {
     std::vector<Figures> figures;
     figures.reserve(family.keys.size());
-    // There is one way to write a key, so this is the size of the file it was read from.
-    for (const Key& key : family.keys) {
-        figures.push_back(figures_of(key.hierarchy, serialize_hierarchy(key.hierarchy).size()));
+    for (std::size_t i = 0; i < family.keys.size(); ++i) {
+        figures.push_back(figures_of(family.keys[i].hierarchy, std::filesystem::file_size(files[i])));
+        figures.back().form = form_of(files[i]);
     }
     return figures;
 }
 
-/// Bytes of what was read: a mesh, or keys and what names them.
-std::uintmax_t bytes_on_disk(const std::filesystem::path& file, const Figures& keys) {
+/// The figures of all that was read: a mesh or a key, or keys and what names them.
+Figures figures_of_whole(const std::filesystem::path& file, std::span<const Figures> keys) {
+    Figures whole = total(keys);
+    if (kind_of(file) != Kind::family) return whole;
+    whole.form = {};
     const bool is_folder = std::filesystem::is_directory(file);
-    const std::uintmax_t own = std::filesystem::file_size(is_folder ? file / "family.json" : file);
-    return kind_of(file) == Kind::family ? keys.file + own : own;
+    whole.file += std::filesystem::file_size(is_folder ? file / "family.json" : file);
+    return whole;
 }
 
 Json json_of(const glm::vec3& p) {
@@ -53,15 +62,17 @@ Json json_of(const glm::vec3& p) {
 }
 
 Json json_of(const Figures& figures) {
-    return {{"roots", figures.roots},
-            {"leaves", figures.leaves},
-            {"vertices", figures.vertices},
-            {"levels", {{"min", figures.min_level}, {"max", figures.max_level}}},
-            {"bytes", {{"memory", figures.memory}, {"file", figures.file}}},
-            {"angles", {{"min", figures.min_angle}}},
-            {"euler", figures.euler},
-            {"boundary_edges", figures.boundary},
-            {"box", {json_of(figures.box.min), json_of(figures.box.max)}}};
+    Json json = {{"roots", figures.roots},
+                 {"leaves", figures.leaves},
+                 {"vertices", figures.vertices},
+                 {"levels", {{"min", figures.min_level}, {"max", figures.max_level}}},
+                 {"bytes", {{"memory", figures.memory}, {"file", figures.file}}},
+                 {"angles", {{"min", figures.min_angle}}},
+                 {"euler", figures.euler},
+                 {"boundary_edges", figures.boundary},
+                 {"box", {json_of(figures.box.min), json_of(figures.box.max)}}};
+    if (!figures.form.empty()) json["form"] = figures.form;
+    return json;
 }
 
 Json json_of(const Timeline& timeline, const Family& family) {
@@ -104,6 +115,14 @@ std::string text_of(const glm::vec3& p) {
     return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x, p.y, p.z);
 }
 
+/// "52,340 bytes, compressed, 1.31 bytes a leaf".
+std::string file_text(const Figures& figures) {
+    std::string bytes = grouped(figures.file) + " bytes";
+    if (figures.form.empty()) return bytes;
+    return fmt::format("{}, {}, {:.2f} bytes a leaf", bytes, figures.form,
+                       static_cast<double>(figures.file) / static_cast<double>(figures.leaves));
+}
+
 void print_line(std::string_view label, std::string_view text) {
     fmt::print("{:<14}{}\n", label, text);
 }
@@ -115,7 +134,7 @@ void print_whole(Kind kind, const Family& family, const Figures& whole) {
     print_line("vertices", grouped(whole.vertices));
     print_line("levels", levels(whole));
     print_line("memory", grouped(whole.memory) + " bytes");
-    print_line("file", grouped(whole.file) + " bytes");
+    print_line("file", file_text(whole));
     print_line("least angle", fmt::format("{:.1f} degrees", whole.min_angle));
     print_line("Euler number", fmt::format("{}", whole.euler));
     print_line("boundary", whole.boundary == 0 ? "none" : grouped(whole.boundary) + " root edges");
@@ -123,13 +142,13 @@ void print_whole(Kind kind, const Family& family, const Figures& whole) {
 }
 
 void print_keys(const Family& family, std::span<const Figures> keys) {
-    constexpr std::string_view row = "{:<20}{:>12}{:>12}{:>12}{:>14}{:>14}\n";
+    constexpr std::string_view row = "{:<20}{:>12}{:>12}{:>12}{:>14}{:>14}{:>14}  {}\n";
     fmt::print("\n");
-    fmt::print(row, "key", "leaves", "vertices", "levels", "least angle", "memory");
+    fmt::print(row, "key", "leaves", "vertices", "levels", "least angle", "memory", "file", "form");
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const Figures& key = keys[i];
         fmt::print(row, family.keys[i].name, grouped(key.leaves), grouped(key.vertices), levels(key),
-                   fmt::format("{:.1f}", key.min_angle), grouped(key.memory));
+                   fmt::format("{:.1f}", key.min_angle), grouped(key.memory), grouped(key.file), key.form);
     }
 }
 
@@ -159,9 +178,8 @@ void print_text(Kind kind, const Family& family, std::span<const Figures> keys, 
 void run_info(const InfoOptions& options) {
     const Family family = open_family(options.file);
     const Kind kind = kind_of(options.file);
-    const std::vector<Figures> keys = figures_of(family);
-    Figures whole = total(keys);
-    whole.file = bytes_on_disk(options.file, whole);
+    const std::vector<Figures> keys = figures_of(family, key_files(options.file));
+    const Figures whole = figures_of_whole(options.file, keys);
     (options.json ? print_json : print_text)(kind, family, keys, whole);
 }
 

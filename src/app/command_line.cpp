@@ -98,6 +98,16 @@ void add_output(CLI::App& command, Output& output, const std::string& files, con
         ->type_name("NAME");
 }
 
+void add_form(CLI::App& command, HierarchyFileOptions& form) {
+    CLI::Option* compress =
+        command.add_flag("--compress", form.compressed, "Write the compressed form of an .ilh file");
+    add_text_option(command, "--bits",
+                    "With --compress, round coordinates to N bits of the box's longest side, 8 to 24",
+                    [&form](const std::string& text) { form.rounding_bits = parse_bits(text); })
+        ->type_name("N")
+        ->needs(compress);
+}
+
 void add_display(CLI::App& command, Display& display) {
     add_text_option(command, "--show", "Edges shown: wireframe, refinement-edges, root-edges",
                     [&display](const std::string& text) { parse_shown_edges(text, display); })
@@ -179,12 +189,13 @@ void add_export(CLI::App& program) {
     CLI::App* command = program.add_subcommand("export", "Write a morph as a mesh or as a key");
     add_morph_selection(*command, options->morph);
     add_output(*command, options->output, "OUT.obj, OUT.ply or OUT.ilh", "obj, ply or ilh");
+    add_form(*command, options->form);
     command->final_callback([options] { run_export(*options); });
     command->footer(
         "Each face begins with the vertex opposite its refinement edge.\n\n"
         "Examples:\n"
         "  interleaf export --at 0.3,0.4 -o u.obj\n"
-        "  interleaf export --time 1.5 -o between.ilh");
+        "  interleaf export --time 1.5 -o between.ilh --compress");
 }
 
 void add_info(CLI::App& program) {
@@ -230,6 +241,7 @@ void add_make(CLI::App& program) {
                     [options](const std::string& text) { options->budget.tolerance = parse_number(text); })
         ->type_name("E")
         ->excludes(leaves);
+    add_form(*command, options->form);
     CLI::Option* list = command->add_flag("--list")->description("List the shapes");
     name->excludes(list);
     command->final_callback([options, name, output, list] {
@@ -241,7 +253,7 @@ void add_make(CLI::App& program) {
     command->footer(
         "Examples:\n"
         "  interleaf make star --leaves 5000 -o star.ilh\n"
-        "  interleaf make bone --tolerance 0.001 -o bone.ilh\n"
+        "  interleaf make bone --tolerance 0.001 -o bone.ilh --compress --bits 16\n"
         "  interleaf make five-keys -o assets/families/five-keys");
 }
 

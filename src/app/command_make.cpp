@@ -7,7 +7,6 @@
 #include "app/builtin_family.h"
 #include "hierarchy/error.h"
 #include "io/family_file.h"
-#include "io/hierarchy_file.h"
 
 namespace interleaf {
 namespace {
@@ -19,6 +18,8 @@ void make_family(const MakeOptions& options) {
     if (options.budget.leaves || options.budget.tolerance) {
         throw UsageError(fmt::format("make {}: --leaves and --tolerance are for single shapes", family_name));
     }
+    if (options.form.compressed)
+        throw UsageError(fmt::format("make {}: --compress is for single shapes", family_name));
     if (options.output == "-") throw UsageError(fmt::format("make {}: -o must name a folder", family_name));
     write_family(make_five_keys(), options.output);
 }
@@ -34,12 +35,12 @@ void run_make(const MakeOptions& options) {
     }
     const Output output{options.output, options.output == "-" ? "ilh" : ""};
     format_of(output, formats);
-    write_output(output, serialize_hierarchy(make_key(*shape, options.budget)));
+    write_output(output, serialize_hierarchy(make_key(*shape, options.budget), options.form));
 }
 
 void list_shapes() {
     for (const Shape& shape : shapes()) fmt::print("{:<14}{}\n", shape.name, shape.description);
-    fmt::print("{:<14}the built-in family of these, into a folder\n", family_name);
+    fmt::print("{:<14}the built-in family of the first five, into a folder\n", family_name);
 }
 
 }  // namespace interleaf

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/output.h"
+#include "io/hierarchy_file.h"
 #include "shapes/shapes.h"
 
 namespace interleaf {
@@ -12,6 +13,7 @@ struct MakeOptions {
     std::string name;  ///< a shape, or "five-keys" for the folder of the built-in family
     std::string output;
     ShapeBudget budget;
+    HierarchyFileOptions form;
 };
 
 /// \throw UsageError, MachineError

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/measure.h"
@@ -22,6 +23,7 @@ struct Figures {
     int euler;             ///< Euler number
     std::size_t boundary;  ///< boundary edges of the root complex; 0 when closed
     Box box;
+    std::string_view form{};  ///< of the file: "plain" or "compressed"; empty for a mesh and for several keys
 };
 
 /// \param file  bytes that the key takes on disk

@@ -63,6 +63,12 @@ Index parse_count(std::string_view text) {
     return *count;
 }
 
+unsigned parse_bits(std::string_view text) {
+    const unsigned bits = number<unsigned>(text).value_or(0);
+    if (bits < 8 || bits > 24) expected("a whole number from 8 to 24", text);
+    return bits;
+}
+
 glm::dvec2 parse_point(std::string_view text) {
     const auto values = numbers(text);
     if (!values || values->size() != 2) expected("U,V", text);

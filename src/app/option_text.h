@@ -20,6 +20,9 @@ double parse_number(std::string_view text);
 /// A number of things, "20000".
 Index parse_count(std::string_view text);
 
+/// Bits of a rounded coordinate, 8 to 24.
+unsigned parse_bits(std::string_view text);
+
 /// A point "U,V".
 glm::dvec2 parse_point(std::string_view text);
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "family/family.h"
 
@@ -13,6 +14,10 @@ namespace interleaf {
 /// \throw InputError   naming the file, the place and what was expected
 /// \throw MachineError when a file cannot be opened or read
 Family read_family(const std::filesystem::path& path);
+
+/// The files of the keys that read_family() finds at \p path, in the keys' order.
+/// \throw InputError, MachineError as read_family(), for what names them
+std::vector<std::filesystem::path> key_files(const std::filesystem::path& path);
 
 /// The extension of \p file as read_family() takes it: ".ILH" as ".ilh".
 std::string lower_case_extension(const std::filesystem::path& file);

@@ -148,8 +148,16 @@ ParameterDomain domain_at(const JsonPlace& place, const KeyNames& names) {
     }
 }
 
+nlohmann::json parse_family_json(const fs::path& file) {
+    return parse_json(read_text(file, family_format::largest_file), file.string());
+}
+
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : ".";
+}
+
 Family read_family_json(const fs::path& file) {
-    const nlohmann::json document = parse_json(read_text(file, family_format::largest_file), file.string());
+    const nlohmann::json document = parse_family_json(file);
     const JsonPlace root(document, file.string());
     const JsonPlace format = root.member("format");
     if (format.string() != family_format::name)
@@ -161,7 +169,7 @@ Family read_family_json(const fs::path& file) {
     Family family;
     family.name = name_at(root.member("name"));
     const JsonPlace keys = root.member("keys");
-    family.keys = keys_at(keys, file.has_parent_path() ? file.parent_path() : ".");
+    family.keys = keys_at(keys, folder_of(file));
     if (const auto violations = check(family); !violations.empty()) keys.fail(joined(violations, "; "));
 
     const KeyNames names(family.keys);
@@ -186,6 +194,20 @@ std::string lower_case_extension(const fs::path& file) {
     for (char& c : extension)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return extension;
+}
+
+std::vector<fs::path> key_files(const fs::path& path) {
+    std::error_code ignored;
+    const bool is_folder = fs::is_directory(path, ignored);
+    if (!is_folder && lower_case_extension(path) != ".json") return {path};
+    const fs::path file = is_folder ? path / "family.json" : path;
+    const nlohmann::json document = parse_family_json(file);
+    const JsonPlace keys = JsonPlace(document, file.string()).member("keys");
+    std::vector<fs::path> files;
+    files.reserve(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        files.push_back(key_file_at(keys.element(i).member("file"), folder_of(file)));
+    return files;
 }
 
 Family read_family(const fs::path& path) {

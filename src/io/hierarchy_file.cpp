@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -11,7 +10,9 @@
 
 #include "hierarchy/checker.h"
 #include "hierarchy/error.h"
-#include "io/crc32.h"
+#include "io/compressed_hierarchy.h"
+#include "io/coordinate_grid.h"
+#include "io/hierarchy_format.h"
 #include "io/input_file.h"
 #include "io/joined_text.h"
 #include "io/safe_write.h"
@@ -20,40 +21,12 @@ namespace interleaf {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "arrays are copied as they lie in the file");
-static_assert(sizeof(Triangle) == 12 && sizeof(glm::vec3) == 12);
-
+using hierarchy_format::fail;
+using hierarchy_format::Header;
+using hierarchy_format::SummedInput;
 using Bytes = std::span<const std::byte>;
 
-constexpr std::uint32_t file_version = 1;
-
-struct Header {
-    std::array<unsigned char, 8> signature{0x89, 'I', 'L', 'H', '\r', '\n', 0x1a, '\n'};
-    std::uint32_t version = file_version;
-    std::uint32_t fields = 0;
-    std::uint32_t root_vertices = 0;
-    std::uint32_t root_triangles = 0;
-    std::uint32_t midpoints = 0;
-    std::uint32_t vertices = 0;
-};
-static_assert(sizeof(Header) == 32);
-
 constexpr std::size_t smallest_file = sizeof(Header) + sizeof(std::uint32_t);
-
-[[noreturn]] void fail(std::string_view name, std::string_view place, std::string_view what) {
-    throw InputError(fmt::format("{}: {}: {}", name, place, what));
-}
-
-std::uint64_t word_count(const Header& header) {
-    return (std::uint64_t{header.root_triangles} + 2 * std::uint64_t{header.midpoints} + 63) / 64;
-}
-
-/// Size of the file that \p header describes. Counts have 32 bits, so 64 bits cannot overflow.
-std::uint64_t file_size(const Header& header) {
-    return smallest_file + sizeof(Triangle) * std::uint64_t{header.root_triangles} + 8 * word_count(header) +
-           sizeof(Index) * std::uint64_t{header.midpoints} +
-           sizeof(glm::vec3) * std::uint64_t{header.vertices};
-}
 
 void check_signature(Bytes head, std::string_view name) {
     const Header expected;
@@ -65,47 +38,51 @@ void check_signature(Bytes head, std::string_view name) {
     fail(name, "signature", "is not that of a hierarchy file (.ilh)");
 }
 
-/// The header, once the file is known to be as large as it says. \p head is the beginning of a file of \p
-/// size bytes.
-Header checked_header(Bytes head, std::uint64_t size, std::string_view name) {
+/// The header of a file of \p size bytes, once its form is known to be one of ours.
+Header read_header(SummedInput& input, std::uint64_t size, std::string_view name) {
+    std::array<std::byte, sizeof(Header)> bytes;
+    const auto head = std::span(bytes).first(std::min<std::uint64_t>(size, sizeof(Header)));
+    input.read(head);
     check_signature(head, name);
     if (size < smallest_file)
         fail(name, "size", fmt::format("{} bytes, expected at least {}: it is cut off", size, smallest_file));
 
     Header header;
-    std::memcpy(&header, head.data(), sizeof(Header));
-    if (header.version != file_version)
-        fail(name, "version", fmt::format("is {}, expected {}", header.version, file_version));
+    std::memcpy(&header, bytes.data(), sizeof(Header));
+    if (header.version != hierarchy_format::plain_version &&
+        header.version != hierarchy_format::compressed_version)
+        fail(name, "version", fmt::format("is {}, expected 1 or 2", header.version));
     if (header.fields != 0)
-        fail(name, "field count", fmt::format("is {}, expected 0 in version 1", header.fields));
-    if (const std::uint64_t expected = file_size(header); size != expected)
-        fail(name, "size",
-             fmt::format("{} bytes, expected {} by its counts: it is {}", size, expected,
-                         size < expected ? "cut off" : "too long"));
-    if (header.root_triangles == 0) fail(name, "root triangle count", "is 0, expected at least 1");
-    // The file's size bounds the vertices and only so the root vertices, of which a root complex is made.
-    if (header.root_vertices > header.vertices)
-        fail(name, "root vertex count",
-             fmt::format("is {}, expected at most the {} vertices", header.root_vertices, header.vertices));
+        fail(name, "field count",
+             fmt::format("is {}, expected 0 in version {}", header.fields, header.version));
     return header;
 }
 
-void check_checksum(Bytes bytes, std::string_view name) {
-    std::uint32_t stored;
-    std::memcpy(&stored, bytes.last(sizeof(stored)).data(), sizeof(stored));
-    const std::uint32_t computed = crc32(bytes.first(bytes.size() - sizeof(stored)));
-    if (stored != computed)
-        fail(name, "checksum",
-             fmt::format("is {:08x}, expected {:08x} by the content: it is damaged", stored, computed));
+Hierarchy read_plain(const Header& header, SummedInput& input, std::uint64_t size, std::string_view name) {
+    hierarchy_format::require_size(size, hierarchy_format::plain_size(header), name);
+    hierarchy_format::require_counts(header, name);
+
+    std::vector<Triangle> roots(header.root_triangles);
+    Hierarchy hierarchy;
+    hierarchy.bits.resize(hierarchy_format::word_count(header));
+    hierarchy.midpoints.resize(header.midpoints);
+    hierarchy.positions.resize(header.vertices);
+    input.read_values(roots);
+    input.read_values(hierarchy.bits);
+    input.read_values(hierarchy.midpoints);
+    input.read_values(hierarchy.positions);
+    input.read_checksum(name);
+    hierarchy.roots = hierarchy_format::root_complex(header.root_vertices, std::move(roots), name);
+    return hierarchy;
 }
 
-template <typename Value>
-std::vector<Value> take(Bytes& bytes, std::size_t count) {
-    std::vector<Value> values(count);
-    const std::span target = std::as_writable_bytes(std::span(values));
-    std::ranges::copy(bytes.first(target.size()), target.begin());
-    bytes = bytes.subspan(target.size());
-    return values;
+Hierarchy read_either_form(SummedInput input, std::uint64_t size, std::string_view name) {
+    const Header header = read_header(input, size, name);
+    const bool is_plain = header.version == hierarchy_format::plain_version;
+    Hierarchy hierarchy = (is_plain ? read_plain : read_compressed)(header, input, size, name);
+    if (const std::vector<std::string> violations = check(hierarchy); !violations.empty())
+        fail(name, "hierarchy", joined(violations, "; "));
+    return hierarchy;
 }
 
 template <typename Value>
@@ -114,60 +91,56 @@ void append(std::vector<std::byte>& bytes, std::span<const Value> values) {
     bytes.insert(bytes.end(), source.begin(), source.end());
 }
 
-}  // namespace
-
-Hierarchy parse_hierarchy(Bytes bytes, std::string_view name) {
-    const Header header = checked_header(bytes, bytes.size(), name);
-    check_checksum(bytes, name);
-
-    Bytes rest = bytes.subspan(sizeof(Header));
-    Hierarchy hierarchy;
-    try {
-        hierarchy.roots = RootComplex(header.root_vertices, take<Triangle>(rest, header.root_triangles));
-    } catch (const InputError& error) {
-        fail(name, "root complex", error.what());
-    }
-    hierarchy.bits = take<std::uint64_t>(rest, word_count(header));
-    hierarchy.midpoints = take<Index>(rest, header.midpoints);
-    hierarchy.positions = take<glm::vec3>(rest, header.vertices);
-
-    if (const std::vector<std::string> violations = check(hierarchy); !violations.empty())
-        fail(name, "hierarchy", joined(violations, "; "));
-    return hierarchy;
-}
-
-Hierarchy read_hierarchy(const std::filesystem::path& file) {
-    InputFile input(file);
-    std::vector<std::byte> bytes(std::min<std::uint64_t>(input.size(), sizeof(Header)));
-    input.read(bytes);
-    checked_header(bytes, input.size(), file.string());
-
-    bytes.resize(input.size());
-    input.read(std::span(bytes).subspan(sizeof(Header)));
-    return parse_hierarchy(bytes, file.string());
-}
-
-std::vector<std::byte> serialize_hierarchy(const Hierarchy& hierarchy) {
-    Header header;
-    header.root_vertices = hierarchy.roots.vertex_count();
-    header.root_triangles = hierarchy.roots.triangle_count();
-    header.midpoints = static_cast<std::uint32_t>(hierarchy.midpoints.size());
-    header.vertices = static_cast<std::uint32_t>(hierarchy.positions.size());
-
+std::vector<std::byte> plain_bytes(const Hierarchy& hierarchy, std::span<const glm::vec3> positions) {
+    const Header header = hierarchy_format::header_of(hierarchy);
     std::vector<std::byte> bytes;
-    bytes.reserve(file_size(header));
+    bytes.reserve(hierarchy_format::plain_size(header));
     append(bytes, std::span<const Header>(&header, 1));
     append(bytes, hierarchy.roots.triangles());
     append(bytes, std::span<const std::uint64_t>(hierarchy.bits));
     append(bytes, std::span<const Index>(hierarchy.midpoints));
-    append(bytes, std::span<const glm::vec3>(hierarchy.positions));
-    const std::uint32_t checksum = crc32(bytes);
-    append(bytes, std::span<const std::uint32_t>(&checksum, 1));
+    append(bytes, positions);
+    hierarchy_format::append_checksum(bytes);
     return bytes;
 }
 
-void write_hierarchy(const Hierarchy& hierarchy, const std::filesystem::path& file) {
-    write_file(file, serialize_hierarchy(hierarchy));
+}  // namespace
+
+Hierarchy parse_hierarchy(Bytes bytes, std::string_view name) {
+    SummedInput input([rest = bytes](std::span<std::byte> target) mutable {
+        std::memcpy(target.data(), rest.data(), target.size());
+        rest = rest.subspan(target.size());
+    });
+    return read_either_form(std::move(input), bytes.size(), name);
+}
+
+Hierarchy read_hierarchy(const std::filesystem::path& file) {
+    InputFile input(file);
+    return read_either_form(SummedInput([&](std::span<std::byte> target) { input.read(target); }),
+                            input.size(), file.string());
+}
+
+bool is_compressed_hierarchy(const std::filesystem::path& file) {
+    InputFile input(file);
+    SummedInput summed([&](std::span<std::byte> target) { input.read(target); });
+    return read_header(summed, input.size(), file.string()).version == hierarchy_format::compressed_version;
+}
+
+std::vector<std::byte> serialize_hierarchy(const Hierarchy& hierarchy, const HierarchyFileOptions& options) {
+    std::span<const glm::vec3> positions = hierarchy.positions;
+    Buffer<glm::vec3> rounded;
+    if (options.rounding_bits > 0) {
+        rounded = rounded_positions(positions, options.rounding_bits);
+        positions = rounded;
+    }
+    if (options.compressed)
+        if (auto bytes = compressed_bytes(hierarchy, positions)) return *std::move(bytes);
+    return plain_bytes(hierarchy, positions);
+}
+
+void write_hierarchy(const Hierarchy& hierarchy, const std::filesystem::path& file,
+                     const HierarchyFileOptions& options) {
+    write_file(file, serialize_hierarchy(hierarchy, options));
 }
 
 }  // namespace interleaf

@@ -62,6 +62,10 @@ TEST_CASE("a faulty command line exits with 2 and one message that names the wor
         {{"export", "-o", "u.obj", "--weights", "star=1e300"}, "--weights"},
         {{"export", "-o", "u.obj", "--weights", "star=1", "--time", "1"}, "--time"},
         {{"export", "-o", "u.stl"}, "stl"},
+        {{"export", "-o", "u.obj", "--compress"}, "--compress"},
+        {{"export", "-o", "-", "--format", "ply", "--compress"}, "--compress"},
+        {{"export", "-o", "u.ilh", "--bits", "16"}, "--compress"},
+        {{"export", "-o", "u.ilh", "--compress", "--bits", "25"}, "--bits"},
         {{"export", "-o", "u.obj", "--format", "stl"}, "stl"},
         {{"view", INTERLEAF_FIVE_KEYS "/star.ilh", "--at", "0,0"}, "--at"},
         {{"view", INTERLEAF_FIVE_KEYS "/star.ilh", "--time", "1"}, "--time"},
@@ -78,6 +82,10 @@ TEST_CASE("a faulty command line exits with 2 and one message that names the wor
         {{"make", "star", "-o", "a.ilh", "--tolerance", "0"}, "tolerance"},
         {{"make", "star", "-o", "a.ilh", "--tolerance", "nan"}, "tolerance"},
         {{"make", "five-keys", "-o", "a", "--leaves", "100"}, "--leaves"},
+        {{"make", "five-keys", "-o", "a", "--compress"}, "--compress"},
+        {{"make", "star", "-o", "a.ilh", "--bits", "16"}, "--compress"},
+        {{"make", "star", "-o", "a.ilh", "--compress", "--bits", "7"}, "--bits"},
+        {{"make", "star", "-o", "a.ilh", "--compress", "--bits", "many"}, "--bits"},
     };
     for (const Fault& fault : faults) {
         std::string line;

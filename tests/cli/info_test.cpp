@@ -72,11 +72,38 @@ TEST_CASE("the figures of a family list its keys, its timeline and its domain") 
     CHECK(figures.at("domain").at("triangles").size() == 4);
 }
 
+TEST_CASE("the form of a file is told, for each key of a family as well") {
+    const TemporaryFolder folder;
+    std::filesystem::copy(INTERLEAF_FIVE_KEYS, folder.path(), std::filesystem::copy_options::recursive);
+    const std::string star = folder / "star.ilh";
+    CHECK(info(star).at("form") == "plain");
+    CHECK(contains(run_interleaf({"info", star}).output, " bytes, plain, 10.26 bytes a leaf\n"));
+
+    write_hierarchy(read_hierarchy(star), star, {.compressed = true, .rounding_bits = 0});
+    json figures = info(star);
+    CHECK(figures.at("form") == "compressed");
+    CHECK(figures.at("bytes").at("file") == std::filesystem::file_size(star));
+    CHECK(contains(run_interleaf({"info", star}).output, " bytes, compressed, 1."));
+
+    const json family = info(folder.path().string());
+    CHECK_FALSE(family.contains("form"));
+    std::uintmax_t bytes = std::filesystem::file_size(folder / "family.json");
+    for (const json& key : family.at("keys")) {
+        const std::string name = key.at("name");
+        CHECK(key.at("form") == (name == "star" ? "compressed" : "plain"));
+        CHECK(key.at("bytes").at("file") == std::filesystem::file_size(folder / (name + ".ilh")));
+        bytes += std::filesystem::file_size(folder / (name + ".ilh"));
+    }
+    CHECK(family.at("bytes").at("file") == bytes);
+    CHECK(contains(run_interleaf({"info", folder.path().string()}).output, "  compressed\n"));
+}
+
 TEST_CASE("an open mesh has level 0 and boundary edges") {
     const TemporaryFolder folder;
     set_content(folder / "square.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 4 3 2\n");
     const json figures = info(folder / "square.obj");
     CHECK(figures.at("kind") == "mesh");
+    CHECK_FALSE(figures.contains("form"));
     CHECK(figures.at("leaves") == 2);
     CHECK(figures.at("levels") == json{{"min", 0}, {"max", 0}});
     CHECK(figures.at("euler") == 1);

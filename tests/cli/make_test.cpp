@@ -1,9 +1,13 @@
 // `interleaf make`: keys from formulas, and the built-in family.
+#include <algorithm>
+
 #include "cli/process.h"
 #include "cli/temporary_folder.h"
 #include <doctest/doctest.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "hierarchy/measure.h"
 #include "io/family_file.h"
 #include "io/hierarchy_file.h"
 
@@ -22,10 +26,10 @@ Hierarchy make(const std::vector<std::string>& arguments) {
 TEST_CASE("--list names every shape that can be made") {
     const Outcome outcome = run_interleaf({"make", "--list"});
     CHECK(outcome.status == 0);
-    for (const std::string name : {"icosahedron", "bone", "cushion", "star", "sphere"}) {
+    for (const std::string name : {"icosahedron", "bone", "cushion", "star", "sphere", "brezel"}) {
         CAPTURE(name);
         CHECK(contains("\n" + outcome.output, "\n" + name + " "));
-        CHECK(make({name, "--leaves", "100"}).leaf_count() <= 100);
+        CHECK(make({name, "--leaves", "200"}).leaf_count() <= 200);
     }
 }
 
@@ -35,9 +39,48 @@ TEST_CASE("a budget of leaves is kept and nearly used up") {
     CHECK(leaves > 980);
 }
 
+TEST_CASE("fewer leaves than a shape has roots are refused") {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_interleaf({"make", "brezel", "--leaves", "143", "-o", folder / "brezel.ilh"});
+    CHECK(outcome.status == 2);
+    CHECK(contains(outcome.errors, "144 roots"));
+    CHECK(make({"brezel", "--leaves", "144"}).leaf_count() == 144);
+}
+
 TEST_CASE("a smaller tolerance makes more leaves") {
     CHECK(make({"sphere", "--tolerance", "0.0005"}).leaf_count() >
           make({"sphere", "--tolerance", "0.005"}).leaf_count());
+}
+
+TEST_CASE("a compressed key is the same key in fewer bytes; rounded it takes fewer still") {
+    const TemporaryFolder folder;
+    const auto write = [&](const std::string& name, const std::vector<std::string>& options) {
+        std::vector<std::string> line = {"make", "star", "--leaves", "5000", "-o", folder / name};
+        line.insert(line.end(), options.begin(), options.end());
+        const Outcome outcome = run_interleaf(line);
+        REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+        return std::filesystem::file_size(folder / name);
+    };
+    const std::uintmax_t plain = write("plain.ilh", {});
+    const std::uintmax_t compressed = write("compressed.ilh", {"--compress"});
+    const std::uintmax_t rounded = write("rounded.ilh", {"--compress", "--bits", "12"});
+    CHECK(compressed < plain / 3);
+    CHECK(rounded < compressed / 2);
+
+    const Hierarchy key = read_hierarchy(folder / "plain.ilh");
+    const Hierarchy same = read_hierarchy(folder / "compressed.ilh");
+    CHECK(same.bits == key.bits);
+    CHECK(same.midpoints == key.midpoints);
+    CHECK(same.positions == key.positions);
+    const Hierarchy close = read_hierarchy(folder / "rounded.ilh");
+    REQUIRE(close.vertex_count() == key.vertex_count());
+    const Box box = bounding_box(key.positions);
+    const glm::vec3 sides = box.max - box.min;
+    const float bound = std::max({sides.x, sides.y, sides.z}) / 8192;
+    for (std::size_t v = 0; v < key.vertex_count(); ++v) {
+        const glm::vec3 distance = glm::abs(close.positions[v] - key.positions[v]);
+        CHECK(std::max({distance.x, distance.y, distance.z}) <= bound);
+    }
 }
 
 TEST_CASE("standard output gets the bytes that a file gets") {

@@ -1,5 +1,7 @@
 #include "io/family_file.h"
 
+#include <algorithm>
+
 #include <doctest/doctest.h>
 
 #include "io/hierarchy_file.h"
@@ -185,7 +187,7 @@ TEST_CASE("a single key or mesh is a family of one") {
     const std::vector<Triangle> triangle{{2, 0, 1}};
     const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     put(folder / "mesh.OBJ", obj_text(triangle, positions));
-    CHECK(read_family(folder / "mesh.OBJ").keys[0].hierarchy.positions == positions);
+    CHECK(std::ranges::equal(read_family(folder / "mesh.OBJ").keys[0].hierarchy.positions, positions));
 
     put(folder / "key.stl", "");
     CHECK(contains(input_error_of([&] { read_family(folder / "key.stl"); }), "ends in .json, .ilh or .obj"));

@@ -6,10 +6,10 @@
 #include <random>
 
 #include <doctest/doctest.h>
+#include <libdeflate.h>
 
 #include "hierarchy/checker.h"
 #include "hierarchy/error.h"
-#include "io/crc32.h"
 #include "io/samples.h"
 #include "io/scratch_folder.h"
 
@@ -37,12 +37,22 @@ void set_word(Bytes& bytes, std::size_t offset, std::uint32_t value) {
 
 void repair_checksum(Bytes& bytes) {
     const std::size_t end = bytes.size() - 4;
-    set_word(bytes, end, crc32(std::span(bytes).first(end)));
+    set_word(bytes, end, libdeflate_crc32(0, bytes.data(), end));
 }
 
 Bytes sample() {
     std::mt19937 random(3);
     return serialize_hierarchy(random_hierarchy(random, false, 10));
+}
+
+/// CRC-32 by its definition, bit by bit.
+std::uint32_t literal_crc32(std::span<const std::byte> bytes) {
+    std::uint32_t crc = ~0u;
+    for (const std::byte byte : bytes) {
+        crc ^= std::to_integer<std::uint32_t>(byte);
+        for (int bit = 0; bit < 8; ++bit) crc = (crc & 1) != 0 ? crc >> 1 ^ 0xedb88320u : crc >> 1;
+    }
+    return ~crc;
 }
 
 bool contains(const std::string& text, std::string_view part) {
@@ -80,6 +90,22 @@ TEST_CASE("the layout is the documented one") {
     float x_of_second = 0;
     std::memcpy(&x_of_second, bytes.data() + 32 + 12 + 8 + 12, 4);
     CHECK(x_of_second == 1);
+}
+
+TEST_CASE("the checksum is CRC-32, by its published check value and by its definition") {
+    constexpr std::string_view digits = "123456789";
+    CHECK(libdeflate_crc32(0, digits.data(), digits.size()) == 0xcbf43926);
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        const Hierarchy hierarchy = random_hierarchy(random, false, static_cast<int>(20 * seed));
+        for (const bool compressed : {false, true}) {
+            const Bytes bytes = serialize_hierarchy(hierarchy, {compressed, 0});
+            std::uint32_t stored = 0;
+            std::memcpy(&stored, bytes.data() + bytes.size() - 4, 4);
+            CHECK(stored == literal_crc32(std::span(bytes).first(bytes.size() - 4)));
+        }
+    }
 }
 
 TEST_CASE("a file cut off anywhere is refused") {
@@ -186,7 +212,8 @@ TEST_CASE("each part that is wrong is named, with what was expected") {
     CHECK(contains(error_with([](Bytes& b) { b[1] = std::byte{'X'}; }),
                    "signature: is not that of a hierarchy file"));
     CHECK(contains(error_with([](Bytes& b) { b.erase(b.begin() + 4); }), "as by a transfer in text mode"));
-    CHECK(contains(error_with([](Bytes& b) { set_word(b, 8, 2); }), "version: is 2, expected 1"));
+    CHECK(contains(error_with([](Bytes& b) { set_word(b, 8, 2); }), "size: "));
+    CHECK(contains(error_with([](Bytes& b) { set_word(b, 8, 3); }), "version: is 3, expected 1 or 2"));
     CHECK(contains(error_with([](Bytes& b) { set_word(b, 12, 1); }), "field count: is 1, expected 0"));
     CHECK(contains(error_with([](Bytes& b) { set_word(b, header_size, 77); }), "root complex: "));
     CHECK(contains(error_with([](Bytes& b) { b[header_size + std::size_t{8} * 12] ^= std::byte{1}; }),

@@ -14,7 +14,7 @@ Hierarchy random_hierarchy(std::mt19937& random, bool open, int rounds) {
                                            {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
     std::uniform_real_distribution<float> offset(-0.1f, 0.1f);
     std::vector<glm::vec3> all = positions;
-    const auto midpoint = [&](Index a, Index b) {
+    const auto midpoint = [&](Index a, Index b, Index) {
         all.push_back(0.5f * (all[a] + all[b]) + glm::vec3(offset(random), offset(random), offset(random)));
         return all.back();
     };
