@@ -53,6 +53,21 @@ void fill_buffer_texture(const GlBuffer& buffer, const GlTexture& texture, GLenu
     glBindTexture(GL_TEXTURE_BUFFER, 0);
 }
 
+/// Binds \p buffer, made when it is none yet, with \p data as its content.
+void fill_vertex_buffer(GlBuffer& buffer, std::span<const glm::vec3> data, GLenum usage) {
+    if (!buffer) buffer = GlBuffer::create();
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+    glBufferData(GL_ARRAY_BUFFER, byte_count(data), data.data(), usage);
+}
+
+/// Attribute \p attribute of a vertex is vector \p place of the \p count it has in the bound buffer.
+void set_attribute(std::size_t attribute, std::size_t count, std::size_t place) {
+    const auto number = static_cast<GLuint>(attribute);
+    glVertexAttribPointer(number, 3, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(count * sizeof(glm::vec3)),
+                          reinterpret_cast<const void*>(place * sizeof(glm::vec3)));
+    glEnableVertexAttribArray(number);
+}
+
 void bind_buffer_texture(GLuint unit, const GlTexture& texture) {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_BUFFER, texture.name());
@@ -126,7 +141,7 @@ const GlProgram& Renderer::surface_program(bool edges) {
 }
 
 void Renderer::upload(const UnionMesh& mesh, const NormalForm& form, std::span<const std::size_t> keys) {
-    assert(mesh.key_count() > 0 && form.products.size() == product_count(mesh.key_count()));
+    assert(mesh.key_count() > 0 && form.product_count == product_count(mesh.key_count()));
     check_limit(mesh.leaf_count());
     std::vector<std::size_t> family_keys(keys.begin(), keys.end());
     if (family_keys.empty()) {
@@ -145,8 +160,7 @@ void Renderer::upload(const UnionMesh& mesh, const NormalForm& form, std::span<c
     if (mesh.key_count() <= max_gpu_keys) {
         processor_blend_.reset();
         gpu_key_count_ = mesh.key_count();
-        upload_streams(std::vector<Stream>(mesh.positions.begin(), mesh.positions.end()),
-                       std::vector<Stream>(form.products.begin(), form.products.end()));
+        upload_streams(std::vector<Stream>(mesh.positions.begin(), mesh.positions.end()), form.products);
     } else {
         processor_blend_ = ProcessorBlend{mesh, form, {}};
         gpu_key_count_ = 1;
@@ -164,24 +178,22 @@ void Renderer::upload_leaves(const UnionMesh& mesh) {
     glBindVertexArray(0);
 }
 
-void Renderer::upload_streams(std::span<const Stream> positions, std::span<const Stream> normals) {
+void Renderer::upload_streams(std::span<const Stream> positions, Stream products) {
+    const GLenum usage = processor_blend_ ? GL_STREAM_DRAW : GL_STATIC_DRAW;
+    const std::size_t normals = product_count(positions.size());
     glBindVertexArray(attributes_.name());
-    for (GLuint attribute = 0; attribute < streams_.size(); ++attribute) {
-        const bool is_product = attribute >= first_product;
-        const std::size_t place = is_product ? attribute - first_product : attribute;
-        const auto& sources = is_product ? normals : positions;
-        if (place >= sources.size()) {
-            glDisableVertexAttribArray(attribute);
-            streams_[attribute] = {};
-            continue;
-        }
-        if (!streams_[attribute]) streams_[attribute] = GlBuffer::create();
-        glBindBuffer(GL_ARRAY_BUFFER, streams_[attribute].name());
-        glBufferData(GL_ARRAY_BUFFER, byte_count(sources[place]), sources[place].data(),
-                     processor_blend_ ? GL_STREAM_DRAW : GL_STATIC_DRAW);
-        glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-        glEnableVertexAttribArray(attribute);
+    for (std::size_t key = 0; key < positions.size(); ++key) {
+        fill_vertex_buffer(positions_[key], positions[key], usage);
+        set_attribute(key, 1, 0);
     }
+    fill_vertex_buffer(products_, products, usage);
+    for (std::size_t n = 0; n < normals; ++n) set_attribute(first_product + n, normals, n);
+    for (std::size_t key = positions.size(); key < max_gpu_keys; ++key) {
+        positions_[key] = {};
+        glDisableVertexAttribArray(static_cast<GLuint>(key));
+    }
+    for (std::size_t n = normals; n < product_count(max_gpu_keys); ++n)
+        glDisableVertexAttribArray(static_cast<GLuint>(first_product + n));
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     glBindVertexArray(0);
 }
@@ -191,8 +203,7 @@ void Renderer::blend_on_processor(ProcessorBlend& blend, std::span<const float> 
     const std::vector<glm::vec3> positions = morph(blend.mesh, weights);
     const std::vector<glm::vec3> normals = morph_normals(blend.form, weights);
     const Stream position_stream = positions;
-    const Stream normal_stream = normals;
-    upload_streams({&position_stream, 1}, {&normal_stream, 1});
+    upload_streams({&position_stream, 1}, normals);
     blend.weights.assign(weights.begin(), weights.end());
 }
 

@@ -64,7 +64,7 @@ class Renderer {
 
     const GlProgram& surface_program(bool edges);
     void upload_leaves(const UnionMesh& mesh);
-    void upload_streams(std::span<const Stream> positions, std::span<const Stream> normals);
+    void upload_streams(std::span<const Stream> positions, Stream products);
     void blend_on_processor(ProcessorBlend& blend, std::span<const float> weights);
     void upload_palette(const Display& display);
     void draw_background() const;
@@ -75,11 +75,11 @@ class Renderer {
     SurfacePrograms surface_programs_;
     GlVertexArray no_attributes_;
     GlVertexArray attributes_;
-    /// By attribute: positions of each key, from max_gpu_keys on the normal products.
-    std::array<GlBuffer, max_gpu_keys + product_count(max_gpu_keys)> streams_;
-    GlBuffer corners_;        ///< vertex indices of the leaves
-    GlBuffer leaf_data_;      ///< tag and place of the origin in the palette, a leaf
-    GlTexture leaf_texture_;  ///< leaf_data_ as a buffer texture
+    std::array<GlBuffer, max_gpu_keys> positions_;  ///< of each key
+    GlBuffer products_;                             ///< the normal products, all of a vertex together
+    GlBuffer corners_;                              ///< vertex indices of the leaves
+    GlBuffer leaf_data_;                            ///< tag and place of the origin in the palette, a leaf
+    GlTexture leaf_texture_;                        ///< leaf_data_ as a buffer texture
     GlBuffer palette_data_;
     GlTexture palette_texture_;
 

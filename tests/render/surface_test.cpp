@@ -1,4 +1,5 @@
 // What the picture of a surface looks like: shape, light, colours.
+#include <algorithm>
 #include <numbers>
 #include <set>
 
@@ -105,7 +106,7 @@ TEST_CASE("flat shading gives each face one colour") {
 TEST_CASE("where the normal vanishes, smooth shading takes the face's") {
     const EglContext context;
     TestSurface sphere = surface_of_shapes({"sphere"}, 500);
-    for (auto& product : sphere.form.products) product.assign(product.size(), glm::vec3(0));
+    std::ranges::fill(sphere.form.products, glm::vec3(0));
     Renderer renderer;
     renderer.upload(sphere.mesh, sphere.form);
     OffscreenTarget target(320, 240, 1);
