@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "keys.h"
+#include <Eigen/Core>
 #include <benchmark/benchmark.h>
 
+#include "hierarchy/checker.h"
 #include "hierarchy/morph.h"
 #include "hierarchy/union_mesh.h"
 #include "hierarchy/vertex_normals.h"
@@ -38,6 +40,18 @@ const ThreeKeys& random_keys() {
 /// Refined at different places; the union has nearly the leaves of all three.
 const ThreeKeys& local_keys() {
     static const ThreeKeys keys = three(bench::local_key);
+    return keys;
+}
+
+/// Each a part of the next: the union is the last.
+const ThreeKeys& nested_keys() {
+    static const ThreeKeys keys = [] {
+        ThreeKeys result;
+        for (const Index leaves : {50000U, 100000U, 200000U})
+            result.keys.push_back(bench::random_key(leaves, 1));
+        for (const Hierarchy& key : result.keys) result.pointers.push_back(&key);
+        return result;
+    }();
     return keys;
 }
 
@@ -82,8 +96,8 @@ void copy_of_union(benchmark::State& state) {
     count_leaves(state, mesh.leaf_count());
 }
 
-void normals_reused(benchmark::State& state) {
-    const UnionMesh mesh = unite(local_keys().pointers);
+void normals_reused(benchmark::State& state, const ThreeKeys& keys) {
+    const UnionMesh mesh = unite(keys.pointers);
     NormalForm form;
     for (auto _ : state) {
         normal_form(mesh, form);
@@ -92,15 +106,64 @@ void normals_reused(benchmark::State& state) {
     count_leaves(state, mesh.leaf_count());
 }
 
-void morph_reused(benchmark::State& state) {
-    const UnionMesh mesh = unite(local_keys().pointers);
-    const std::vector<float> weights = {0.2F, 0.3F, 0.5F};
-    std::vector<glm::vec3> positions;
+/// Three streams of as many vertices as the first argument of \p state, with numbers in them.
+std::vector<Buffer<glm::vec3>> three_streams(const benchmark::State& state) {
+    std::vector<Buffer<glm::vec3>> streams(3);
+    for (std::size_t s = 0; s < 3; ++s)
+        streams[s].assign(static_cast<std::size_t>(state.range(0)), glm::vec3(static_cast<float>(s), 1, 2));
+    return streams;
+}
+
+constexpr float blend[] = {0.2F, 0.3F, 0.5F};
+
+/// Bytes read and written by a weighted sum of three streams, as STREAM counts them.
+void count_blended(benchmark::State& state) {
+    state.SetBytesProcessed(state.iterations() * state.range(0) * std::int64_t{4 * sizeof(glm::vec3)});
+}
+
+void morph_streams(benchmark::State& state) {
+    const auto streams = three_streams(state);
+    std::vector<glm::vec3> sum;
     for (auto _ : state) {
-        morph(mesh, weights, positions);
-        benchmark::DoNotOptimize(positions.data());
+        weighted_sum(streams, blend, sum);
+        benchmark::DoNotOptimize(sum.data());
+        benchmark::ClobberMemory();
     }
-    count_leaves(state, mesh.leaf_count());
+    count_blended(state);
+}
+
+void morph_eigen(benchmark::State& state) {
+    const auto streams = three_streams(state);
+    using Array = Eigen::Map<const Eigen::ArrayXf>;
+    const auto length = 3 * static_cast<Eigen::Index>(state.range(0));
+    const Array first(&streams[0][0].x, length), second(&streams[1][0].x, length),
+        third(&streams[2][0].x, length);
+    Buffer<float> memory(static_cast<std::size_t>(length), 0.0F);
+    Eigen::Map<Eigen::ArrayXf> sum(memory.data(), length);
+    for (auto _ : state) {
+        sum = blend[0] * first + blend[1] * second + blend[2] * third;
+        benchmark::DoNotOptimize(sum.data());
+        benchmark::ClobberMemory();
+    }
+    count_blended(state);
+}
+
+/// a = b + factor * c, as in STREAM, over as many bytes in all.
+void triad(benchmark::State& state) {
+    const auto length = static_cast<std::size_t>(state.range(0)) * 4;
+    Buffer<float> a(length, 0.0F), b(length, 1.0F), c(length, 2.0F);
+    for (auto _ : state) {
+        for (std::size_t n = 0; n < length; ++n) a[n] = b[n] + 3.0F * c[n];
+        benchmark::DoNotOptimize(a.data());
+        benchmark::ClobberMemory();
+    }
+    state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(3 * sizeof(float) * length));
+}
+
+void check_key(benchmark::State& state, const ThreeKeys& keys) {
+    for (auto _ : state) benchmark::DoNotOptimize(check(keys.keys[0]));
+    count_leaves(state, keys.keys[0].leaf_count());
+    state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(keys.keys[0].byte_count()));
 }
 
 void key_memory(benchmark::State& state) {
@@ -116,10 +179,15 @@ void key_memory(benchmark::State& state) {
 
 BENCHMARK_CAPTURE(union_reused, local, local_keys())->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(union_reused, random, random_keys())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(union_reused, nested, nested_keys())->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(union_fresh, local, local_keys())->Unit(benchmark::kMillisecond);
 BENCHMARK(copy_of_union)->Unit(benchmark::kMillisecond);
-BENCHMARK(normals_reused)->Unit(benchmark::kMillisecond);
-BENCHMARK(morph_reused)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(normals_reused, local, local_keys())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(normals_reused, random, random_keys())->Unit(benchmark::kMillisecond);
+BENCHMARK(morph_streams)->Arg(300'000)->Arg(10'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(morph_eigen)->Arg(300'000)->Arg(10'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(triad)->Arg(300'000)->Arg(10'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(check_key, random, random_keys())->Unit(benchmark::kMillisecond);
 BENCHMARK(key_memory)->Arg(5000)->Arg(20000)->Arg(200000)->Iterations(1);
 
 }  // namespace

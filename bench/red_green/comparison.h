@@ -1,0 +1,59 @@
+// The two unions that the same surfaces need: keys by bisection and by red-green refinement, over the same
+// roots and refined by the same error.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "overlay.h"
+#include <nlohmann/json.hpp>
+
+#include "hierarchy/hierarchy.h"
+#include "shapes/shapes.h"
+
+namespace interleaf::bench {
+
+/// A surface with everything that is measured on it only once.
+class Subject {
+  public:
+    /// \param shape  the name of a shape that is no icosahedron
+    Subject(RedComplex& complex, std::string_view shape);
+
+    std::string_view name() const { return shape_->name; }
+
+    /// Of the surface's box.
+    double diagonal() const { return diagonal_; }
+
+    /// No leaf farther from its part of the surface than \p tolerance times the diagonal, less make_key()'s
+    /// margin.
+    RedGreenKey red_green(double tolerance);
+    Hierarchy bisected(double tolerance) const;
+
+    /// Smallest tolerance, to a thousandth of it, whose key has at most \p leaves leaves.
+    double red_green_tolerance(std::size_t leaves);
+    double bisection_tolerance(std::size_t leaves) const;
+
+  private:
+    RedComplex* complex_;
+    const Shape* shape_;
+    double diagonal_;
+    LeafErrors errors_;
+};
+
+/// The red complex over the icosahedron, on the unit sphere.
+RedComplex sphere_complex();
+
+/// The keys of \p subjects, each at its own tolerance.
+std::vector<RedGreenKey> red_green_keys(std::span<Subject* const> subjects,
+                                        std::span<const double> tolerances);
+std::vector<Hierarchy> bisected_keys(std::span<Subject* const> subjects, std::span<const double> tolerances);
+
+/// Both unions of the same subjects, as numbers.
+nlohmann::ordered_json red_green_figures(std::span<Subject* const> subjects,
+                                         std::span<const double> tolerances);
+nlohmann::ordered_json bisection_figures(std::span<Subject* const> subjects,
+                                         std::span<const double> tolerances);
+
+}  // namespace interleaf::bench

@@ -1,0 +1,37 @@
+// The refinements that are timed, the same for Interleaf and for its peers.
+//
+// Each starts from the icosahedron on the unit sphere and goes on in rounds until none is left to do: every
+// leaf that lies less deep than wanted at its centroid is marked, and the mesh refined once; new vertices are
+// put on the sphere.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace interleaf::bench {
+
+enum class Workload {
+    uniform,  ///< the same depth everywhere
+    point,    ///< deepest around the point (1, 0, 0), from there on less
+    curve,    ///< deepest along the circle z = 0.3, from there on less
+};
+
+inline std::optional<Workload> workload_named(std::string_view name) {
+    if (name == "uniform") return Workload::uniform;
+    if (name == "point") return Workload::point;
+    if (name == "curve") return Workload::curve;
+    return std::nullopt;
+}
+
+/// The level wanted at the centroid (\p x, \p y, \p z) of a leaf: \p depth where the workload is deepest, and
+/// two less (half the length of an edge) for each doubling of the distance beyond \p core.
+inline double wanted_level(Workload workload, unsigned depth, double x, double y, double z) {
+    if (workload == Workload::uniform) return depth;
+    constexpr double core = 0.05;
+    const double distance = workload == Workload::point ? std::hypot(x - 1, y, z) : std::abs(z - 0.3);
+    return depth - 2 * std::log2(std::max(1.0, distance / core));
+}
+
+}  // namespace interleaf::bench
