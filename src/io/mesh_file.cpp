@@ -71,7 +71,7 @@ Hierarchy read_obj(const std::filesystem::path& file) {
     drop_unused(triangles, lines.positions);
     try {
         const auto vertex_count = static_cast<Index>(lines.positions.size());
-        return unrefined(RootComplex(vertex_count, std::move(triangles)), std::move(lines.positions));
+        return unrefined(RootComplex(vertex_count, std::move(triangles)), lines.positions);
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: faces (counted from 0, as triangles): {}", name, error.what()));
     }

@@ -63,8 +63,11 @@ void fill_vertex_buffer(GlBuffer& buffer, std::span<const glm::vec3> data, GLenu
 /// Attribute \p attribute of a vertex is vector \p place of the \p count it has in the bound buffer.
 void set_attribute(std::size_t attribute, std::size_t count, std::size_t place) {
     const auto number = static_cast<GLuint>(attribute);
+    // What was a pointer in OpenGL 1.1 is an offset into the buffer.
+    const auto* const offset =
+        reinterpret_cast<const void*>(place * sizeof(glm::vec3));  // NOLINT(performance-no-int-to-ptr)
     glVertexAttribPointer(number, 3, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(count * sizeof(glm::vec3)),
-                          reinterpret_cast<const void*>(place * sizeof(glm::vec3)));
+                          offset);
     glEnableVertexAttribArray(number);
 }
 

@@ -110,7 +110,7 @@ Hierarchy brezel_plate() {
             }
         }
     });
-    return unrefined(RootComplex(corner_count, std::move(triangles)), std::move(positions));
+    return unrefined(RootComplex(corner_count, std::move(triangles)), positions);
 }
 
 glm::dvec3 project_to_brezel(const glm::dvec3& point) {
