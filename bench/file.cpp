@@ -125,9 +125,9 @@ BENCHMARK(plain_read)->Apply(all_sizes);
 BENCHMARK(plain_read_fresh)->Apply(all_sizes);
 BENCHMARK(checksum_alone)->Apply(all_sizes);
 BENCHMARK(check_alone)->Apply(all_sizes);
-BENCHMARK_CAPTURE(compress, lossless, lossless)->Apply(all_sizes);
-BENCHMARK_CAPTURE(compress, rounded_16, rounded)->Apply(all_sizes);
-BENCHMARK_CAPTURE(decompress, lossless, lossless)->Apply(all_sizes);
-BENCHMARK_CAPTURE(decompress, rounded_16, rounded)->Apply(all_sizes);
+BENCHMARK_CAPTURE(compress, lossless, lossless)->Arg(40'000)->Arg(200'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(compress, rounded_16, rounded)->Arg(40'000)->Arg(200'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(decompress, lossless, lossless)->Arg(40'000)->Arg(200'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(decompress, rounded_16, rounded)->Arg(40'000)->Arg(200'000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
