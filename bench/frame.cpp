@@ -2,6 +2,7 @@
 // nothing, since without a graphics card they are the rendering. Counts what is uploaded. Prints one line of
 // JSON.
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "json_line.h"

@@ -1,6 +1,7 @@
 // How refine, union, morph and load grow: two keys of one size, each uniform but for half of its leaves,
 // which are bisected once more, a different half in each. Prints one line of JSON. The morph is read against
 // a triad of the same size, for its speed follows that of the memory level it fits in.
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <random>

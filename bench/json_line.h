@@ -1,6 +1,7 @@
 // What a benchmark program prints: one JSON object on one line.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 

@@ -2,13 +2,11 @@
 // that is fresh, and prints one line of JSON. The peers in bench/peers do the same work and print the same
 // line.
 #include <cstdlib>
-#include <fstream>
 #include <vector>
 
 #include "json_line.h"
 #include "workload.h"
 #include <glm/geometric.hpp>
-#include <unistd.h>
 
 #include "hierarchy/adaptive_mesh.h"
 #include "hierarchy/checker.h"
