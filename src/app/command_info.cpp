@@ -41,7 +41,7 @@ std::vector<Figures> figures_of(const Family& family, std::span<const std::files
     std::vector<Figures> figures;
     figures.reserve(family.keys.size());
     for (std::size_t i = 0; i < family.keys.size(); ++i) {
-        figures.push_back(figures_of(family.keys[i].hierarchy, std::filesystem::file_size(files[i])));
+        figures.push_back(figures_of(*family.keys[i].hierarchy, std::filesystem::file_size(files[i])));
         figures.back().form = form_of(files[i]);
     }
     return figures;

@@ -57,7 +57,7 @@ FamilyFigures figures_of(const Family& family) {
     FamilyFigures figures;
     figures.extent = extent(family);
     for (const Key& key : family.keys) {
-        const std::vector<Leaf> leaves = leaves_of(key.hierarchy);
+        const std::vector<Leaf> leaves = leaves_of(*key.hierarchy);
         const unsigned deepest = std::ranges::max_element(leaves, {}, &Leaf::level)->level;
         figures.key_names.push_back(key.name);
         figures.key_rows.push_back({.name = key.name, .leaves = leaves.size(), .deepest = deepest});

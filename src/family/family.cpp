@@ -25,7 +25,7 @@ void check_roots(const Family& family, std::vector<std::string>& violations) {
     for (std::size_t i = 1; i < family.keys.size(); ++i) {
         const Key& first = family.keys.front();
         const Key& key = family.keys[i];
-        const std::string found = difference(first.hierarchy.roots, key.hierarchy.roots);
+        const std::string found = difference(first.hierarchy->roots, key.hierarchy->roots);
         if (found.empty()) continue;
         violations.push_back(fmt::format("keys \"{}\" (key 0) and \"{}\" (key {}) have different roots: {}",
                                          first.name, key.name, i, found));
@@ -75,7 +75,7 @@ UnionMesh unite(const Family& family, const Weights& weights) {
 void unite(const Family& family, const Weights& weights, UnionMesh& mesh) {
     std::vector<const Hierarchy*> active;
     active.reserve(weights.size());
-    for (const Weight& weight : weights) active.push_back(&family.keys[weight.key].hierarchy);
+    for (const Weight& weight : weights) active.push_back(&*family.keys[weight.key].hierarchy);
     unite(active, mesh);
 }
 

@@ -8,16 +8,16 @@
 #include <vector>
 
 #include "family/parameter_domain.h"
+#include "family/shared_hierarchy.h"
 #include "family/timeline.h"
 #include "family/weights.h"
-#include "hierarchy/hierarchy.h"
 #include "hierarchy/union_mesh.h"
 
 namespace interleaf {
 
 struct Key {
     std::string name;  ///< unique in its family
-    Hierarchy hierarchy;
+    SharedHierarchy hierarchy;
 };
 
 struct Family {

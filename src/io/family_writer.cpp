@@ -63,7 +63,7 @@ bool holds(const fs::path& file, const std::vector<std::byte>& bytes) {
 /// stays as it is. A file that holds just this key is used again, unless it is in \p taken. \return its name,
 /// added to \p taken
 std::string write_key(const Key& key, const fs::path& folder, std::set<std::string>& taken) {
-    const std::vector<std::byte> bytes = serialize_hierarchy(key.hierarchy);
+    const std::vector<std::byte> bytes = serialize_hierarchy(*key.hierarchy);
     const std::string stem = file_stem(key.name);
     for (unsigned number = 1;; ++number) {
         const std::string name = number == 1 ? stem + ".ilh" : fmt::format("{}-{}.ilh", stem, number);

@@ -65,9 +65,9 @@ TEST_CASE("at each corner of the domain the exported surface has the key's area 
         REQUIRE(export_to(folder / "corner.obj", {"--at", at}).status == 0);
 
         const Hierarchy obj = read_obj(folder / "corner.obj");
-        CHECK(obj.roots.triangle_count() > key.hierarchy.leaf_count());
+        CHECK(obj.roots.triangle_count() > key.hierarchy->leaf_count());
         const Measures exported = measure(obj.roots.triangles(), obj.positions);
-        const Measures own = measure(triangles_of(key.hierarchy), key.hierarchy.positions);
+        const Measures own = measure(triangles_of(*key.hierarchy), key.hierarchy->positions);
         CHECK(exported.area == doctest::Approx(own.area).epsilon(1e-6));
         CHECK(exported.volume == doctest::Approx(own.volume).epsilon(1e-6));
     }
@@ -78,7 +78,7 @@ TEST_CASE("an exported key has the faces of the exported OBJ, in their order") {
     REQUIRE(export_to(folder / "u.obj", {"--at", "0.3,0.4"}).status == 0);
     REQUIRE(export_to(folder / "u.ilh", {"--at", "0.3,0.4"}).status == 0);
     const Hierarchy key = read_hierarchy(folder / "u.ilh");
-    CHECK(key.roots == read_family(INTERLEAF_FIVE_KEYS).keys[0].hierarchy.roots);
+    CHECK(key.roots == read_family(INTERLEAF_FIVE_KEYS).keys[0].hierarchy->roots);
     CHECK(corners_of(key) == corners_of(read_obj(folder / "u.obj")));
 }
 

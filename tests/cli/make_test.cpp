@@ -102,8 +102,8 @@ TEST_CASE("the shipped family is what `make five-keys` writes") {
     REQUIRE(made.keys.size() == shipped.keys.size());
     for (std::size_t i = 0; i < made.keys.size(); ++i) {
         CAPTURE(shipped.keys[i].name);
-        const Hierarchy& ours = made.keys[i].hierarchy;
-        const Hierarchy& theirs = shipped.keys[i].hierarchy;
+        const Hierarchy& ours = *made.keys[i].hierarchy;
+        const Hierarchy& theirs = *shipped.keys[i].hierarchy;
         CHECK(made.keys[i].name == shipped.keys[i].name);
         CHECK(ours.roots == theirs.roots);
         CHECK(ours.bits == theirs.bits);

@@ -39,8 +39,8 @@ bool is_only_violation(const Family& family, std::initializer_list<const char*> 
 }
 
 bool is_stream_of(std::span<const glm::vec3> stream, const Key& key) {
-    return std::equal(stream.begin(), stream.end(), key.hierarchy.positions.begin(),
-                      key.hierarchy.positions.end());
+    return std::equal(stream.begin(), stream.end(), key.hierarchy->positions.begin(),
+                      key.hierarchy->positions.end());
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ void check_same(const Family& a, const Family& b) {
     for (std::size_t i = 0; i < a.keys.size(); ++i) {
         CAPTURE(i);
         CHECK(a.keys[i].name == b.keys[i].name);
-        CHECK(is_same(a.keys[i].hierarchy, b.keys[i].hierarchy));
+        CHECK(is_same(*a.keys[i].hierarchy, *b.keys[i].hierarchy));
     }
     CHECK(a.timeline == b.timeline);
     CHECK(a.domain == b.domain);
@@ -180,14 +180,14 @@ TEST_CASE("a single key or mesh is a family of one") {
     CHECK(one.keys.size() == 1);
     CHECK(one.name == "Kugel ü");
     CHECK(one.keys[0].name == "Kugel ü");
-    CHECK(is_same(one.keys[0].hierarchy, hierarchy));
+    CHECK(is_same(*one.keys[0].hierarchy, hierarchy));
     CHECK_FALSE(one.timeline.has_value());
     CHECK_FALSE(one.domain.has_value());
 
     const std::vector<Triangle> triangle{{2, 0, 1}};
     const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     put(folder / "mesh.OBJ", obj_text(triangle, positions));
-    CHECK(std::ranges::equal(read_family(folder / "mesh.OBJ").keys[0].hierarchy.positions, positions));
+    CHECK(std::ranges::equal(read_family(folder / "mesh.OBJ").keys[0].hierarchy->positions, positions));
 
     put(folder / "key.stl", "");
     CHECK(contains(input_error_of([&] { read_family(folder / "key.stl"); }), "ends in .json, .ilh or .obj"));
