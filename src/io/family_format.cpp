@@ -17,7 +17,10 @@ std::string utf8_of(const std::filesystem::path& path) {
 
 bool is_name(std::string_view text) {
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-    if (std::ranges::any_of(text, is_control)) return false;
+    return std::ranges::none_of(text, is_control) && is_utf8(text);
+}
+
+bool is_utf8(std::string_view text) {
     try {
         return !nlohmann::json(text).dump().empty();
     } catch (const nlohmann::json::type_error&) {

@@ -23,4 +23,6 @@ std::string utf8_of(const std::filesystem::path& path);
 /// cursor.
 bool is_name(std::string_view text);
 
+bool is_utf8(std::string_view text);
+
 }  // namespace interleaf::family_format

@@ -37,6 +37,7 @@ void set_colors(ImGuiStyle& style) {
     c[ImGuiCol_HeaderHovered] = color(52, 88, 134);
     c[ImGuiCol_HeaderActive] = color(54, 102, 163);
     c[ImGuiCol_CheckMark] = ImGui::ColorConvertU32ToFloat4(colors::accent);
+    c[ImGuiCol_ModalWindowDimBg] = color(0, 0, 0, 0);  // begin_modal() dims by itself
     c[ImGuiCol_Separator] = color(48, 53, 63);
     c[ImGuiCol_ScrollbarBg] = color(0, 0, 0, 0);
     c[ImGuiCol_ScrollbarGrab] = color(62, 68, 80);

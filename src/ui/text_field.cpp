@@ -1,0 +1,73 @@
+#include "ui/text_field.h"
+
+#include <utility>
+
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include "ui/modal.h"
+
+namespace interleaf {
+
+/// What the widget's callback works on.
+struct TextField::Edit {
+    TextField& field;
+    const Completion& completion;
+    bool tabbed = false;
+};
+
+void TextField::set(std::string text, std::size_t selected) {
+    text_ = std::move(text);
+    selected_ = selected;
+    has_new_text_ = true;
+}
+
+int TextField::edit(ImGuiInputTextCallbackData* data) {
+    Edit& edit = *static_cast<Edit*>(data->UserData);
+    const auto replace = [&](const std::string& text) {
+        data->DeleteChars(0, data->BufTextLen);
+        data->InsertChars(0, text.data(), text.data() + text.size());
+    };
+    if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
+        if (ImGui::GetIO().KeyShift) return 0;  // goes back to the part before
+        const std::string before(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+        const std::string after = edit.completion ? edit.completion(before) : before;
+        edit.tabbed = after == before;
+        if (!edit.tabbed) replace(after);
+    } else if (std::exchange(edit.field.has_new_text_, false)) {
+        // The widget holds a text of its own while it is active.
+        const std::string& text = edit.field.text_;
+        if (text != data->Buf) replace(text);
+        data->SelectionStart = 0;
+        data->SelectionEnd = data->CursorPos =
+            edit.field.selected_ > 0 ? static_cast<int>(edit.field.selected_) : data->BufTextLen;
+        if (edit.field.selected_ == 0) data->ClearSelection();
+    }
+    return 0;
+}
+
+TextFieldResult TextField::show(const char* name, const char* hint, float width, bool focused,
+                                const Completion& completion) {
+    if (focused && !had_focus_) ImGui::SetKeyboardFocusHere();
+    Edit edit{.field = *this, .completion = completion};
+    // The callback may set the widget's text from text_, which the widget writes to.
+    ImGui::SetNextItemWidth(width);
+    TextFieldResult result;
+    result.entered =
+        ImGui::InputTextWithHint(name, hint, &text_,
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways |
+                                     ImGuiInputTextFlags_CallbackCompletion,
+                                 &TextField::edit, &edit);
+    result.tabbed = edit.tabbed;
+    const bool is_active = ImGui::IsItemActive();
+    result.clicked = !focused && is_active && ImGui::IsItemActivated();
+    if (focused || is_active) draw_focus();
+    if (!focused && is_active && !result.clicked) ImGui::ClearActiveID();
+    // Where a click beside it has taken the keyboard from it, it takes it back.
+    const bool has_lost_it = had_focus_ && ImGui::IsItemDeactivated();
+    had_focus_ = (focused || result.clicked) && !has_lost_it;
+    return result;
+}
+
+}  // namespace interleaf

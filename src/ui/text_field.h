@@ -1,0 +1,46 @@
+// A line of text to edit, in a window that keeps its keyboard focus itself.
+#pragma once
+
+#include <functional>
+#include <string>
+
+struct ImGuiInputTextCallbackData;
+
+namespace interleaf {
+
+struct TextFieldResult {
+    bool entered = false;  ///< Enter was pressed in it
+    bool tabbed = false;   ///< Tab was pressed in it and completed nothing
+    bool clicked = false;  ///< into, so that it wants the focus
+};
+
+class TextField {
+  public:
+    /// What Tab makes of a text.
+    using Completion = std::function<std::string(const std::string&)>;
+
+    const std::string& text() const { return text_; }
+
+    /// \param selected  bytes at its begin to select as soon as it has the focus, so that typing replaces
+    /// them; the cursor goes behind them
+    void set(std::string text, std::size_t selected = 0);
+
+    /// Takes the focus anew, as after a message about what was entered.
+    void refocus() { had_focus_ = false; }
+
+    /// \param focused  whether it is to have the keyboard
+    /// \param hint     shown while it is empty
+    TextFieldResult show(const char* name, const char* hint, float width, bool focused,
+                         const Completion& completion = nullptr);
+
+  private:
+    struct Edit;
+    static int edit(ImGuiInputTextCallbackData* data);
+
+    std::string text_;
+    std::size_t selected_ = 0;
+    bool has_new_text_ = false;  ///< that the widget does not know yet
+    bool had_focus_ = false;
+};
+
+}  // namespace interleaf
