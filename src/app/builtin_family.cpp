@@ -4,10 +4,6 @@
 #include <string_view>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include "hierarchy/error.h"
-#include "io/family_file.h"
 #include "shapes/shapes.h"
 
 namespace interleaf {
@@ -19,15 +15,6 @@ std::filesystem::path builtin_family_folder() {
         executable.parent_path().parent_path() / "share" / "interleaf" / "families" / "five-keys";
     if (std::filesystem::is_directory(installed, error)) return installed;
     return INTERLEAF_SOURCE_FAMILY;
-}
-
-Family open_family(const std::optional<std::filesystem::path>& path) {
-    const std::filesystem::path file = path ? *path : builtin_family_folder();
-    std::error_code error;
-    if (std::filesystem::status(file, error).type() == std::filesystem::file_type::not_found) {
-        throw InputError(fmt::format("{}: there is no such file", file.string()));
-    }
-    return read_family(file);
 }
 
 Family make_five_keys() {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 
 #include "family/family.h"
 
@@ -11,10 +10,6 @@ namespace interleaf {
 /// The folder of the built-in family: ../share/interleaf/families/five-keys seen from the executable when it
 /// is installed, assets/families/five-keys of the source tree otherwise.
 std::filesystem::path builtin_family_folder();
-
-/// Reads a family from what read_family() takes; the built-in family without a \p path.
-/// \throw InputError, MachineError as read_family()
-Family open_family(const std::optional<std::filesystem::path>& path);
 
 /// Makes the built-in family: the keys icosahedron, bone, cushion, star and sphere at the corners and the
 /// middle of a square domain of four triangles, and a timeline that goes round all five along edges of the

@@ -1,9 +1,13 @@
 #include "app/command_check.h"
 
+#include <span>
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
 
-#include "app/builtin_family.h"
 #include "app/error_message.h"
+#include "app/open_family.h"
 #include "hierarchy/error.h"
 
 namespace interleaf {
@@ -12,9 +16,11 @@ namespace {
 // Readers check every invariant of what they read, so a file that can be read is sound.
 bool is_sound(const std::filesystem::path& file) {
     try {
-        const Family family = open_family(file);
+        std::vector<std::string> changes;
+        const Family family = open_family(std::span(&file, 1), &changes);
         fmt::print("{}: sound, {}\n", file.string(),
                    family.keys.size() == 1 ? "1 key" : fmt::format("{} keys", family.keys.size()));
+        for (const std::string& change : changes) fmt::print("{}: {}\n", file.string(), change);
         return true;
     } catch (const InputError& error) {
         print_error(error.what());

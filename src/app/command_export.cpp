@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "app/builtin_family.h"
+#include "app/open_family.h"
 #include "hierarchy/error.h"
 #include "hierarchy/morph.h"
 #include "io/mesh_file.h"

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/builtin_family.h"
 #include "app/figures.h"
+#include "app/open_family.h"
 #include "io/family_file.h"
 #include "io/hierarchy_file.h"
 #include "ui/number_text.h"
@@ -47,11 +47,17 @@ std::vector<Figures> figures_of(const Family& family, std::span<const std::files
     return figures;
 }
 
+/// The figures of keys together.
+Figures figures_of_keys(std::span<const Figures> keys) {
+    Figures whole = total(keys);
+    whole.form = {};
+    return whole;
+}
+
 /// The figures of all that was read: a mesh or a key, or keys and what names them.
 Figures figures_of_whole(const std::filesystem::path& file, std::span<const Figures> keys) {
-    Figures whole = total(keys);
-    if (kind_of(file) != Kind::family) return whole;
-    whole.form = {};
+    if (kind_of(file) != Kind::family) return total(keys);
+    Figures whole = figures_of_keys(keys);
     const bool is_folder = std::filesystem::is_directory(file);
     whole.file += std::filesystem::file_size(is_folder ? file / "family.json" : file);
     return whole;
@@ -176,10 +182,13 @@ void print_text(Kind kind, const Family& family, std::span<const Figures> keys, 
 }  // namespace
 
 void run_info(const InfoOptions& options) {
-    const Family family = open_family(options.file);
-    const Kind kind = kind_of(options.file);
-    const std::vector<Figures> keys = figures_of(family, key_files(options.file));
-    const Figures whole = figures_of_whole(options.file, keys);
+    const std::vector<std::filesystem::path> files = files_of(std::span(&options.file, 1));
+    const Family family = open_family(files);
+    // Several files are the keys of a family that has no file of its own.
+    const bool is_one = files.size() == 1;
+    const Kind kind = is_one ? kind_of(files.front()) : Kind::family;
+    const std::vector<Figures> keys = figures_of(family, is_one ? key_files(files.front()) : files);
+    const Figures whole = is_one ? figures_of_whole(files.front(), keys) : figures_of_keys(keys);
     (options.json ? print_json : print_text)(kind, family, keys, whole);
 }
 

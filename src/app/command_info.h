@@ -6,7 +6,7 @@
 namespace interleaf {
 
 struct InfoOptions {
-    std::filesystem::path file;  ///< what read_family() takes
+    std::filesystem::path file;  ///< one path that open_family() takes
     bool json = false;
 };
 

@@ -16,6 +16,7 @@
 
 #include "app/command_check.h"
 #include "app/command_export.h"
+#include "app/command_family.h"
 #include "app/command_info.h"
 #include "app/command_make.h"
 #include "app/command_render.h"
@@ -30,7 +31,12 @@ namespace {
 enum ExitStatus { done = 0, input_at_fault = 1, command_line_at_fault = 2, machine_at_fault = 3 };
 
 constexpr const char* family_help =
-    "A family.json, its folder, or one .ilh or .obj file; the built-in five keys if left out";
+    "A family.json, its folder, an .ilh or .obj file, or a pattern such as 'flow.*.obj' for several; the "
+    "built-in five keys if left out";
+
+constexpr const char* viewed_help =
+    "A family.json, its folder, or .ilh or .obj files, several making a new family; a pattern such as "
+    "'flow.*.obj' stands for the files that match; the built-in five keys if left out";
 
 /// Help without what its readers need not know: the types of names, and which options exclude which.
 class HelpFormatter : public CLI::Formatter {
@@ -64,9 +70,17 @@ CLI::Option* add_text_option(CLI::App& command, const std::string& name, const s
     return command.add_option_function<std::string>(name, named_take, description);
 }
 
-void add_family(CLI::App& command, std::optional<std::filesystem::path>& family) {
+void add_family(CLI::App& command, std::vector<std::filesystem::path>& family) {
     command.add_option_function<std::string>(
-        "FAMILY", [&family](const std::string& path) { family = path; }, family_help);
+        "FAMILY", [&family](const std::string& path) { family = {path}; }, family_help);
+}
+
+/// The same, or several key files, which make a family.
+CLI::Option* add_family_or_keys(CLI::App& command, const std::string& name, const std::string& help,
+                                std::vector<std::filesystem::path>& family) {
+    return command.add_option_function<std::vector<std::string>>(
+        name, [&family](const std::vector<std::string>& paths) { family.assign(paths.begin(), paths.end()); },
+        help);
 }
 
 void add_morph_selection(CLI::App& command, MorphSelection& morph) {
@@ -126,7 +140,7 @@ void add_display(CLI::App& command, Display& display) {
 void add_view(CLI::App& program) {
     const auto options = std::make_shared<ViewOptions>();
     CLI::App* command = program.add_subcommand("view", "Open the viewer");
-    add_family(*command, options->family);
+    add_family_or_keys(*command, "FAMILY", viewed_help, options->family);
     add_text_option(*command, "--size", "Size of the window",
                     [options](const std::string& text) {
                         const PictureSize size = parse_size(text);
@@ -204,7 +218,7 @@ void add_info(CLI::App& program) {
     command
         ->add_option_function<std::string>(
             "FILE", [options](const std::string& path) { options->file = path; },
-            "A family.json, its folder, or an .ilh or .obj file")
+            "A family.json, its folder, an .ilh or .obj file, or a pattern for several")
         ->required();
     command->add_flag("--json", options->json, "Print JSON");
     command->final_callback([options] { run_info(*options); });
@@ -215,7 +229,8 @@ void add_check(CLI::App& program, bool& all_sound) {
     const auto files = std::make_shared<std::vector<std::string>>();
     CLI::App* command =
         program.add_subcommand("check", "Check every invariant of keys and constraints (B) of families");
-    command->add_option("FILE", *files, "family.json files, their folders, .ilh or .obj files")->required();
+    command->add_option("FILE", *files, "family.json files, their folders, .ilh or .obj files, patterns")
+        ->required();
     command->final_callback([files, &all_sound] {
         all_sound = run_check(std::vector<std::filesystem::path>(files->begin(), files->end()));
     });
@@ -257,16 +272,38 @@ void add_make(CLI::App& program) {
         "  interleaf make five-keys -o assets/families/five-keys");
 }
 
-/// `interleaf [FAMILY]`: what is not a command is a family to view.
+void add_family_command(CLI::App& program) {
+    const auto options = std::make_shared<FamilyOptions>();
+    CLI::App* command = program.add_subcommand("family", "Make a family folder from keys");
+    add_family_or_keys(*command, "KEY",
+                       ".ilh files, whose roots are put over those of the first, or .obj files with the same "
+                       "faces; or a pattern",
+                       options->keys)
+        ->required();
+    command
+        ->add_option_function<std::string>(
+            "-o,--output", [options](const std::string& folder) { options->output = folder; },
+            "The folder to write")
+        ->required()
+        ->type_name("FOLDER");
+    command->final_callback([options] { run_family(*options); });
+    command->footer(
+        "Examples:\n"
+        "  interleaf family sphere.ilh star.ilh bone.ilh -o three-keys\n"
+        "  interleaf family 'flow.*.obj' -o flow");
+}
+
+/// `interleaf [FAMILY...]`: what is not a command is a family to view.
 void add_bare_view(CLI::App& program) {
     const auto options = std::make_shared<ViewOptions>();
-    add_family(program, options->family);
+    add_family_or_keys(program, "FAMILY", viewed_help, options->family);
     program.final_callback([options, &program] {
         if (!program.get_subcommands().empty()) return;
         std::error_code error;
-        if (options->family && !options->family->has_extension() &&
-            !std::filesystem::exists(*options->family, error)) {
-            throw UsageError(fmt::format("{}: neither a command nor a file", options->family->string()));
+        if (!options->family.empty() && !options->family.front().has_extension() &&
+            !std::filesystem::exists(options->family.front(), error)) {
+            throw UsageError(
+                fmt::format("{}: neither a command nor a file", options->family.front().string()));
         }
         run_view(*options);
     });
@@ -281,6 +318,7 @@ ExitStatus run(CLI::App& program, int argument_count, const char* const* argumen
     add_info(program);
     add_check(program, all_sound);
     add_make(program);
+    add_family_command(program);
     add_bare_view(program);
     program.parse(argument_count, arguments);
     return all_sound ? done : input_at_fault;

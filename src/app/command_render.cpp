@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "app/builtin_family.h"
 #include "app/family_extent.h"
+#include "app/open_family.h"
 #include "hierarchy/vertex_normals.h"
 #include "io/mesh_file.h"
 #include "render/camera.h"

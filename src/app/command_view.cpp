@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "app/builtin_family.h"
+#include "app/open_family.h"
 #include "render/context.h"
 
 namespace interleaf {

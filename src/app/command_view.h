@@ -2,14 +2,14 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <vector>
 
 #include "app/viewer.h"
 
 namespace interleaf {
 
 struct ViewOptions {
-    std::optional<std::filesystem::path> family;  ///< none for the built-in family
+    std::vector<std::filesystem::path> family;  ///< what open_family() takes: none for the built-in one
     ViewerOptions viewer;
 };
 

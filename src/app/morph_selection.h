@@ -20,7 +20,7 @@ struct NamedWeight {
 
 /// At most one of `at`, `time` and `weights` is set.
 struct MorphSelection {
-    std::optional<std::filesystem::path> family;      ///< none for the built-in family
+    std::vector<std::filesystem::path> family;        ///< what open_family() takes: none for the built-in one
     std::optional<glm::dvec2> at;                     ///< point of the parameter domain
     std::optional<double> time;                       ///< seconds on the timeline
     std::optional<std::vector<NamedWeight>> weights;  ///< used as given

@@ -124,20 +124,32 @@ void require_one_fan_a_vertex(Index vertex_count, const std::vector<Triangle>& t
 
 }  // namespace
 
-RootComplex::RootComplex(Index vertex_count, std::vector<Triangle> triangles)
-    : vertex_count_(vertex_count), triangles_(std::move(triangles)) {
-    require_indices(vertex_count_, triangles_);
-    neighbours_ = match_sides(triangles_);
-    require_different_triangles(neighbours_);
-    require_one_fan_a_vertex(vertex_count_, triangles_, neighbours_);
-    for (const Triangle& sides : neighbours_)
-        boundary_edge_count_ += static_cast<Index>(std::count(sides.begin(), sides.end(), no_index));
+RootComplex::RootComplex() {
+    static const auto empty = std::make_shared<const Connectivity>();
+    connectivity_ = empty;
+}
+
+RootComplex::RootComplex(Index vertex_count, std::vector<Triangle> triangles) {
+    require_indices(vertex_count, triangles);
+    std::vector<Triangle> neighbours = match_sides(triangles);
+    require_different_triangles(neighbours);
+    require_one_fan_a_vertex(vertex_count, triangles, neighbours);
+    Index boundary_edge_count = 0;
+    for (const Triangle& sides : neighbours)
+        boundary_edge_count += static_cast<Index>(std::count(sides.begin(), sides.end(), no_index));
+    connectivity_ = std::make_shared<const Connectivity>(
+        Connectivity{vertex_count, boundary_edge_count, std::move(triangles), std::move(neighbours)});
+}
+
+bool RootComplex::operator==(const RootComplex& other) const {
+    return connectivity_ == other.connectivity_ ||
+           (vertex_count() == other.vertex_count() && std::ranges::equal(triangles(), other.triangles()));
 }
 
 int RootComplex::euler_number() const {
-    const auto vertices = static_cast<std::int64_t>(vertex_count_);
-    const auto faces = static_cast<std::int64_t>(triangles_.size());
-    const auto edges = (3 * faces + boundary_edge_count_) / 2;
+    const auto vertices = static_cast<std::int64_t>(vertex_count());
+    const auto faces = static_cast<std::int64_t>(triangle_count());
+    const auto edges = (3 * faces + boundary_edge_count()) / 2;
     return static_cast<int>(vertices - edges + faces);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,19 @@
 namespace interleaf {
 
 /// Reads a family from a family.json, from the folder that holds one, or, as a family of one key, from a
-/// single .ilh or .obj file. Key files must lie inside the family's folder. What was read has passed check().
+/// single .ilh or .obj file. Key files must lie inside the family's folder. Keys whose roots are numbered
+/// otherwise than those of the first are put over these. What was read has passed check().
+/// \param  changes     gets a sentence for each key that was changed for that
 /// \throw InputError   naming the file, the place and what was expected
 /// \throw MachineError when a file cannot be opened or read
-Family read_family(const std::filesystem::path& path);
+Family read_family(const std::filesystem::path& path, std::vector<std::string>* changes = nullptr);
+
+/// A new family from key files: .ilh, whose roots are put over those of the first, or .obj. If all are .obj,
+/// they must have the same faces; an .obj among .ilh is a key without bisections. Keys are called as their
+/// files. Timeline and domain are those of family_of_keys().
+/// \param  changes, \throw as read_family()
+/// \pre    there is a file
+Family read_keys(std::span<const std::filesystem::path> files, std::vector<std::string>* changes = nullptr);
 
 /// The files of the keys that read_family() finds at \p path, in the keys' order.
 /// \throw InputError, MachineError as read_family(), for what names them

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "family/new_family.h"
+#include "family/synchronise_keys.h"
 #include "hierarchy/error.h"
 #include "io/family_file.h"
 #include "io/family_format.h"
@@ -78,6 +80,45 @@ std::vector<Key> keys_at(const JsonPlace& place, const fs::path& folder) {
     }
     if (!faults.empty()) throw InputError(joined(faults, "; "));
     return keys;
+}
+
+/// The permutations that keys give by hand: one for each key, empty where there is none.
+std::vector<std::vector<Index>> given_roots(const JsonPlace& place, std::span<const Key> keys) {
+    std::vector<std::vector<Index>> given(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const auto roots = place.element(i).optional_member("roots");
+        if (!roots) continue;
+        if (i == 0) roots->fail("is there, but it is the first key that numbers the roots; expected none");
+        const Index count = keys[i].hierarchy.roots.triangle_count();
+        if (roots->size() != count)
+            roots->fail(
+                fmt::format("has {} numbers, expected one for each of the {} roots", roots->size(), count));
+        std::vector<Index> place_of(count, no_index);
+        given[i].reserve(count);
+        for (std::size_t r = 0; r < count; ++r) {
+            const JsonPlace number = roots->element(r);
+            const Index root = number.index_below(count);
+            if (place_of[root] != no_index)
+                number.fail(
+                    fmt::format("is {}, as roots[{}]; expected each root once", root, place_of[root]));
+            place_of[root] = static_cast<Index>(r);
+            given[i].push_back(root);
+        }
+    }
+    return given;
+}
+
+/// Puts all keys over the roots of the first. \p place_of says where a key was read from.
+template <typename PlaceOf>
+void synchronise_all(std::span<Key> keys, std::span<const std::vector<Index>> given, const PlaceOf& place_of,
+                     std::vector<std::string>* changes) {
+    const Synchronisation synchronisation = synchronise(keys, given);
+    std::vector<std::string> faults;
+    for (const KeyMismatch& mismatch : synchronisation.mismatches)
+        faults.push_back(fmt::format("{}: {}", place_of(mismatch.key), mismatch.text));
+    if (!faults.empty()) throw InputError(joined(faults, "; "));
+    if (changes != nullptr)
+        changes->insert(changes->end(), synchronisation.changes.begin(), synchronisation.changes.end());
 }
 
 /// Index of the key that is named at a place.
@@ -156,7 +197,7 @@ fs::path folder_of(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : ".";
 }
 
-Family read_family_json(const fs::path& file) {
+Family read_family_json(const fs::path& file, std::vector<std::string>* changes) {
     const nlohmann::json document = parse_family_json(file);
     const JsonPlace root(document, file.string());
     const JsonPlace format = root.member("format");
@@ -170,6 +211,12 @@ Family read_family_json(const fs::path& file) {
     family.name = name_at(root.member("name"));
     const JsonPlace keys = root.member("keys");
     family.keys = keys_at(keys, folder_of(file));
+    if (!family.keys.empty()) {
+        const auto place_of = [&](std::size_t key) {
+            return fmt::format("{}: keys[{}]", file.string(), key);
+        };
+        synchronise_all(family.keys, given_roots(keys, family.keys), place_of, changes);
+    }
     if (const auto violations = check(family); !violations.empty()) keys.fail(joined(violations, "; "));
 
     const KeyNames names(family.keys);
@@ -179,12 +226,26 @@ Family read_family_json(const fs::path& file) {
     return family;
 }
 
-Family family_of_one(const fs::path& file, Hierarchy hierarchy) {
-    const std::string name = family_format::utf8_of(file.stem());
-    Family family;
-    family.name = name;
-    family.keys.push_back({name, std::move(hierarchy)});
-    return family;
+std::string name_of(const fs::path& file) {
+    return family_format::utf8_of(file.stem());
+}
+
+bool is_mesh(const fs::path& file) {
+    return lower_case_extension(file) == ".obj";
+}
+
+Hierarchy read_key(const fs::path& file) {
+    if (is_mesh(file)) return read_obj(file);
+    if (lower_case_extension(file) == ".ilh") return read_hierarchy(file);
+    throw InputError(fmt::format("{}: expected a file that ends in .ilh or .obj", file.string()));
+}
+
+std::vector<Hierarchy> read_all(std::span<const fs::path> files) {
+    if (std::ranges::all_of(files, is_mesh)) return read_obj_series(files);
+    std::vector<Hierarchy> hierarchies;
+    hierarchies.reserve(files.size());
+    for (const fs::path& file : files) hierarchies.push_back(read_key(file));
+    return hierarchies;
 }
 
 }  // namespace
@@ -210,15 +271,27 @@ std::vector<fs::path> key_files(const fs::path& path) {
     return files;
 }
 
-Family read_family(const fs::path& path) {
+Family read_family(const fs::path& path, std::vector<std::string>* changes) {
     std::error_code ignored;
-    if (fs::is_directory(path, ignored)) return read_family_json(path / "family.json");
+    if (fs::is_directory(path, ignored)) return read_family_json(path / "family.json", changes);
     const std::string extension = lower_case_extension(path);
-    if (extension == ".json") return read_family_json(path);
-    if (extension == ".ilh") return family_of_one(path, read_hierarchy(path));
-    if (extension == ".obj") return family_of_one(path, read_obj(path));
+    if (extension == ".json") return read_family_json(path, changes);
+    if (extension == ".ilh" || extension == ".obj") return read_keys(std::span(&path, 1), changes);
     throw InputError(
         fmt::format("{}: expected a folder, or a file that ends in .json, .ilh or .obj", path.string()));
+}
+
+Family read_keys(std::span<const fs::path> files, std::vector<std::string>* changes) {
+    std::vector<Key> keys;
+    keys.reserve(files.size());
+    for (Hierarchy& hierarchy : read_all(files))
+        keys.push_back({name_of(files[keys.size()]), std::move(hierarchy)});
+    synchronise_all(
+        keys, {}, [&](std::size_t key) { return files[key].string(); }, changes);
+    const std::string name = files.size() == 1
+                                 ? name_of(files.front())
+                                 : fmt::format("{} to {}", name_of(files.front()), name_of(files.back()));
+    return family_of_keys(name, std::move(keys));
 }
 
 }  // namespace interleaf

@@ -1,5 +1,6 @@
 #include "io/mesh_file.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 #include <vector>
@@ -20,10 +21,14 @@ constexpr std::uint64_t largest_obj = std::uint64_t{1} << 30;
 
 /// The faces as triangles, polygons divided by tinyobjloader.
 std::vector<Triangle> triangulated(const ObjLines& lines, std::string_view name) {
+    std::string text;
+    for (const glm::vec3& p : lines.positions)
+        fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x, p.y, p.z);
+    text += lines.faces;
     tinyobj::ObjReader reader;
     tinyobj::ObjReaderConfig options;
     options.vertex_color = false;
-    if (!reader.ParseFromString(lines.text, "", options))
+    if (!reader.ParseFromString(text, "", options))
         throw InputError(fmt::format("{}: {}", name, reader.Error()));
 
     std::vector<Triangle> triangles;
@@ -40,22 +45,85 @@ std::vector<Triangle> triangulated(const ObjLines& lines, std::string_view name)
     return triangles;
 }
 
-/// Drops the vertices that no triangle uses; the others keep their order.
-void drop_unused(std::vector<Triangle>& triangles, std::vector<glm::vec3>& positions) {
-    std::vector<bool> used(positions.size(), false);
+/// The vertices that triangles use, in their order.
+std::vector<Index> used_vertices(const std::vector<Triangle>& triangles, std::size_t vertex_count) {
+    std::vector<bool> is_used(vertex_count, false);
     for (const Triangle& triangle : triangles)
-        for (const Index vertex : triangle) used[vertex] = true;
+        for (const Index vertex : triangle) is_used[vertex] = true;
+    std::vector<Index> used;
+    for (Index vertex = 0; vertex < vertex_count; ++vertex)
+        if (is_used[vertex]) used.push_back(vertex);
+    return used;
+}
 
-    std::vector<Index> new_index(positions.size());
-    Index count = 0;
-    for (std::size_t vertex = 0; vertex < positions.size(); ++vertex)
-        if (used[vertex]) {
-            positions[count] = positions[vertex];
-            new_index[vertex] = count++;
-        }
-    positions.resize(count);
+/// The triangles in the numbers that their vertices have in \p used.
+std::vector<Triangle> renumbered(std::vector<Triangle> triangles, const std::vector<Index>& used,
+                                 std::size_t vertex_count) {
+    std::vector<Index> number(vertex_count);
+    for (Index n = 0; n < used.size(); ++n) number[used[n]] = n;
     for (Triangle& triangle : triangles)
-        for (Index& vertex : triangle) vertex = new_index[vertex];
+        for (Index& vertex : triangle) vertex = number[vertex];
+    return triangles;
+}
+
+std::vector<glm::vec3> picked(const std::vector<glm::vec3>& positions, const std::vector<Index>& used) {
+    std::vector<glm::vec3> result;
+    result.reserve(used.size());
+    for (const Index vertex : used) result.push_back(positions[vertex]);
+    return result;
+}
+
+/// The first of several OBJ files with the same faces, and what the others take from it.
+struct ObjModel {
+    std::string name;
+    std::string faces;
+    std::vector<Index> used;
+    Hierarchy hierarchy;
+};
+
+ObjModel read_model(const std::filesystem::path& file) {
+    ObjModel model;
+    model.name = file.string();
+    ObjLines lines = read_obj_lines(read_text(file, largest_obj), model.name);
+    const std::vector<Triangle> triangles = triangulated(lines, model.name);
+    const std::size_t vertex_count = lines.positions.size();
+    model.used = used_vertices(triangles, vertex_count);
+    try {
+        const auto used_count = static_cast<Index>(model.used.size());
+        model.hierarchy = unrefined(RootComplex(used_count, renumbered(triangles, model.used, vertex_count)),
+                                    picked(lines.positions, model.used));
+    } catch (const InputError& error) {
+        throw InputError(
+            fmt::format("{}: faces (counted from 0, as triangles): {}", model.name, error.what()));
+    }
+    model.faces = std::move(lines.faces);
+    return model;
+}
+
+/// "f 1 2 3" as "(1, 2, 3)".
+std::string corners_text(std::string_view line) {
+    constexpr std::size_t longest = 60;
+    std::string text = "(";
+    for (const char c : line.substr(std::min<std::size_t>(line.size(), 2), longest))
+        text += c == ' ' ? std::string(", ") : std::string(1, c);
+    return text + (line.size() > longest + 2 ? "...)" : ")");
+}
+
+/// Where \p faces differ from those of \p model, which they do.
+std::string first_difference(std::string_view faces, const ObjModel& model) {
+    std::string_view expected = model.faces;
+    for (std::size_t face = 1;; ++face) {
+        const std::string_view line = faces.substr(0, faces.find('\n'));
+        const std::string_view expected_line = expected.substr(0, expected.find('\n'));
+        if (expected.empty())
+            return fmt::format("face {}: expected {} faces, as {} has", face, face - 1, model.name);
+        if (faces.empty()) return fmt::format("has {} faces, expected more, as {} has", face - 1, model.name);
+        if (line != expected_line)
+            return fmt::format("face {}: has the vertices {}, expected {} as in {} (counted from 1)", face,
+                               corners_text(line), corners_text(expected_line), model.name);
+        faces.remove_prefix(line.size() + 1);
+        expected.remove_prefix(expected_line.size() + 1);
+    }
 }
 
 void append_bytes(std::string& bytes, const void* data, std::size_t size) {
@@ -65,16 +133,23 @@ void append_bytes(std::string& bytes, const void* data, std::size_t size) {
 }  // namespace
 
 Hierarchy read_obj(const std::filesystem::path& file) {
-    const std::string name = file.string();
-    ObjLines lines = read_obj_lines(read_text(file, largest_obj), name);
-    std::vector<Triangle> triangles = triangulated(lines, name);
-    drop_unused(triangles, lines.positions);
-    try {
-        const auto vertex_count = static_cast<Index>(lines.positions.size());
-        return unrefined(RootComplex(vertex_count, std::move(triangles)), lines.positions);
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: faces (counted from 0, as triangles): {}", name, error.what()));
+    return read_model(file).hierarchy;
+}
+
+std::vector<Hierarchy> read_obj_series(std::span<const std::filesystem::path> files) {
+    std::vector<Hierarchy> series;
+    if (files.empty()) return series;
+    series.reserve(files.size());
+    const ObjModel model = read_model(files.front());
+    series.push_back(model.hierarchy);
+    for (const std::filesystem::path& file : files.subspan(1)) {
+        const std::string name = file.string();
+        const ObjLines lines = read_obj_lines(read_text(file, largest_obj), name);
+        if (lines.faces != model.faces)
+            throw InputError(fmt::format("{}: {}", name, first_difference(lines.faces, model)));
+        series.push_back(unrefined(model.hierarchy.roots, picked(lines.positions, model.used)));
     }
+    return series;
 }
 
 std::string obj_text(std::span<const Triangle> triangles, std::span<const glm::vec3> positions) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -18,6 +19,11 @@ namespace interleaf {
 /// naming the file, the place and what was expected \throw MachineError when the file cannot be opened or
 /// read
 Hierarchy read_obj(const std::filesystem::path& file);
+
+/// Reads OBJ files that have the same faces, vertex for vertex, as read_obj() reads the first: it decides how
+/// polygons are triangulated and which vertices are dropped. All share one root complex. \throw InputError,
+/// MachineError as read_obj(); naming the first face that differs from the first file's
+std::vector<Hierarchy> read_obj_series(std::span<const std::filesystem::path> files);
 
 /// Wavefront OBJ as text. Floats are written so that they are read back the same. Each face begins with the
 /// vertex opposite its refinement edge.

@@ -95,19 +95,18 @@ class Reader {
             position[axis] = *number;
         }
         lines_.positions.push_back(position);
-        fmt::format_to(std::back_inserter(lines_.text), "v {} {} {}\n", position.x, position.y, position.z);
     }
 
     void read_face(std::string_view line) {
-        lines_.text += 'f';
+        lines_.faces += 'f';
         std::size_t corners = 0;
         for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-            fmt::format_to(std::back_inserter(lines_.text), " {}", vertex_number(word));
+            fmt::format_to(std::back_inserter(lines_.faces), " {}", vertex_number(word));
             ++corners;
         }
         if (corners < 3 || corners > most_corners)
             fail(fmt::format("a face of {} vertices, expected 3 to {}", corners, most_corners));
-        lines_.text += '\n';
+        lines_.faces += '\n';
         lines_.triangle_count += corners - 2;
     }
 

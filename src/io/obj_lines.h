@@ -16,7 +16,7 @@ namespace interleaf {
 
 struct ObjLines {
     std::vector<glm::vec3> positions;
-    std::string text;  ///< OBJ of the v and f lines alone, faces with vertex numbers from 1 and nothing else
+    std::string faces;  ///< the f lines with vertex numbers from 1 and nothing else: OBJ for itself
     std::size_t triangle_count = 0;  ///< triangles in the faces once they are triangulated
 };
 

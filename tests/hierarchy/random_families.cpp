@@ -34,37 +34,6 @@ RootComplex shuffled(const RootComplex& roots, Random& random) {
     return {roots.vertex_count(), std::move(triangles)};
 }
 
-/// The complex of the given triangles; unused vertices are dropped.
-RootComplex compacted(const std::vector<Triangle>& triangles) {
-    std::map<Index, Index> number;
-    std::vector<Triangle> result = triangles;
-    for (Triangle& triangle : result)
-        for (Index& vertex : triangle)
-            vertex = number.try_emplace(vertex, static_cast<Index>(number.size())).first->second;
-    return {static_cast<Index>(number.size()), std::move(result)};
-}
-
-/// Cuts up to \p count triangles out, where what remains is a manifold.
-RootComplex cut_open(RootComplex roots, std::size_t count, Random& random) {
-    for (std::size_t n = 0; n < count && roots.triangle_count() > 2; ++n) {
-        std::vector<Triangle> rest(roots.triangles().begin(), roots.triangles().end());
-        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(random.below(rest.size())));
-        try {
-            roots = compacted(rest);
-        } catch (const InputError&) {
-            continue;  // the rest would hang together at one vertex only
-        }
-    }
-    return roots;
-}
-
-RootComplex side_by_side(const RootComplex& a, const RootComplex& b) {
-    std::vector<Triangle> triangles(a.triangles().begin(), a.triangles().end());
-    for (const auto& [i, j, k] : b.triangles())
-        triangles.push_back({i + a.vertex_count(), j + a.vertex_count(), k + a.vertex_count()});
-    return {a.vertex_count() + b.vertex_count(), std::move(triangles)};
-}
-
 RootComplex random_piece(Random& random) {
     const auto size = [&](unsigned from, unsigned choices) {
         return from + static_cast<unsigned>(random.below(choices));
@@ -95,6 +64,35 @@ std::vector<const Hierarchy*> RandomFamily::key_pointers() const {
     std::vector<const Hierarchy*> pointers;
     for (const Hierarchy& key : keys) pointers.push_back(&key);
     return pointers;
+}
+
+RootComplex compacted(const std::vector<Triangle>& triangles) {
+    std::map<Index, Index> number;
+    std::vector<Triangle> result = triangles;
+    for (Triangle& triangle : result)
+        for (Index& vertex : triangle)
+            vertex = number.try_emplace(vertex, static_cast<Index>(number.size())).first->second;
+    return {static_cast<Index>(number.size()), std::move(result)};
+}
+
+RootComplex cut_open(RootComplex roots, std::size_t count, Random& random) {
+    for (std::size_t n = 0; n < count && roots.triangle_count() > 2; ++n) {
+        std::vector<Triangle> rest(roots.triangles().begin(), roots.triangles().end());
+        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(random.below(rest.size())));
+        try {
+            roots = compacted(rest);
+        } catch (const InputError&) {
+            continue;  // the rest would hang together at one vertex only
+        }
+    }
+    return roots;
+}
+
+RootComplex side_by_side(const RootComplex& a, const RootComplex& b) {
+    std::vector<Triangle> triangles(a.triangles().begin(), a.triangles().end());
+    for (const auto& [i, j, k] : b.triangles())
+        triangles.push_back({i + a.vertex_count(), j + a.vertex_count(), k + a.vertex_count()});
+    return {a.vertex_count() + b.vertex_count(), std::move(triangles)};
 }
 
 RootComplex plate(unsigned genus) {

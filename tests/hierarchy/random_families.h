@@ -44,6 +44,15 @@ struct RandomFamily {
     std::vector<const Hierarchy*> key_pointers() const;
 };
 
+/// The complex of the given triangles; unused vertices are dropped.
+RootComplex compacted(const std::vector<Triangle>& triangles);
+
+/// Cuts up to \p count triangles out, where what remains is a manifold.
+RootComplex cut_open(RootComplex roots, std::size_t count, Random& random);
+
+/// \p a and \p b as two components of one complex.
+RootComplex side_by_side(const RootComplex& a, const RootComplex& b);
+
 /// The surface of a plate of cubes with \p genus holes, each square split by a diagonal.
 RootComplex plate(unsigned genus);
 

@@ -1,0 +1,18 @@
+#include "app/command_family.h"
+
+#include <string>
+
+#include "app/error_message.h"
+#include "app/open_family.h"
+#include "io/family_file.h"
+
+namespace interleaf {
+
+void run_family(const FamilyOptions& options) {
+    std::vector<std::string> changes;
+    const Family family = open_family(options.keys, &changes);
+    write_family(family, options.output);
+    for (const std::string& change : changes) print_error(change);
+}
+
+}  // namespace interleaf

@@ -1,0 +1,118 @@
+#include "family/synchronise_keys.h"
+
+#include <algorithm>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "hierarchy/synchronise.h"
+
+namespace interleaf {
+
+namespace {
+
+bool is_bisected(const Key& key) {
+    return !key.hierarchy.midpoints.empty();
+}
+
+class Synchroniser {
+  public:
+    Synchroniser(std::span<Key> keys, std::span<const std::vector<Index>> given)
+        : keys_(keys), given_(given) {}
+
+    Synchronisation run() {
+        mark_first();
+        for (std::size_t key = 1; key < keys_.size(); ++key) synchronise(key);
+        return std::move(result_);
+    }
+
+  private:
+    const Hierarchy& first() const { return keys_.front().hierarchy; }
+
+    std::span<const Index> given(std::size_t key) const {
+        return key < given_.size() ? std::span<const Index>(given_[key]) : std::span<const Index>();
+    }
+
+    std::variant<RootMatch, RootMismatch> match(std::size_t key, bool marked) const {
+        return match_roots(placed_roots(first()), placed_roots(keys_[key].hierarchy),
+                           {.marked = marked, .given = given(key)});
+    }
+
+    /// Gives the first key, if nothing is bisected in it, the refinement edges of the first key with
+    /// bisections.
+    void mark_first() {
+        if (is_bisected(keys_.front())) return;
+        const auto marking = std::find_if(keys_.begin(), keys_.end(), is_bisected);
+        if (marking == keys_.end()) return;
+        const auto key = static_cast<std::size_t>(marking - keys_.begin());
+        if (marking->hierarchy.roots == first().roots && given(key).empty()) return;
+        const auto found = match(key, false);
+        const auto* const correspondence = std::get_if<RootMatch>(&found);
+        if (correspondence == nullptr) return;  // synchronise() will say why
+        const RootComplex roots = with_marking_of(first().roots, marking->hierarchy.roots, *correspondence);
+        if (roots == first().roots) return;
+        keys_.front().hierarchy.roots = roots;
+        marked_as_ = marking->name;
+        result_.changes.push_back(
+            fmt::format("key {}: nothing is bisected, so its roots took the refinement edges of key {}'s",
+                        keys_.front().name, marking->name));
+    }
+
+    void synchronise(std::size_t key) {
+        Hierarchy& hierarchy = keys_[key].hierarchy;
+        if (hierarchy.roots == first().roots && given(key).empty()) {
+            hierarchy.roots = first().roots;  // one memory for all
+            return;
+        }
+        const auto found = match(key, is_bisected(keys_[key]));
+        if (const auto* const mismatch = std::get_if<RootMismatch>(&found)) {
+            result_.mismatches.push_back({key, *mismatch, text(key, *mismatch)});
+            return;
+        }
+        const RootMatch& correspondence = std::get<RootMatch>(found);
+        if (const std::string change = change_of(key, correspondence); !change.empty())
+            result_.changes.push_back(change);
+        hierarchy = with_roots_of(first().roots, hierarchy, correspondence);
+    }
+
+    std::string change_of(std::size_t key, const RootMatch& match) const {
+        const auto triangles = keys_[key].hierarchy.roots.triangles();
+        const bool is_renumbered =
+            !std::ranges::is_sorted(match.roots) || !std::ranges::is_sorted(match.vertices);
+        std::size_t remarked = 0;
+        for (std::size_t r = 0; r < triangles.size(); ++r)
+            if (match.vertices[first().roots.triangles()[r][0]] != triangles[match.roots[r]][0]) ++remarked;
+        std::string change;
+        if (is_renumbered)
+            change = fmt::format("its roots were renumbered as key {} has them{}", keys_.front().name,
+                                 given(key).empty() ? "" : ", by the given permutation");
+        if (remarked > 0)
+            change +=
+                fmt::format("{}nothing is bisected in it, so {} of its {} roots took other refinement edges",
+                            is_renumbered ? "; " : "", remarked, triangles.size());
+        return change.empty() ? change : fmt::format("key {}: {}", keys_[key].name, change);
+    }
+
+    std::string text(std::size_t key, const RootMismatch& mismatch) const {
+        std::string text = text_of(mismatch, keys_[key].name, keys_.front().name);
+        if (mismatch.kind != RootMismatch::Kind::refinement_edge) return text;
+        // Here the key is bisected: it would have been marked anew otherwise.
+        return text + (marked_as_.empty() ? "; both keys are bisected, so neither can be marked anew"
+                                          : fmt::format("; its roots are marked as those of key {}, and both "
+                                                        "are bisected, so neither can be marked anew",
+                                                        marked_as_));
+    }
+
+    std::span<Key> keys_;
+    std::span<const std::vector<Index>> given_;
+    std::string marked_as_;  ///< the key whose refinement edges the first took
+    Synchronisation result_;
+};
+
+}  // namespace
+
+Synchronisation synchronise(std::span<Key> keys, std::span<const std::vector<Index>> given) {
+    return Synchroniser(keys, given).run();
+}
+
+}  // namespace interleaf
