@@ -12,7 +12,9 @@ namespace interleaf {
 void run_view(const ViewOptions& options) {
     Family family = open_family(options.family);
     try {
-        run_viewer(std::move(family), options.viewer);
+        run_viewer(std::move(family),
+                   options.family.empty() ? std::vector<std::filesystem::path>() : files_of(options.family),
+                   options.viewer);
     } catch (const DisplayError& error) {
         const bool has_display =
             std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;

@@ -9,6 +9,8 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include "app/edit_commands.h"
+
 namespace interleaf {
 
 namespace {
@@ -53,12 +55,145 @@ bool is_on(const ViewerState& state) {
     return state.session.display.*line;
 }
 
+template <FileWish wish>
+void wish_for(ViewerState& state, double) {
+    state.file_wish = wish;
+}
+
+bool has_selected_key(const ViewerState& state) {
+    return state.selected_key.has_value();
+}
+
+bool has_domain(const ViewerState& state) {
+    return state.document.family().domain.has_value();
+}
+
+std::string step_label(const char* command, const std::string* step) {
+    return step != nullptr ? fmt::format("{} {}", command, *step) : command;
+}
+
 constexpr Command table[] = {
     {"File",
-     "Quit",
-     {{{GLFW_KEY_Q, GLFW_MOD_CONTROL}}},
-     "Close the window",
-     [](ViewerState& state, double) { state.quit_wanted = true; }},
+     "Open",
+     {{{GLFW_KEY_O, GLFW_MOD_CONTROL}}},
+     "Open a family, keys or meshes (or drop files on the picture)",
+     wish_for<FileWish::open>},
+    {"File",
+     "Reopen",
+     {{{GLFW_KEY_R, GLFW_MOD_CONTROL}}},
+     "Read the open files again",
+     wish_for<FileWish::reopen>},
+    {"File",
+     "Save",
+     {{{GLFW_KEY_S, GLFW_MOD_CONTROL}}},
+     "Save the family in its folder",
+     wish_for<FileWish::save>},
+    {"File",
+     "Save as",
+     {{{GLFW_KEY_S, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT}}},
+     "Save the family in another folder",
+     wish_for<FileWish::save_as>},
+    {"File", "Quit", {{{GLFW_KEY_Q, GLFW_MOD_CONTROL}}}, "Close the window", wish_for<FileWish::quit>},
+
+    {"Edit",
+     "Undo",
+     {{{GLFW_KEY_Z, GLFW_MOD_CONTROL}}},
+     "Take the last edit back",
+     undo,
+     nullptr,
+     true,
+     [](const ViewerState& state) { return state.document.undo_step() != nullptr; },
+     [](const ViewerState& state) { return step_label("Undo", state.document.undo_step()); }},
+    {"Edit",
+     "Redo",
+     {{{GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT}, {GLFW_KEY_Y, GLFW_MOD_CONTROL}}},
+     "Do what was undone again",
+     redo,
+     nullptr,
+     true,
+     [](const ViewerState& state) { return state.document.redo_step() != nullptr; },
+     [](const ViewerState& state) { return step_label("Redo", state.document.redo_step()); }},
+    {"Edit",
+     "Rename family",
+     {{{GLFW_KEY_F2, GLFW_MOD_SHIFT}}},
+     "Give the family another name",
+     [](ViewerState& state, double) { ask_for_family_name(state); }},
+    {"Edit",
+     "New domain",
+     {{{GLFW_KEY_N, GLFW_MOD_CONTROL}}},
+     "Make a parameter domain of all keys: a triangle, or a polygon about the first key",
+     make_domain},
+    {"Edit",
+     "Edit domain",
+     {{{GLFW_KEY_D}}},
+     "Drag the vertices of the parameter domain instead of the point",
+     [](ViewerState& state, double) { state.edits_domain = !state.edits_domain; },
+     [](const ViewerState& state) { return state.edits_domain; },
+     false,
+     has_domain},
+
+    {"Key",
+     "Add keys",
+     {{{GLFW_KEY_I, GLFW_MOD_CONTROL}}},
+     "Add keys or meshes from files (or drop files on the list of keys)",
+     wish_for<FileWish::add_keys>},
+    {"Key",
+     "Keep blend",
+     {{{GLFW_KEY_K, GLFW_MOD_CONTROL}}},
+     "Make the surface that is shown a key",
+     keep_blend},
+    {"Key",
+     "Rename key",
+     {{{GLFW_KEY_F2}}},
+     "Give the selected key another name",
+     [](ViewerState& state, double) { ask_for_key_name(state); },
+     nullptr,
+     false,
+     has_selected_key},
+    {"Key",
+     "Duplicate key",
+     {{{GLFW_KEY_D, GLFW_MOD_CONTROL}}},
+     "Make a second key of the selected one's surface",
+     duplicate_key,
+     nullptr,
+     false,
+     has_selected_key},
+    {"Key",
+     "Put on timeline",
+     {{{GLFW_KEY_T}}},
+     "Put the selected key on the timeline (or drag it there)",
+     [](ViewerState& state, double) { ask_for_new_time(state); },
+     nullptr,
+     false,
+     has_selected_key},
+    {"Key",
+     "Move key up",
+     {{{GLFW_KEY_UP, GLFW_MOD_ALT}}},
+     "Move the selected key up in the list (or drag it)",
+     [](ViewerState& state, double now) {
+         if (state.selected_key.value_or(0) > 0) move_key(state, *state.selected_key - 1, now);
+     },
+     nullptr,
+     true,
+     has_selected_key},
+    {"Key",
+     "Move key down",
+     {{{GLFW_KEY_DOWN, GLFW_MOD_ALT}}},
+     "Move the selected key down in the list",
+     [](ViewerState& state, double now) {
+         if (state.selected_key) move_key(state, *state.selected_key + 1, now);
+     },
+     nullptr,
+     true,
+     has_selected_key},
+    {"Key",
+     "Remove key",
+     {{{GLFW_KEY_DELETE}}},
+     "Remove the selected key, also from timeline and domain",
+     remove_key,
+     nullptr,
+     false,
+     has_selected_key},
 
     {"Playback",
      "Play",
@@ -181,6 +316,12 @@ std::string key_text(int key) {
             return "Page Down";
         case GLFW_KEY_ESCAPE:
             return "Esc";
+        case GLFW_KEY_DELETE:
+            return "Del";
+        case GLFW_KEY_UP:
+            return "Up";
+        case GLFW_KEY_DOWN:
+            return "Down";
         default:
             break;
     }
@@ -207,6 +348,14 @@ const Command* find_command(Shortcut shortcut) {
         return shortcut.key != 0 && std::ranges::find(command.shortcuts, shortcut) != command.shortcuts.end();
     });
     return found == std::end(table) ? nullptr : found;
+}
+
+bool is_enabled(const Command& command, const ViewerState& state) {
+    return command.is_enabled == nullptr || command.is_enabled(state);
+}
+
+void run_command(const Command& command, ViewerState& state, double now) {
+    if (is_enabled(command, state)) command.run(state, now);
 }
 
 const Command& command_named(std::string_view name) {

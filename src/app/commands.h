@@ -6,19 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "app/session.h"
+#include "app/viewer_state.h"
 
 namespace interleaf {
-
-/// What commands act on: the session, and wishes that the window grants.
-struct ViewerState {
-    Session session;
-    bool help_shown = false;
-    bool frame_wanted = true;  ///< the camera shall see the whole of the model
-    bool reload_wanted = false;
-    bool quit_wanted = false;
-    std::string message{};  ///< an error to read; empty for none
-};
 
 /// A key as GLFW numbers it, with GLFW_MOD_CONTROL, _SHIFT and _ALT bits.
 struct Shortcut {
@@ -33,8 +23,10 @@ struct Command {
     std::array<Shortcut, 2> shortcuts;
     std::string_view description;
     void (*run)(ViewerState& state, double now);
-    bool (*is_on)(const ViewerState& state) = nullptr;  ///< for what can be on or off
-    bool repeats = false;                               ///< while its key is held
+    bool (*is_on)(const ViewerState& state) = nullptr;         ///< for what can be on or off
+    bool repeats = false;                                      ///< while its key is held
+    bool (*is_enabled)(const ViewerState& state) = nullptr;    ///< for what cannot be done always
+    std::string (*label)(const ViewerState& state) = nullptr;  ///< what it is called now, in the menu
 };
 
 /// All commands, those of one menu in a row.
@@ -42,6 +34,11 @@ std::span<const Command> commands();
 
 /// The command of a shortcut; null when there is none.
 const Command* find_command(Shortcut shortcut);
+
+/// Runs \p command where it is enabled.
+void run_command(const Command& command, ViewerState& state, double now);
+
+bool is_enabled(const Command& command, const ViewerState& state);
 
 /// The command called \p name.
 /// \pre  there is one

@@ -34,6 +34,7 @@ class MorphSurface {
   private:
     UnionMesh mesh_;
     NormalForm form_;
+    std::vector<SharedHierarchy> hierarchies_;  ///< of the active keys
     SurfaceFigures figures_;
     Renderer renderer_;
 };

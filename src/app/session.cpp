@@ -5,32 +5,84 @@
 
 namespace interleaf {
 
-Session::Session(Family family) : family_(std::move(family)) {
-    if (family_.timeline) {
-        playback_.emplace(family_.timeline->begin(), family_.timeline->end());
+Session::Session(std::shared_ptr<const Family> family) : family_(std::move(family)) {
+    if (family_->timeline) playback_.emplace(family_->timeline->begin(), family_->timeline->end());
+    drive_with_what_there_is();
+    advance(0);
+}
+
+void Session::drive_with_what_there_is() {
+    point_.reset();
+    if (family_->timeline) {
         driver_ = Driver::timeline;
-        advance(0);
-    } else if (family_.domain) {
-        move_point(family_.domain->vertices().front().at, 0);
+    } else if (family_->domain) {
+        driver_ = Driver::point;
+        point_ = family_->domain->locate(family_->domain->vertices().front().at);
+    } else {
+        driver_ = Driver::key;
+        key_ = 0;
     }
 }
 
+void Session::replace_family(std::shared_ptr<const Family> family, double now) {
+    advance(now);
+    const SharedHierarchy single = family_->keys[key_].hierarchy;
+    family_ = std::move(family);
+
+    const auto same =
+        std::ranges::find_if(family_->keys, [&](const Key& key) { return key.hierarchy.is_same(single); });
+    key_ = same == family_->keys.end() ? 0 : static_cast<std::size_t>(same - family_->keys.begin());
+
+    const bool looped = !playback_ || playback_->loops();
+    playback_.reset();
+    if (family_->timeline) {
+        playback_.emplace(family_->timeline->begin(), family_->timeline->end());
+        playback_->set_loops(looped, now);
+        playback_->seek(time_, now);
+        if (playing_) playback_->play(now);
+    } else {
+        time_ = 0;
+        playing_ = false;
+    }
+    if (point_ && family_->domain) point_ = family_->domain->locate(point_->at, point_->triangle);
+    const bool has_lost_driver =
+        (driver_ == Driver::timeline && !family_->timeline) || (driver_ == Driver::point && !family_->domain);
+    if (has_lost_driver) drive_with_what_there_is();
+    advance(now);
+}
+
 void Session::advance(double now) {
-    if (!playback_) return;
-    time_ = playback_->time(now);
-    playing_ = playback_->is_playing(now);
-    if (driver_ != Driver::timeline) return;
-    weights_ = family_.timeline->at(time_);
+    if (playback_) {
+        time_ = playback_->time(now);
+        playing_ = playback_->is_playing(now);
+    }
+    switch (driver_) {
+        case Driver::timeline:
+            weights_ = family_->timeline->at(time_);
+            break;
+        case Driver::point:
+            weights_ = family_->domain->weights(*point_);
+            return;
+        case Driver::key:
+            weights_ = {{key_, 1.0}};
+            break;
+    }
     point_.reset();
-    if (!family_.domain) return;
-    if (const auto at = family_.domain->point_of(weights_)) point_ = family_.domain->locate(*at);
+    if (!family_->domain) return;
+    if (const auto at = family_->domain->point_of(weights_)) point_ = family_->domain->locate(*at);
 }
 
 void Session::move_point(glm::dvec2 at, double now) {
     if (playback_) playback_->pause(now);
+    point_ = family_->domain->locate(at, point_ ? point_->triangle : no_index);
     driver_ = Driver::point;
-    point_ = family_.domain->locate(at, point_ ? point_->triangle : no_index);
-    weights_ = family_.domain->weights(*point_);
+    advance(now);
+}
+
+void Session::show_key(std::size_t key, double now) {
+    if (playback_) playback_->pause(now);
+    key_ = key;
+    driver_ = Driver::key;
     advance(now);
 }
 
@@ -54,7 +106,7 @@ void Session::seek(double time, double now) {
 
 void Session::seek_key(int direction, double now) {
     if (!playback_) return;
-    const auto keys = family_.timeline->keys();
+    const auto keys = family_->timeline->keys();
     const auto time_of = [](const TimelineKey& key) { return key.time; };
     if (direction > 0) {
         const auto next = std::ranges::upper_bound(keys, time_, {}, time_of);

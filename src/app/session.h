@@ -1,10 +1,11 @@
 // The session: what is open and where it stands in time and in the parameter domain. No window, no GL.
 //
-// Either the timeline or the point drives the morph. While the timeline drives, the point follows along its
-// path; where the timeline's weights are not a point of the domain there is none. Moving the point leaves the
-// timeline where it is.
+// The timeline, the point or a single key drives the morph. While the timeline drives, the point follows
+// along its path; where the timeline's weights are not a point of the domain there is none. Moving the point
+// leaves the timeline where it is.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "family/family.h"
@@ -16,17 +17,21 @@ namespace interleaf {
 /// What the weights come from.
 enum class Driver {
     timeline,
-    point,      ///< of the parameter domain
-    first_key,  ///< alone; where a family has neither timeline nor domain
+    point,  ///< of the parameter domain
+    key,    ///< alone
 };
 
 class Session {
   public:
-    /// At the timeline's begin, paused; without a timeline at the domain's first vertex.
-    /// \pre  check(family) finds nothing
-    explicit Session(Family family);
+    /// At the timeline's begin, paused; without a timeline at the domain's first vertex; without either at
+    /// the first key. \pre  check(*family) finds nothing
+    explicit Session(std::shared_ptr<const Family> family);
 
-    const Family& family() const { return family_; }
+    const Family& family() const { return *family_; }
+
+    /// Goes on with \p family, an edited one: at the same time and point, or where they lie in it. A single
+    /// key stays the one with the same hierarchy.
+    void replace_family(std::shared_ptr<const Family> family, double now);
 
     /// Brings time, point and weights up to wall time \p now, in seconds. The other functions that take \p
     /// now do so too.
@@ -41,6 +46,9 @@ class Session {
     /// Moves the point to \p at, or to the nearest point of the domain, and lets it drive. Playback pauses.
     /// \pre  the family has a domain
     void move_point(glm::dvec2 at, double now);
+
+    /// Lets \p key alone drive. Playback pauses.
+    void show_key(std::size_t key, double now);
 
     bool has_timeline() const { return playback_.has_value(); }
 
@@ -61,11 +69,14 @@ class Session {
     Display display;
 
   private:
-    Family family_;
+    void drive_with_what_there_is();
+
+    std::shared_ptr<const Family> family_;
     std::optional<Playback> playback_;
-    Driver driver_ = Driver::first_key;
+    Driver driver_ = Driver::key;
     double time_ = 0;
     bool playing_ = false;
+    std::size_t key_ = 0;  ///< that drives where a single one does
     std::optional<DomainPoint> point_;
     Weights weights_{{0, 1.0}};
 };

@@ -17,8 +17,8 @@ const char* name_of(Driver driver) {
             return "timeline";
         case Driver::point:
             return "point";
-        case Driver::first_key:
-            return "first key";
+        case Driver::key:
+            return "key";
     }
     return "";
 }
@@ -65,6 +65,27 @@ Json json_of(const Session& session) {
     return json;
 }
 
+Json json_of(const Document& document) {
+    const Family& family = document.family();
+    Json json;
+    json["name"] = family.name;
+    json["folder"] = document.folder() ? Json(document.folder()->string()) : Json();
+    json["changed"] = document.is_changed();
+    json["undo"] = document.undo_step() != nullptr ? Json(*document.undo_step()) : Json();
+    json["redo"] = document.redo_step() != nullptr ? Json(*document.redo_step()) : Json();
+    json["keys"] = Json::array();
+    for (const Key& key : family.keys) json["keys"].push_back(key.name);
+    json["times"] = Json::array();
+    if (family.timeline)
+        for (const TimelineKey& key : family.timeline->keys())
+            json["times"].push_back({key.time, family.keys[key.key].name});
+    json["domain"] = Json::array();
+    if (family.domain)
+        for (const DomainVertex& vertex : family.domain->vertices())
+            json["domain"].push_back({vertex.at.x, vertex.at.y, family.keys[vertex.key].name});
+    return json;
+}
+
 }  // namespace
 
 Trace::Trace(const std::filesystem::path& path) : path_(path), file_(path) {
@@ -78,12 +99,17 @@ void Trace::record(std::size_t frame, const ViewerState& state, const SurfaceFig
     json["vertices"] = figures.vertices;
     json["rebuilds"] = figures.rebuilds;
     json["eye"] = {eye.x, eye.y, eye.z};
+    json["document"] = json_of(state.document);
+    json["selected"] = state.selected_key ? Json(*state.selected_key) : Json();
+    json["edits_domain"] = state.edits_domain;
     json["help"] = state.help_shown;
+    json["asking"] = places.is_asking;
     json["message"] = state.message;
     json["window"] = {places.window.x, places.window.y};
     json["pointer"] = {places.pointer.x, places.pointer.y};
     json["button_down"] = places.button_down;
     json["rects"] = {{"view", json_of(places.view)},
+                     {"keys", json_of(places.keys)},
                      {"domain", places.domain ? json_of(*places.domain) : Json()},
                      {"timeline", places.timeline ? json_of(*places.timeline) : Json()}};
     std::string members = json.dump(-1, ' ', false, Json::error_handler_t::replace).substr(1);

@@ -10,8 +10,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "app/commands.h"
 #include "app/morph_surface.h"
+#include "app/viewer_state.h"
 #include "ui/rect.h"
 
 namespace interleaf {
@@ -20,10 +20,12 @@ namespace interleaf {
 struct TracePlaces {
     glm::vec2 window;  ///< size
     Rect view;
+    Rect keys;                     ///< the rows of keys in sight
     std::optional<Rect> domain;    ///< the bounding box of the domain's vertices
     std::optional<Rect> timeline;  ///< the track from begin to end
     glm::vec2 pointer;             ///< where the user interface has seen it
     bool button_down;              ///< any of the mouse, as seen there
+    bool is_asking;                ///< a question or the file browser is open
 };
 
 class Trace {

@@ -15,7 +15,10 @@
 #include <malloc.h>
 
 #include "app/commands.h"
-#include "app/family_extent.h"
+#include "app/document_files.h"
+#include "app/document_panels.h"
+#include "app/edit_commands.h"
+#include "app/key_portraits.h"
 #include "app/morph_surface.h"
 #include "app/scene_picture.h"
 #include "app/trace.h"
@@ -31,10 +34,8 @@
 #include "ui/layout.h"
 #include "ui/menu_bar.h"
 #include "ui/message_panel.h"
-#include "ui/parameter_domain_panel.h"
 #include "ui/status_line.h"
 #include "ui/style.h"
-#include "ui/timeline_panel.h"
 #include "ui/view_area.h"
 #include "ui/weights_panel.h"
 
@@ -45,96 +46,102 @@ namespace {
 /// Frames drawn after the last input: Dear ImGui needs one more to settle, a window may need one to appear.
 constexpr int settling_frames = 3;
 
-/// What stays the same while the family is open.
-struct FamilyFigures {
-    Extent extent;
-    std::vector<std::string> key_names;
-    std::vector<KeyRow> key_rows;
-    std::vector<glm::dvec2> path;  ///< of the timeline through the domain
-};
+/// However still it is, autosave and the files on disk are looked after this often; seconds.
+constexpr double longest_wait = 1;
 
-FamilyFigures figures_of(const Family& family) {
-    FamilyFigures figures;
-    figures.extent = extent(family);
-    for (const Key& key : family.keys) {
-        const std::vector<Leaf> leaves = leaves_of(*key.hierarchy);
-        const unsigned deepest = std::ranges::max_element(leaves, {}, &Leaf::level)->level;
-        figures.key_names.push_back(key.name);
-        figures.key_rows.push_back({.name = key.name, .leaves = leaves.size(), .deepest = deepest});
-    }
-    if (!family.timeline || !family.domain) return figures;
-    for (const TimelineKey& key : family.timeline->keys()) {
-        if (const auto at = family.domain->point_of(family.timeline->at(key.time)))
-            figures.path.push_back(*at);
-    }
-    return figures;
+std::vector<std::string> key_names(const Family& family) {
+    std::vector<std::string> names;
+    for (const Key& key : family.keys) names.push_back(key.name);
+    return names;
 }
 
-std::vector<MenuEntry> menu_entries(const ViewerState& state) {
+std::vector<MenuEntry> entries_of(const ViewerState& state) {
     std::vector<MenuEntry> entries;
-    for (const Command& command : commands()) {
-        entries.push_back({.menu = command.menu,
-                           .name = command.name,
-                           .shortcut = shortcut_text(command),
-                           .description = command.description,
-                           .on = command.is_on != nullptr && command.is_on(state)});
-    }
+    for (const Command& command : commands()) entries.push_back(menu_entry(command, state));
     return entries;
 }
 
+Submenu recent_menu(const DocumentFiles& files) {
+    Submenu menu{.menu = "File", .after = "Open", .name = "Open recent", .items = {}};
+    for (const std::filesystem::path& file : files.recent_files()) menu.items.push_back(file.string());
+    return menu;
+}
+
+std::string title_of(const Document& document) {
+    return fmt::format("{}{}", document.is_changed() ? "\u2022 " : "", document.family().name);
+}
+
+/// What has come from outside since the last frame; callbacks add to it.
+struct Input {
+    std::vector<Shortcut> pressed;
+    std::vector<std::filesystem::path> dropped;
+};
+
 class Viewer {
   public:
-    Viewer(Family family, const ViewerOptions& options);
+    Viewer(Family family, std::vector<std::filesystem::path> sources, const ViewerOptions& options);
     void run();
 
   private:
     void wait();
     void frame();
-    void run_commands(double now);
+    void read_input(double now);
+    void take_drop(double now);
+    void follow_document();
     void show_panels(double now);
-    void show_keys_and_display();
-    void show_timeline(double now);
+    void show_keys_and_display(double now);
     void move_camera(const ViewInput& input);
     void zoom(const ViewInput& input);
     void draw_surface();
+    void draw_portraits();
     void save_picture();
     float aspect() const { return layout_.view.width / std::max(layout_.view.height, 1.0F); }
+    const Family& family() const { return state_.document.family(); }
 
     Window window_;
-    std::vector<Shortcut> pressed_;  ///< since the last frame; the key callback adds to it
+    Input input_;
     ViewerState state_;
-    FamilyFigures family_figures_;
+    DocumentFiles files_;
+    std::shared_ptr<const Family> followed_;  ///< the document's state that all below is about
+    std::string title_;
+    std::vector<std::string> key_names_;
     Gui gui_;
     MorphSurface surface_;
+    KeyPortraits portraits_;
     ScenePicture picture_;
     std::optional<std::filesystem::path> picture_file_;
     Camera camera_;
     std::optional<Trace> trace_;
     Layout layout_;
     TracePlaces places_;
+    KeysPanelResult keys_in_sight_;
     std::size_t frame_ = 0;
     double frame_milliseconds_ = 0;
     int settling_ = settling_frames;
 };
 
-/// Installed before Dear ImGui's own, which passes the event on.
-GLFWwindow* watch_keys(GLFWwindow* window, std::vector<Shortcut>& pressed) {
-    glfwSetWindowUserPointer(window, &pressed);
+/// Installed before Dear ImGui's own callbacks, which pass events on.
+GLFWwindow* watch_input(GLFWwindow* window, Input& input) {
+    glfwSetWindowUserPointer(window, &input);
     glfwSetKeyCallback(window, [](GLFWwindow* source, int key, int, int action, int modifiers) {
         if (action == GLFW_RELEASE) return;
         const Shortcut shortcut{key, modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT)};
         const Command* const command = find_command(shortcut);
         if (command == nullptr || (action == GLFW_REPEAT && !command->repeats)) return;
-        static_cast<std::vector<Shortcut>*>(glfwGetWindowUserPointer(source))->push_back(shortcut);
+        static_cast<Input*>(glfwGetWindowUserPointer(source))->pressed.push_back(shortcut);
+    });
+    glfwSetDropCallback(window, [](GLFWwindow* source, int count, const char** paths) {
+        auto& dropped = static_cast<Input*>(glfwGetWindowUserPointer(source))->dropped;
+        dropped.assign(paths, paths + count);
     });
     return window;
 }
 
-Viewer::Viewer(Family family, const ViewerOptions& options)
-    : window_(family.name + " – Interleaf", options.width, options.height),
-      state_{.session = Session(std::move(family))},
-      family_figures_(figures_of(state_.session.family())),
-      gui_(watch_keys(window_.handle(), pressed_)),
+Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources, const ViewerOptions& options)
+    : window_("Interleaf", options.width, options.height),
+      state_(std::move(family), family_folder(sources)),
+      files_(state_, std::move(sources), options.is_alone || options.picture),
+      gui_(watch_input(window_.handle(), input_)),
       picture_file_(options.picture) {
     if (options.trace) trace_.emplace(*options.trace);
     state_.session.display = options.display;
@@ -146,9 +153,13 @@ Viewer::Viewer(Family family, const ViewerOptions& options)
 }
 
 void Viewer::run() {
-    while (glfwWindowShouldClose(window_.handle()) == GLFW_FALSE && !state_.quit_wanted) {
+    while (!state_.quit_wanted) {
         wait();
         frame();
+        if (glfwWindowShouldClose(window_.handle()) == GLFW_FALSE) continue;
+        glfwSetWindowShouldClose(window_.handle(), GLFW_FALSE);
+        files_.grant(FileWish::quit);
+        settling_ = settling_frames;
     }
 }
 
@@ -157,7 +168,7 @@ void Viewer::wait() {
         --settling_;
         glfwPollEvents();
     } else {
-        glfwWaitEvents();
+        glfwWaitEventsTimeout(longest_wait);
         settling_ = settling_frames;
     }
 }
@@ -170,29 +181,40 @@ void Viewer::frame() {
 
     const double now = glfwGetTime();
     gui_.begin_frame();
-    run_commands(now);
+    read_input(now);
     state_.session.advance(now);
     places_ = {.window = {width, height},
                .view = {},
+               .keys = {},
                .domain = std::nullopt,
                .timeline = std::nullopt,
                .pointer = gui_.pointer(),
-               .button_down = gui_.is_button_down()};
+               .button_down = gui_.is_button_down(),
+               .is_asking = false};
     show_panels(now);
+    files_.grant(std::exchange(state_.file_wish, FileWish::none));
+    files_.look_after(now);
+    places_.is_asking = files_.is_asking();
+    follow_document();
     surface_.update(state_.session.family(), state_.session.weights());
     draw_surface();
+    draw_portraits();
     gui_.end_frame();
     if (picture_file_ && settling_ == 0) save_picture();
     glfwSwapBuffers(window_.handle());
 
     frame_milliseconds_ = 1000 * (glfwGetTime() - now);
-    if (state_.session.is_playing() || gui_.has_input()) settling_ = settling_frames;
+    if (state_.session.is_playing() || gui_.has_input() || files_.is_asking()) settling_ = settling_frames;
     ++frame_;
     if (trace_) trace_->record(frame_, state_, surface_.figures(), camera_.eye(), places_);
 }
 
-void Viewer::run_commands(double now) {
-    for (const Shortcut shortcut : std::exchange(pressed_, {})) find_command(shortcut)->run(state_, now);
+void Viewer::read_input(double now) {
+    take_drop(now);
+    for (const Shortcut shortcut : std::exchange(input_.pressed, {})) {
+        if (!files_.is_asking()) run_command(*find_command(shortcut), state_, now);
+    }
+    follow_document();
     if (!state_.reload_wanted) return;
     state_.reload_wanted = false;
     try {
@@ -203,36 +225,61 @@ void Viewer::run_commands(double now) {
     }
 }
 
-void Viewer::show_panels(double now) {
-    Session& session = state_.session;
-    const Family& family = session.family();
-    const std::vector<MenuEntry> entries = menu_entries(state_);
-    const MenuBarResult menu = menu_bar(entries, family.name);
-    if (menu.chosen) commands()[*menu.chosen].run(state_, now);
+/// Files that were dropped on the list of keys become keys, others a new document.
+void Viewer::take_drop(double now) {
+    const auto dropped = std::exchange(input_.dropped, {});
+    if (dropped.empty() || files_.is_asking()) return;
+    glm::dvec2 pointer;
+    glfwGetCursorPos(window_.handle(), &pointer.x, &pointer.y);
+    const Rect& list = keys_in_sight_.list;
+    const bool is_on_list =
+        pointer.x >= list.x && pointer.x < list.right() && pointer.y >= list.y && pointer.y < list.bottom();
+    if (is_on_list) {
+        files_.add_keys(dropped, now);
+    } else {
+        files_.open(dropped);
+    }
+}
 
-    layout_ = lay_out(places_.window, menu.height, gui_.scale(), session.has_timeline());
+/// Brings what is made from the document in line with its present state.
+void Viewer::follow_document() {
+    if (const std::string title = title_of(state_.document); title != title_) {
+        title_ = title;
+        glfwSetWindowTitle(window_.handle(), fmt::format("{} – Interleaf", title).c_str());
+    }
+    if (state_.document.snapshot() == followed_) return;
+    followed_ = state_.document.snapshot();
+    portraits_.update(family());
+    key_names_ = key_names(family());
+    settling_ = settling_frames;
+}
+
+void Viewer::show_panels(double now) {
+    const std::vector<MenuEntry> entries = entries_of(state_);
+    const MenuBarResult menu = menu_bar(entries, recent_menu(files_), title_);
+    layout_ = lay_out(places_.window, menu.height, gui_.scale(), state_.session.has_timeline());
     places_.view = layout_.view;
     move_camera(view_area(layout_.view));
 
     if (layout_.left) {
         begin_panel("left", *layout_.left);
-        show_keys_and_display();
+        show_keys_and_display(now);
         end_panel();
     }
     begin_panel("right", layout_.right);
-    if (family.domain) {
-        const auto result = parameter_domain_panel(family, session.point(), family_figures_.path);
-        places_.domain = result.plot;
-        if (result.moved_to) session.move_point(*result.moved_to, now);
+    if (family().domain) {
+        places_.domain = show_domain(state_, now);
         section_gap();
     }
-    weights_panel(family, session.weights());
+    weights_panel(family(), state_.session.weights());
     if (!layout_.left) {
         section_gap();
-        show_keys_and_display();
+        show_keys_and_display(now);
     }
     end_panel();
-    show_timeline(now);
+    if (state_.session.has_timeline()) places_.timeline = show_timeline(state_, layout_.timeline, now);
+    if (!gui_.is_button_down()) end_drag(state_);
+
     const SurfaceFigures& figures = surface_.figures();
     status_line(layout_.status, {.active_keys = figures.keys.size(),
                                  .leaves = figures.leaves,
@@ -242,30 +289,20 @@ void Viewer::show_panels(double now) {
     const Rect below_menu{0, menu.height, places_.window.x, places_.window.y - menu.height};
     help_overlay(entries, below_menu, state_.help_shown);
     message_panel(state_.message, layout_.view);
+    if (menu.chosen) run_command(commands()[*menu.chosen], state_, now);
+    if (menu.chosen_item) files_.open({files_.recent_files()[*menu.chosen_item]});
+    files_.show(below_menu, now);
 }
 
-void Viewer::show_keys_and_display() {
+void Viewer::show_keys_and_display(double now) {
     const SurfaceFigures& figures = surface_.figures();
-    keys_panel(family_figures_.key_rows, state_.session.weights());
+    keys_in_sight_ = show_keys(state_, portraits_.portraits(), 0.5F * layout_.view.height, now);
+    places_.keys = keys_in_sight_.list;
     section_gap();
     display_panel(state_.session.display, {.levels = figures.levels,
                                            .origins = figures.origins,
                                            .active_keys = figures.keys,
-                                           .key_names = family_figures_.key_names});
-}
-
-void Viewer::show_timeline(double now) {
-    Session& session = state_.session;
-    if (!session.has_timeline()) return;
-    const TimelineResult result = timeline_panel(layout_.timeline, session.family(),
-                                                 {.time = session.time(),
-                                                  .playing = session.is_playing(),
-                                                  .loops = session.loops(),
-                                                  .drives = session.driver() == Driver::timeline});
-    places_.timeline = result.track;
-    if (result.seek_to) session.seek(*result.seek_to, now);
-    if (result.toggle_playing) session.toggle_playing(now);
-    if (result.toggle_loop) session.toggle_loop(now);
+                                           .key_names = key_names_});
 }
 
 void Viewer::move_camera(const ViewInput& input) {
@@ -273,7 +310,7 @@ void Viewer::move_camera(const ViewInput& input) {
     camera_.pan(input.pan);
     if (input.zoom != 1) zoom(input);
     if (input.frame || std::exchange(state_.frame_wanted, false))
-        camera_.frame(family_figures_.extent, aspect());
+        camera_.frame(portraits_.extent(), aspect());
 }
 
 void Viewer::zoom(const ViewInput& input) {
@@ -310,6 +347,13 @@ void Viewer::draw_surface() {
     picture_.target()->blit_to_window(pixels(view.x), pixels(places_.window.y - view.bottom()));
 }
 
+/// One picture of a key a frame, so that the window stays quick.
+void Viewer::draw_portraits() {
+    const int side = static_cast<int>(std::lround(key_picture_side() * gui_.density()));
+    if (portraits_.draw_next(keys_in_sight_.first, keys_in_sight_.end, side))
+        settling_ = std::max(settling_, 2);
+}
+
 /// Once nothing changes any more.
 void Viewer::save_picture() {
     const glm::ivec2 size = window_.framebuffer_size();
@@ -319,13 +363,13 @@ void Viewer::save_picture() {
 
 }  // namespace
 
-void run_viewer(Family family, const ViewerOptions& options) {
+void run_viewer(Family family, std::vector<std::filesystem::path> sources, const ViewerOptions& options) {
     if (options.at && !family.domain) throw UsageError("--at: the family has no parameter domain");
     if (options.time && !family.timeline) throw UsageError("--time: the family has no timeline");
     // A software renderer takes and gives back its frame's memory every time otherwise, which costs it most
     // of its speed.
     mallopt(M_TRIM_THRESHOLD, 256 << 20);
-    Viewer(std::move(family), options).run();
+    Viewer(std::move(family), std::move(sources), options).run();
 }
 
 }  // namespace interleaf

@@ -1,6 +1,7 @@
 #include "family/synchronise_keys.h"
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@ namespace interleaf {
 namespace {
 
 bool is_bisected(const Key& key) {
-    return !key.hierarchy.midpoints.empty();
+    return !key.hierarchy->midpoints.empty();
 }
 
 class Synchroniser {
@@ -27,14 +28,14 @@ class Synchroniser {
     }
 
   private:
-    const Hierarchy& first() const { return keys_.front().hierarchy; }
+    const Hierarchy& first() const { return *keys_.front().hierarchy; }
 
     std::span<const Index> given(std::size_t key) const {
         return key < given_.size() ? std::span<const Index>(given_[key]) : std::span<const Index>();
     }
 
     std::variant<RootMatch, RootMismatch> match(std::size_t key, bool marked) const {
-        return match_roots(placed_roots(first()), placed_roots(keys_[key].hierarchy),
+        return match_roots(placed_roots(first()), placed_roots(*keys_[key].hierarchy),
                            {.marked = marked, .given = given(key)});
     }
 
@@ -45,13 +46,15 @@ class Synchroniser {
         const auto marking = std::find_if(keys_.begin(), keys_.end(), is_bisected);
         if (marking == keys_.end()) return;
         const auto key = static_cast<std::size_t>(marking - keys_.begin());
-        if (marking->hierarchy.roots == first().roots && given(key).empty()) return;
+        if (marking->hierarchy->roots == first().roots && given(key).empty()) return;
         const auto found = match(key, false);
         const auto* const correspondence = std::get_if<RootMatch>(&found);
         if (correspondence == nullptr) return;  // synchronise() will say why
-        const RootComplex roots = with_marking_of(first().roots, marking->hierarchy.roots, *correspondence);
+        const RootComplex roots = with_marking_of(first().roots, marking->hierarchy->roots, *correspondence);
         if (roots == first().roots) return;
-        keys_.front().hierarchy.roots = roots;
+        Hierarchy marked = first();
+        marked.roots = roots;
+        keys_.front().hierarchy = std::move(marked);
         marked_as_ = marking->name;
         result_.changes.push_back(
             fmt::format("key {}: nothing is bisected, so its roots took the refinement edges of key {}'s",
@@ -59,11 +62,7 @@ class Synchroniser {
     }
 
     void synchronise(std::size_t key) {
-        Hierarchy& hierarchy = keys_[key].hierarchy;
-        if (hierarchy.roots == first().roots && given(key).empty()) {
-            hierarchy.roots = first().roots;  // one memory for all
-            return;
-        }
+        if (keys_[key].hierarchy->roots == first().roots && given(key).empty()) return;
         const auto found = match(key, is_bisected(keys_[key]));
         if (const auto* const mismatch = std::get_if<RootMismatch>(&found)) {
             result_.mismatches.push_back({key, *mismatch, text(key, *mismatch)});
@@ -72,11 +71,11 @@ class Synchroniser {
         const RootMatch& correspondence = std::get<RootMatch>(found);
         if (const std::string change = change_of(key, correspondence); !change.empty())
             result_.changes.push_back(change);
-        hierarchy = with_roots_of(first().roots, hierarchy, correspondence);
+        keys_[key].hierarchy = with_roots_of(first().roots, *keys_[key].hierarchy, correspondence);
     }
 
     std::string change_of(std::size_t key, const RootMatch& match) const {
-        const auto triangles = keys_[key].hierarchy.roots.triangles();
+        const auto triangles = keys_[key].hierarchy->roots.triangles();
         const bool is_renumbered =
             !std::ranges::is_sorted(match.roots) || !std::ranges::is_sorted(match.vertices);
         std::size_t remarked = 0;

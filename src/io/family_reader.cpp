@@ -89,7 +89,7 @@ std::vector<std::vector<Index>> given_roots(const JsonPlace& place, std::span<co
         const auto roots = place.element(i).optional_member("roots");
         if (!roots) continue;
         if (i == 0) roots->fail("is there, but it is the first key that numbers the roots; expected none");
-        const Index count = keys[i].hierarchy.roots.triangle_count();
+        const Index count = keys[i].hierarchy->roots.triangle_count();
         if (roots->size() != count)
             roots->fail(
                 fmt::format("has {} numbers, expected one for each of the {} roots", roots->size(), count));

@@ -1,6 +1,7 @@
 #include "ui/keys_panel.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -11,37 +12,133 @@
 
 namespace interleaf {
 
-void keys_panel(std::span<const KeyRow> keys, const Weights& weights) {
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float levels_right = width;
-    const float leaves_right = width - scaled(56);
-    const auto right_text = [](glm::vec2 corner, float right, ImU32 color, std::string_view text) {
-        const float text_width = text_size(text).x;
-        draw_text({corner.x + right - text_width, corner.y}, text_width + 1, color, text);
-    };
+namespace {
 
-    glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+constexpr const char* payload_type = "key";
+constexpr const char* menu_name = "key menu";
+
+float row_height() {
+    return key_picture_side() + scaled(6);
+}
+
+std::string figures_text(const KeyRow& key) {
+    return fmt::format("{} leaves, {} {}", grouped(key.leaves), key.deepest,
+                       key.deepest == 1 ? "level" : "levels");
+}
+
+void draw_picture(ImDrawList& list, const KeyRow& row, glm::vec2 corner) {
+    const float side = key_picture_side();
+    const ImVec2 end{corner.x + side, corner.y + side};
+    list.AddRectFilled(to_imgui(corner), end, colors::well, scaled(4));
+    if (row.picture == 0) return;
+    // Dear ImGui names a texture by a pointer's worth of bits.
+    ImTextureID texture = nullptr;
+    const std::uintptr_t name = row.picture;
+    std::memcpy(&texture, &name, sizeof texture);
+    list.AddImageRounded(texture, to_imgui(corner), end, {0, 0}, {1, 1}, colors::white, scaled(4));
+}
+
+void draw_row(const KeyRow& row, std::size_t key, glm::vec2 corner, float width, bool is_active) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float inset = scaled(3);
+    draw_picture(list, row, corner + inset);
+    const float left = corner.x + inset + key_picture_side() + scaled(10);
+    const float line = ImGui::GetTextLineHeight();
+    const float top = corner.y + std::round(row_height() / 2 - line) - scaled(1);
+    const float dot = scaled(4);
+    list.AddCircleFilled({left + dot, top + line / 2 + 1}, dot,
+                         to_color(key_color(key), is_active ? 1.0F : 0.45F));
+    const float name_left = left + scaled(15);
+    draw_text({name_left, top}, corner.x + width - name_left - scaled(6),
+              is_active ? colors::text : colors::dim_text, row.name);
     ImGui::PushFont(small_font());
-    right_text(corner, leaves_right, colors::dim_text, "leaves");
-    right_text(corner, levels_right, colors::dim_text, "levels");
+    draw_text({left, top + line + scaled(2)}, corner.x + width - left - scaled(6), colors::dim_text,
+              figures_text(row));
     ImGui::PopFont();
-    heading("Keys");
-    for (std::size_t key = 0; key < keys.size(); ++key) {
-        const bool active = std::ranges::find(weights, key, &Weight::key) != weights.end();
-        const ImU32 text = active ? colors::text : colors::dim_text;
-        corner = from_imgui(ImGui::GetCursorScreenPos());
-        const float height = ImGui::GetTextLineHeight();
-        const float indent = scaled(16);
-        ImGui::GetWindowDrawList()->AddCircleFilled({corner.x + scaled(5), corner.y + height / 2 + 1},
-                                                    scaled(4),
-                                                    to_color(key_color(key), active ? 1.0F : 0.45F));
-        const std::string leaves = grouped(keys[key].leaves);
-        draw_text({corner.x + indent, corner.y}, leaves_right - indent - text_size(leaves).x - scaled(8),
-                  text, keys[key].name);
-        right_text(corner, leaves_right, text, leaves);
-        right_text(corner, levels_right, text, fmt::format("{}", keys[key].deepest));
-        ImGui::Dummy({width, height});
+}
+
+void drag_row(const KeyRow& row, std::size_t key, KeysPanelResult& result) {
+    if (ImGui::BeginDragDropSource()) {
+        ImGui::SetDragDropPayload(payload_type, &key, sizeof key);
+        ImGui::TextUnformatted(row.name.c_str());
+        ImGui::EndDragDropSource();
     }
+    if (const auto dropped = dropped_key()) {
+        result.dragged = dropped;
+        result.dropped_on = key;
+    }
+}
+
+void show_rows(const KeysPanel& panel, KeysPanelResult& result) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(panel.keys.size()), row_height());
+    bool is_first = true;
+    while (clipper.Step()) {
+        const auto begin = static_cast<std::size_t>(clipper.DisplayStart);
+        const auto end = static_cast<std::size_t>(clipper.DisplayEnd);
+        result.first = is_first ? begin : std::min(result.first, begin);
+        result.end = std::max(result.end, end);
+        is_first = false;
+        for (std::size_t key = begin; key < end; ++key) {
+            const bool is_active = std::ranges::find(panel.weights, key, &Weight::key) != panel.weights.end();
+            ImGui::PushID(static_cast<int>(key));
+            const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+            if (ImGui::Selectable("##row", panel.selected == key, ImGuiSelectableFlags_AllowDoubleClick,
+                                  {width, row_height()})) {
+                result.chosen = key;
+                if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) result.renamed = key;
+            }
+            if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) result.chosen = key;
+            drag_row(panel.keys[key], key, result);
+            if (ImGui::BeginPopupContextItem(menu_name)) {
+                result.menu_entry = menu_entries(panel.menu);
+                ImGui::EndPopup();
+            }
+            draw_row(panel.keys[key], key, corner, width, is_active);
+            ImGui::PopID();
+        }
+    }
+    ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+float key_picture_side() {
+    return scaled(40);
+}
+
+std::optional<std::size_t> dropped_key() {
+    if (!ImGui::BeginDragDropTarget()) return std::nullopt;
+    std::optional<std::size_t> key;
+    if (const ImGuiPayload* const payload = ImGui::AcceptDragDropPayload(payload_type)) {
+        key.emplace();
+        std::memcpy(&*key, payload->Data, sizeof *key);
+    }
+    ImGui::EndDragDropTarget();
+    return key;
+}
+
+KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
+    KeysPanelResult result;
+    heading("Keys", fmt::format("{}", panel.keys.size()));
+    const float wanted = row_height() * static_cast<float>(panel.keys.size());
+    const float shown = std::min(wanted, std::max(height, row_height()));
+    const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+    result.list = {corner.x, corner.y, ImGui::GetContentRegionAvail().x, shown};
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::BeginChild("key list", {0, shown}, false, ImGuiWindowFlags_NoNav);
+    show_rows(panel, result);
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    const float gap = scaled(2);
+    const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+    result.add = ImGui::Button("Add...", {width, 0});
+    ImGui::SameLine(0, gap);
+    result.keep_blend = ImGui::Button("Keep blend", {width, 0});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Make the surface that is shown a key (Ctrl+K)");
+    return result;
 }
 
 }  // namespace interleaf

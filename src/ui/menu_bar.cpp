@@ -6,8 +6,35 @@
 
 namespace interleaf {
 
-MenuBarResult menu_bar(std::span<const MenuEntry> entries, std::string_view title) {
-    MenuBarResult result{.height = 0, .chosen = std::nullopt};
+namespace {
+
+bool menu_item(const MenuEntry& entry) {
+    return ImGui::MenuItem(entry.name.c_str(), entry.shortcut.c_str(), entry.on, entry.enabled);
+}
+
+std::optional<std::size_t> show_submenu(const Submenu& submenu) {
+    std::optional<std::size_t> chosen;
+    if (!ImGui::BeginMenu(submenu.name.c_str(), !submenu.items.empty())) return chosen;
+    for (std::size_t item = 0; item < submenu.items.size(); ++item) {
+        ImGui::PushID(static_cast<int>(item));
+        if (ImGui::MenuItem(submenu.items[item].c_str())) chosen = item;
+        ImGui::PopID();
+    }
+    ImGui::EndMenu();
+    return chosen;
+}
+
+}  // namespace
+
+std::optional<std::size_t> menu_entries(std::span<const MenuEntry> entries) {
+    std::optional<std::size_t> chosen;
+    for (std::size_t entry = 0; entry < entries.size(); ++entry)
+        if (menu_item(entries[entry])) chosen = entry;
+    return chosen;
+}
+
+MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submenu, std::string_view title) {
+    MenuBarResult result;
     if (!ImGui::BeginMainMenuBar()) return result;
     for (std::size_t begin = 0; begin < entries.size();) {
         const std::string menu(entries[begin].menu);
@@ -15,10 +42,9 @@ MenuBarResult menu_bar(std::span<const MenuEntry> entries, std::string_view titl
         std::size_t entry = begin;
         for (; entry < entries.size() && entries[entry].menu == entries[begin].menu; ++entry) {
             if (!open) continue;
-            const std::string name(entries[entry].name);
-            if (ImGui::MenuItem(name.c_str(), entries[entry].shortcut.c_str(), entries[entry].on)) {
-                result.chosen = entry;
-            }
+            if (menu_item(entries[entry])) result.chosen = entry;
+            if (submenu.menu == menu && submenu.after == entries[entry].name)
+                result.chosen_item = show_submenu(submenu);
         }
         if (open) ImGui::EndMenu();
         begin = entry;

@@ -5,24 +5,39 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace interleaf {
 
 struct MenuEntry {
     std::string_view menu;
-    std::string_view name;
+    std::string name;
     std::string shortcut;
     std::string_view description;
-    bool on;
+    bool on = false;
+    bool enabled = true;
+};
+
+/// A menu in a menu, after its entry \p after.
+struct Submenu {
+    std::string_view menu;
+    std::string_view after;
+    std::string name;
+    std::vector<std::string> items;
 };
 
 struct MenuBarResult {
-    float height;
-    std::optional<std::size_t> chosen;  ///< index of an entry
+    float height = 0;
+    std::optional<std::size_t> chosen;       ///< index of an entry
+    std::optional<std::size_t> chosen_item;  ///< of the submenu
 };
 
 /// \param entries  those of one menu in a row
 /// \param title    of what is open, shown at the right
-MenuBarResult menu_bar(std::span<const MenuEntry> entries, std::string_view title);
+MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submenu, std::string_view title);
+
+/// Entries as a menu of their own, for the right mouse button. \return the index of the chosen one
+/// \pre a popup has begun
+std::optional<std::size_t> menu_entries(std::span<const MenuEntry> entries);
 
 }  // namespace interleaf

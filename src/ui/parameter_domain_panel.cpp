@@ -7,8 +7,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "render/palette.h"
+#include "ui/keys_panel.h"
 #include "ui/plot_frame.h"
 #include "ui/style.h"
 
@@ -71,10 +73,127 @@ void draw_point(ImDrawList& list, glm::vec2 pixel, bool held) {
     list.AddCircleFilled(at, scaled(2), colors::white);
 }
 
+/// A vertex that the pointer is on or near; none where it is on none.
+std::optional<Index> vertex_near(const ParameterDomain& domain, const PlotFrame& frame, glm::vec2 pointer) {
+    std::optional<Index> nearest;
+    float distance = scaled(10);
+    for (Index vertex = 0; vertex < domain.vertices().size(); ++vertex) {
+        const float here = glm::distance(frame.pixel(domain.vertices()[vertex].at), pointer);
+        if (here >= distance) continue;
+        nearest = vertex;
+        distance = here;
+    }
+    return nearest;
+}
+
+/// The corners of the domain's bounding box, as they were when the mouse took hold of it: moving a vertex
+/// must not move the plane under the pointer.
+std::array<DomainVertex, 2> box_corners(const ParameterDomain& domain) {
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const std::array<ImGuiID, 4> ids{ImGui::GetID("low x"), ImGui::GetID("low y"), ImGui::GetID("high x"),
+                                     ImGui::GetID("high y")};
+    const bool is_held = ImGui::GetActiveID() == ImGui::GetID("domain");
+    if (is_held) {
+        return {{{{storage.GetFloat(ids[0]), storage.GetFloat(ids[1])}, 0},
+                 {{storage.GetFloat(ids[2]), storage.GetFloat(ids[3])}, 0}}};
+    }
+    glm::dvec2 low = domain.vertices().front().at;
+    glm::dvec2 high = low;
+    for (const DomainVertex& vertex : domain.vertices()) {
+        low = glm::min(low, vertex.at);
+        high = glm::max(high, vertex.at);
+    }
+    storage.SetFloat(ids[0], static_cast<float>(low.x));
+    storage.SetFloat(ids[1], static_cast<float>(low.y));
+    storage.SetFloat(ids[2], static_cast<float>(high.x));
+    storage.SetFloat(ids[3], static_cast<float>(high.y));
+    return {{{low, 0}, {high, 0}}};
+}
+
+/// What the menu of the right mouse button is about, from when it opens until it closes.
+struct MenuPlace {
+    std::optional<Index> vertex;
+    glm::dvec2 at{0};
+};
+
+/// The keys of the family to choose from; \p present has a mark.
+std::optional<std::size_t> choose_key(const Family& family, std::optional<std::size_t> present) {
+    std::optional<std::size_t> chosen;
+    for (std::size_t key = 0; key < family.keys.size(); ++key) {
+        ImGui::PushID(static_cast<int>(key));
+        if (ImGui::MenuItem(family.keys[key].name.c_str(), nullptr, present == key)) chosen = key;
+        ImGui::PopID();
+    }
+    return chosen;
+}
+
+void show_menu(const Family& family, const MenuPlace& place, ParameterDomainResult& result) {
+    if (place.vertex && *place.vertex < family.domain->vertices().size()) {
+        heading("Key at this vertex");
+        if (const auto key = choose_key(family, family.domain->vertices()[*place.vertex].key))
+            result.assigned = VertexKey{*place.vertex, *key};
+        ImGui::Separator();
+        if (ImGui::MenuItem("Remove vertex")) result.removed = place.vertex;
+    } else {
+        heading("Add a vertex here, of key");
+        if (const auto key = choose_key(family, std::nullopt)) result.added = AddedVertex{place.at, *key};
+    }
+}
+
+/// What the mouse does on the canvas, which is the last item.
+void read_mouse(const Family& family, const DomainPanel& panel, const PlotFrame& frame,
+                ParameterDomainResult& result) {
+    const ParameterDomain& domain = *family.domain;
+    const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID held_vertex = ImGui::GetID("held vertex");
+    const auto none = static_cast<int>(no_index);
+    if (ImGui::IsItemActivated()) {
+        const auto vertex = panel.edits ? vertex_near(domain, frame, pointer) : std::nullopt;
+        storage.SetInt(held_vertex, vertex ? static_cast<int>(*vertex) : none);
+    }
+    if (ImGui::IsItemActive()) {
+        const auto vertex = static_cast<Index>(storage.GetInt(held_vertex, none));
+        if (!panel.edits) {
+            result.moved_to = frame.point(pointer);
+        } else if (vertex < domain.vertices().size() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+            result.moved_vertex = MovedVertex{vertex, frame.point(pointer)};
+        }
+    }
+    if (const auto key = dropped_key()) {
+        if (const auto vertex = vertex_near(domain, frame, pointer)) {
+            result.assigned = VertexKey{*vertex, *key};
+        } else {
+            result.added = AddedVertex{frame.point(pointer), *key};
+        }
+    }
+}
+
+/// The menu of the right mouse button over the canvas, which is the last item.
+void show_canvas_menu(const Family& family, const PlotFrame& frame, ParameterDomainResult& result) {
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID vertex_id = ImGui::GetID("menu vertex");
+    const ImGuiID x_id = ImGui::GetID("menu x");
+    const ImGuiID y_id = ImGui::GetID("menu y");
+    const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+        const auto vertex = vertex_near(*family.domain, frame, pointer);
+        storage.SetInt(vertex_id, vertex ? static_cast<int>(*vertex) : -1);
+        storage.SetFloat(x_id, pointer.x);
+        storage.SetFloat(y_id, pointer.y);
+        ImGui::OpenPopup("domain menu");
+    }
+    if (!ImGui::BeginPopup("domain menu")) return;
+    MenuPlace place{std::nullopt, frame.point({storage.GetFloat(x_id), storage.GetFloat(y_id)})};
+    const int vertex = storage.GetInt(vertex_id, -1);
+    if (vertex >= 0) place.vertex = static_cast<Index>(vertex);
+    show_menu(family, place, result);
+    ImGui::EndPopup();
+}
+
 }  // namespace
 
-ParameterDomainResult parameter_domain_panel(const Family& family, const std::optional<DomainPoint>& point,
-                                             std::span<const glm::dvec2> path) {
+ParameterDomainResult parameter_domain_panel(const Family& family, const DomainPanel& panel) {
     const ParameterDomain& domain = *family.domain;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float heading_height = ImGui::GetTextLineHeightWithSpacing();
@@ -85,38 +204,53 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const std::op
     const float width = ImGui::GetContentRegionAvail().x;
     const Rect widest{corner.x + side_margin, corner.y + heading_height + margin, width - 2 * side_margin,
                       std::min(scaled(260), 0.4F * ImGui::GetWindowHeight())};
-    const Rect plot = PlotFrame(domain.vertices(), widest).rect();
+    const std::array<DomainVertex, 2> box = box_corners(domain);
+    const Rect plot = PlotFrame(box, widest).rect();
     const Rect area{corner.x, corner.y + heading_height, width, std::round(plot.height) + 2 * margin};
-    const PlotFrame frame(domain.vertices(), {plot.x, widest.y, plot.width, plot.height});
+    const PlotFrame frame(box, {plot.x, widest.y, plot.width, plot.height});
 
     ImGui::SetCursorScreenPos({area.x, area.y});
     ImGui::InvisibleButton("domain", {area.width, area.height});
-    const bool held = ImGui::IsItemActive();
-    ParameterDomainResult result{.moved_to = std::nullopt, .plot = frame.rect()};
+    const bool held = ImGui::IsItemActive() && !panel.edits;
+    const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
+    const bool is_hovered = ImGui::IsItemHovered();
+    ParameterDomainResult result;
+    result.plot = frame.rect();
+    result.snap = glm::distance(frame.point({0, 0}), frame.point({scaled(6), 0}));
+    read_mouse(family, panel, frame, result);
+    show_canvas_menu(family, frame, result);
     // Shown where it will be after this frame, so that it does not trail behind the pointer.
-    std::optional<DomainPoint> shown = point;
-    if (held) {
-        result.moved_to = frame.point(from_imgui(ImGui::GetIO().MousePos));
-        shown = domain.locate(*result.moved_to, point ? point->triangle : no_index);
+    std::optional<DomainPoint> shown = panel.point;
+    if (result.moved_to) {
+        shown = domain.locate(*result.moved_to, panel.point ? panel.point->triangle : no_index);
     }
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({area.x, area.y}, {area.right(), area.bottom()}, colors::well, scaled(4));
+    if (panel.edits)
+        list.AddRect({area.x, area.y}, {area.right(), area.bottom()}, colors::notice, scaled(4), 0,
+                     scaled(1));
     draw_triangles(list, domain, frame);
-    draw_path(list, path, frame);
+    draw_path(list, panel.path, frame);
     ImGui::PushFont(small_font());
     const float middle = frame.rect().y + frame.rect().height / 2;
-    for (const DomainVertex& vertex : domain.vertices()) {
+    const auto near = panel.edits && is_hovered ? vertex_near(domain, frame, pointer) : std::nullopt;
+    for (Index v = 0; v < domain.vertices().size(); ++v) {
+        const DomainVertex& vertex = domain.vertices()[v];
         draw_vertex(list, frame.pixel(vertex.at), family.keys[vertex.key], to_color(key_color(vertex.key)),
                     area, middle);
+        if (panel.edits)
+            list.AddCircle(to_imgui(frame.pixel(vertex.at)), scaled(near == v ? 8 : 6), colors::notice, 0,
+                           scaled(1.5F));
     }
     ImGui::PopFont();
-    if (shown) draw_point(list, frame.pixel(shown->at), held);
+    if (shown && !panel.edits) draw_point(list, frame.pixel(shown->at), held);
 
     const ImVec2 after = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos(corner);
-    heading("Parameter domain",
-            shown ? fmt::format("{:.3f}, {:.3f}", shown->at.x, shown->at.y) : std::string());
+    heading("Parameter domain", panel.edits ? "drag vertices (D)"
+                                : shown     ? fmt::format("{:.3f}, {:.3f}", shown->at.x, shown->at.y)
+                                            : std::string());
     ImGui::SetCursorScreenPos(after);
     return result;
 }

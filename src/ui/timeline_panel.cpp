@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "render/palette.h"
+#include "ui/keys_panel.h"
 #include "ui/style.h"
 
 namespace interleaf {
@@ -88,25 +89,93 @@ void draw_track(ImDrawList& list, const Timeline& timeline, const TimeScale& sca
     }
 }
 
-void draw_marks(ImDrawList& list, const Family& family, const TimeScale& scale) {
+void draw_marks(ImDrawList& list, const Timeline& timeline, const TimeScale& scale) {
     const float middle = scale.track.y + scale.track.height / 2;
-    const float label_top = scale.track.bottom() + scaled(1);
-    float label_end = scale.track.x - scaled(40);
-    ImGui::PushFont(small_font());
-    for (const TimelineKey& key : family.timeline->keys()) {
+    for (const TimelineKey& key : timeline.keys()) {
         const float x = scale.pixel(key.time);
         list.AddCircleFilled({x, middle}, scaled(6), colors::dark);
         list.AddCircleFilled({x, middle}, scaled(5), to_color(key_color(key.key)));
-        const std::string& name = family.keys[key.key].name;
+    }
+}
+
+/// A hundredth of what the track spans, or less: a round number of seconds.
+double readable_step(const TimeScale& scale) {
+    const double span = scale.end > scale.begin ? scale.end - scale.begin : 1;
+    return std::pow(10.0, std::floor(std::log10(span / 100)));
+}
+
+/// The time under the pointer as a round number; before and after the track, too.
+double readable_time(const TimeScale& scale, float pointer) {
+    const double step = readable_step(scale);
+    const double span = scale.end > scale.begin ? scale.end - scale.begin : 1;
+    const double part = static_cast<double>((pointer - scale.track.x) / scale.track.width);
+    return std::round((scale.begin + span * part) / step) * step;
+}
+
+/// The time under the pointer for the key at \p place, which stays between its neighbours.
+double dragged_time(const Timeline& timeline, std::size_t place, const TimeScale& scale, float pointer) {
+    const auto keys = timeline.keys();
+    const double step = readable_step(scale);
+    double time = readable_time(scale, pointer);
+    if (place + 1 < keys.size()) time = std::min(time, keys[place + 1].time - step);
+    if (place > 0) time = std::max(time, keys[place - 1].time + step);
+    return time;
+}
+
+/// The scale, as it was when the mouse took hold of a name: moving the first or the last key must not move
+/// the time under the pointer.
+TimeScale held_scale(const TimeScale& scale, bool is_held) {
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID begin = ImGui::GetID("held begin");
+    const ImGuiID end = ImGui::GetID("held end");
+    if (is_held) return {storage.GetFloat(begin), storage.GetFloat(end), scale.track};
+    storage.SetFloat(begin, static_cast<float>(scale.begin));
+    storage.SetFloat(end, static_cast<float>(scale.end));
+    return scale;
+}
+
+/// The names below the marks: dragging one moves its key in time, the right mouse button has a menu.
+void show_names(const Family& family, const TimeScale& scale, TimelineResult& result) {
+    const Timeline& timeline = *family.timeline;
+    const auto keys = timeline.keys();
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID held_id = ImGui::GetID("held place");
+    const int held = storage.GetInt(held_id, -1);
+    const TimeScale drag_scale = held_scale(scale, held >= 0);
+    float label_end = scale.track.x - scaled(40);
+    int held_now = -1;
+    ImGui::PushFont(small_font());
+    for (std::size_t place = 0; place < keys.size(); ++place) {
+        const std::string& name = family.keys[keys[place].key].name;
         const float width = text_size(name).x;
         const float left =
-            std::clamp(x - width / 2, scale.track.x - scaled(12), scale.track.right() + scaled(12) - width);
+            std::clamp(scale.pixel(keys[place].time) - width / 2, scale.track.x - scaled(12),
+                       std::max(scale.track.right() + scaled(12) - width, scale.track.x - scaled(12)));
         // A name that would run into the one before is left out; its mark stays.
-        if (left < label_end + scaled(8)) continue;
-        draw_text({left, label_top}, width + 1, colors::dim_text, name);
+        const bool is_held = held == static_cast<int>(place);
+        if (left < label_end + scaled(8) && !is_held) continue;
+        const glm::vec2 corner{left, scale.track.bottom() + scaled(1)};
+        ImGui::SetCursorScreenPos(to_imgui(corner));
+        ImGui::PushID(static_cast<int>(place));
+        ImGui::InvisibleButton("name", {std::max(width, 1.0F), ImGui::GetTextLineHeight()});
+        const bool is_pointed = ImGui::IsItemHovered() || is_held;
+        if (is_pointed) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        if (ImGui::IsItemActive()) held_now = static_cast<int>(place);
+        if (ImGui::BeginPopupContextItem("time menu")) {
+            if (ImGui::MenuItem("Set time...")) result.asked_time = place;
+            if (ImGui::MenuItem("Take off the timeline", nullptr, false)) result.removed = place;
+            ImGui::EndPopup();
+        }
+        ImGui::PopID();
+        draw_text(corner, width + 1, is_pointed ? colors::text : colors::dim_text, name);
         label_end = left + width;
     }
     ImGui::PopFont();
+    if (held_now >= 0 && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+        const auto place = static_cast<std::size_t>(held_now);
+        result.moved = MovedTime{place, dragged_time(timeline, place, drag_scale, ImGui::GetIO().MousePos.x)};
+    }
+    storage.SetInt(held_id, held_now);
 }
 
 void draw_playhead(ImDrawList& list, const TimeScale& scale, double time, bool drives) {
@@ -147,11 +216,14 @@ TimelineResult timeline_panel(const Rect& rect, const Family& family, const Time
         shown = pointed_time(timeline, scale, ImGui::GetIO().MousePos.x);
         result.seek_to = shown;
     }
+    if (const auto key = dropped_key())
+        result.added = KeyTime{*key, readable_time(scale, ImGui::GetIO().MousePos.x)};
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_track(list, timeline, scale);
-    draw_marks(list, family, scale);
+    draw_marks(list, timeline, scale);
     draw_playhead(list, scale, shown, state.drives || result.seek_to);
+    show_names(family, scale, result);
 
     ImGui::SetCursorPosY(heading_top);
     heading("Timeline", fmt::format("{:.2f} / {:.2f} s", shown, timeline.end()));
@@ -159,8 +231,7 @@ TimelineResult timeline_panel(const Rect& rect, const Family& family, const Time
         ImGui::PushFont(small_font());
         const float left = corner.x;
         const float room = rect.right() - left - scaled(120);
-        draw_text({left, rect.y + heading_top}, room, colors::notice,
-                  "Point moved off the timeline's path: scrub or press Space to follow it again");
+        draw_text({left, rect.y + heading_top}, room, colors::notice, state.remark);
         ImGui::PopFont();
     }
     end_panel();

@@ -99,7 +99,7 @@ TEST_CASE("a program that is killed leaves its document to the next one, not bef
     CHECK(found[0].note.time > 1'700'000'000);
     const Family family = read_family(found[0].family());
     CHECK(family.name == "Five keys");
-    CHECK(is_same(family.keys.at(1).hierarchy, family_called("")->keys[1].hierarchy));
+    CHECK(is_same(*family.keys.at(1).hierarchy, *family_called("")->keys[1].hierarchy));
 }
 
 TEST_CASE("a dead process that nobody has waited for counts as dead") {
@@ -236,7 +236,7 @@ TEST_CASE("the newest of many snapshots is what is kept, and clearing removes it
     const Recovery own{.folder = fs::directory_iterator(state / "recovery")->path(), .note = {}};
     const Family family = read_family(own.family());
     CHECK(family.name == "version 199");
-    CHECK(is_same(family.keys.at(0).hierarchy, last->keys[0].hierarchy));
+    CHECK(is_same(*family.keys.at(0).hierarchy, *last->keys[0].hierarchy));
     CHECK(last.use_count() == 1);
 
     writer.write(last, {});

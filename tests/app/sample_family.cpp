@@ -5,7 +5,9 @@ namespace interleaf {
 Family sample_family() {
     Family family;
     family.name = "sample";
-    for (const char* name : {"a", "b", "c", "d", "e"}) family.keys.push_back({.name = name, .hierarchy = {}});
+    const RootComplex roots(3, {{0, 1, 2}});
+    for (const char* name : {"a", "b", "c", "d", "e"})
+        family.keys.push_back({name, unrefined(roots, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})});
     family.timeline.emplace(std::vector<TimelineKey>{{0, 0}, {1, 1}, {3, 4}, {4, 2}, {5, 0}});
     family.domain.emplace(
         std::vector<DomainVertex>{{{-1, -1}, 0}, {{1, -1}, 1}, {{1, 1}, 2}, {{-1, 1}, 3}, {{0, 0}, 4}},

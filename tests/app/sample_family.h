@@ -1,4 +1,4 @@
-// A family to test the session with: the paper's square domain. Its keys are named, but empty.
+// A family to test the session with: the paper's square domain. Each of its keys is a triangle of its own.
 #pragma once
 
 #include "family/family.h"

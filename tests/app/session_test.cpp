@@ -1,6 +1,7 @@
 // Tests of the session: what drives the morph, and what stays where it is meanwhile.
 #include "app/session.h"
 
+#include <memory>
 #include <random>
 
 #include <doctest/doctest.h>
@@ -20,7 +21,7 @@ glm::dvec2 point_of(const Session& session) {
 }  // namespace
 
 TEST_CASE("a session begins at the begin of the timeline, paused, with the point on the timeline's path") {
-    const Session session(sample_family());
+    const Session session(std::make_shared<const Family>(sample_family()));
     CHECK(session.driver() == Driver::timeline);
     CHECK(session.time() == 0);
     CHECK_FALSE(session.is_playing());
@@ -30,7 +31,7 @@ TEST_CASE("a session begins at the begin of the timeline, paused, with the point
 }
 
 TEST_CASE("scrubbing moves the point along the timeline's path") {
-    Session session(sample_family());
+    Session session(std::make_shared<const Family>(sample_family()));
     for (double time = 0; time < 4; time += 0.0625) {
         CAPTURE(time);
         session.seek(time, 1);
@@ -46,14 +47,14 @@ TEST_CASE("scrubbing moves the point along the timeline's path") {
 }
 
 TEST_CASE("where the timeline's weights are no point of the domain, there is none") {
-    Session session(sample_family());
+    Session session(std::make_shared<const Family>(sample_family()));
     session.seek(4.5, 0);
     CHECK(session.weights() == Weights{{0, 0.5}, {2, 0.5}});
     CHECK_FALSE(session.point());
 }
 
 TEST_CASE("moving the point leaves the timeline where it is, for all later times") {
-    Session session(sample_family());
+    Session session(std::make_shared<const Family>(sample_family()));
     session.seek(1.25, 10);
     session.move_point({0.25, -0.5}, 11);
     for (const double now : {11.0, 12.0, 100.0}) {
@@ -66,7 +67,7 @@ TEST_CASE("moving the point leaves the timeline where it is, for all later times
 }
 
 TEST_CASE("moving the point while it plays pauses playback at the time it has reached") {
-    Session session(sample_family());
+    Session session(std::make_shared<const Family>(sample_family()));
     session.toggle_playing(10);
     session.advance(10.5);
     session.move_point({0, 0.5}, 10.75);
@@ -77,7 +78,7 @@ TEST_CASE("moving the point while it plays pauses playback at the time it has re
 }
 
 TEST_CASE("after the point has left the path, playing and scrubbing follow the timeline again") {
-    Session session(sample_family());
+    Session session(std::make_shared<const Family>(sample_family()));
     session.seek(2, 0);
     session.move_point({-0.5, 0.75}, 1);
     session.toggle_playing(5);
@@ -94,7 +95,7 @@ TEST_CASE("after the point has left the path, playing and scrubbing follow the t
 }
 
 TEST_CASE("a point outside is the nearest point of the domain") {
-    Session session(sample_family());
+    Session session(std::make_shared<const Family>(sample_family()));
     session.move_point({7, 0.5}, 0);
     CHECK(point_of(session) == glm::dvec2(1, 0.5));
     session.move_point({-7, 9}, 0);
@@ -106,7 +107,7 @@ TEST_CASE("on an edge of the domain the active keys stay those of the triangle t
     CAPTURE(seed);
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> along(0, 1);
-    Session session(sample_family());
+    Session session(std::make_shared<const Family>(sample_family()));
     for (int i = 0; i < 200; ++i) {
         // From below or from the right of the edge between the middle and the corner b.
         const bool below = i % 2 == 0;
@@ -119,7 +120,7 @@ TEST_CASE("on an edge of the domain the active keys stay those of the triangle t
 }
 
 TEST_CASE("playing moves in time with the clock and starts over at the end") {
-    Session session(sample_family());
+    Session session(std::make_shared<const Family>(sample_family()));
     session.toggle_playing(100);
     CHECK(session.is_playing());
     session.advance(103);
@@ -133,7 +134,7 @@ TEST_CASE("playing moves in time with the clock and starts over at the end") {
 }
 
 TEST_CASE("without the loop playing rests at the end") {
-    Session session(sample_family());
+    Session session(std::make_shared<const Family>(sample_family()));
     CHECK(session.loops());
     session.toggle_loop(0);
     CHECK_FALSE(session.loops());
@@ -144,7 +145,7 @@ TEST_CASE("without the loop playing rests at the end") {
 }
 
 TEST_CASE("switching the loop does not make the timeline drive") {
-    Session session(sample_family());
+    Session session(std::make_shared<const Family>(sample_family()));
     session.move_point({0.5, 0.25}, 0);
     session.toggle_loop(1);
     CHECK(session.driver() == Driver::point);
@@ -152,7 +153,7 @@ TEST_CASE("switching the loop does not make the timeline drive") {
 }
 
 TEST_CASE("going from key to key visits each key of the timeline, both ways, and stays at the ends") {
-    Session session(sample_family());
+    Session session(std::make_shared<const Family>(sample_family()));
     for (const double time : {1.0, 3.0, 4.0, 5.0, 5.0}) {
         session.seek_key(1, 0);
         CHECK(session.time() == time);
@@ -172,7 +173,7 @@ TEST_CASE("going from key to key visits each key of the timeline, both ways, and
 TEST_CASE("without a timeline the point drives from the first vertex on, and time stands still") {
     Family family = sample_family();
     family.timeline.reset();
-    Session session(std::move(family));
+    Session session(std::make_shared<const Family>(std::move(family)));
     CHECK(session.driver() == Driver::point);
     CHECK(point_of(session) == glm::dvec2(-1, -1));
     session.toggle_playing(1);
@@ -189,7 +190,7 @@ TEST_CASE("without a timeline the point drives from the first vertex on, and tim
 TEST_CASE("without a domain the timeline drives and there is no point") {
     Family family = sample_family();
     family.domain.reset();
-    Session session(std::move(family));
+    Session session(std::make_shared<const Family>(std::move(family)));
     session.seek(0.25, 0);
     CHECK_FALSE(session.point());
     CHECK(session.weights() == Weights{{0, 0.75}, {1, 0.25}});
@@ -199,9 +200,9 @@ TEST_CASE("with neither, the first key is shown as it is") {
     Family family = sample_family();
     family.domain.reset();
     family.timeline.reset();
-    Session session(std::move(family));
+    Session session(std::make_shared<const Family>(std::move(family)));
     session.advance(10);
-    CHECK(session.driver() == Driver::first_key);
+    CHECK(session.driver() == Driver::key);
     CHECK(session.weights() == Weights{{0, 1}});
     CHECK_FALSE(session.point());
 }

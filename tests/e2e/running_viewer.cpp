@@ -1,6 +1,7 @@
 #include "e2e/running_viewer.h"
 
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <stdexcept>
 #include <thread>
@@ -26,9 +27,17 @@ bool comes(const std::function<bool()>& attempt) {
     return true;
 }
 
+/// Where the program under test keeps what it keeps of its user.
+std::filesystem::path user_folder(const std::filesystem::path& trace) {
+    return trace.string() + "-user";
+}
+
 pid_t start(const std::filesystem::path& trace) {
     const pid_t process = fork();
     if (process == 0) {
+        // Settings and recoveries of the person who runs the tests are none of theirs.
+        setenv("XDG_CONFIG_HOME", user_folder(trace).c_str(), 1);
+        setenv("XDG_STATE_HOME", user_folder(trace).c_str(), 1);
         execl(INTERLEAF_PROGRAM, INTERLEAF_PROGRAM, "view", "--trace", trace.c_str(), nullptr);
         _exit(127);
     }
@@ -44,6 +53,7 @@ glm::vec2 vector_of(const nlohmann::json& json) {
 RunningViewer::RunningViewer()
     : trace_(std::filesystem::temp_directory_path() / fmt::format("interleaf-e2e-{}.trace", getpid())) {
     std::filesystem::remove(trace_);
+    std::filesystem::remove_all(user_folder(trace_));
     process_ = start(trace_);
     if (!comes([&] { return (window_ = desktop_.window_of(process_)) != 0; })) {
         throw std::runtime_error("no window has come");
@@ -57,6 +67,7 @@ RunningViewer::~RunningViewer() {
         waitpid(process_, nullptr, 0);
     }
     std::filesystem::remove(trace_);
+    std::filesystem::remove_all(user_folder(trace_));
 }
 
 RunningViewer::State RunningViewer::state() const {

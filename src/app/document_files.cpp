@@ -1,0 +1,384 @@
+#include "app/document_files.h"
+
+#include <algorithm>
+#include <ctime>
+#include <utility>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "app/builtin_family.h"
+#include "app/edit_commands.h"
+#include "app/open_family.h"
+#include "app/user_folders.h"
+#include "hierarchy/error.h"
+#include "io/family_file.h"
+
+namespace interleaf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How long a changed document rests before it is autosaved, and how often files are looked at; seconds.
+constexpr double autosave_rest = 1;
+constexpr double look_interval = 2;
+
+const std::vector<FileType>& openable_types() {
+    static const std::vector<FileType> types{{"Families, keys and meshes", {".json", ".ilh", ".obj"}},
+                                             {"Families and keys", {".json", ".ilh"}},
+                                             {"Meshes", {".obj"}}};
+    return types;
+}
+
+std::vector<fs::path> watched_files(const std::vector<fs::path>& sources) {
+    std::vector<fs::path> files;
+    for (const fs::path& source : sources) {
+        std::error_code ignored;
+        files.push_back(fs::is_directory(source, ignored) ? source / "family.json" : source);
+        try {
+            const auto keys = key_files(source);
+            files.insert(files.end(), keys.begin(), keys.end());
+        } catch (const std::runtime_error&) {
+            continue;  // it is watched itself
+        }
+    }
+    return files;
+}
+
+std::string folder_name(std::string name) {
+    std::ranges::replace_if(
+        name, [](char c) { return c == '/' || c == '\0'; }, '-');
+    return name.empty() ? "family" : name;
+}
+
+}  // namespace
+
+std::optional<fs::path> family_folder(const std::vector<fs::path>& sources) {
+    if (sources.size() != 1) return std::nullopt;
+    std::error_code ignored;
+    if (fs::is_directory(sources.front(), ignored)) return fs::absolute(sources.front());
+    if (sources.front().filename() == "family.json") return fs::absolute(sources.front()).parent_path();
+    return std::nullopt;
+}
+
+DocumentFiles::DocumentFiles(ViewerState& state, std::vector<fs::path> sources, bool is_alone)
+    : state_(state) {
+    if (!is_alone) {
+        settings_file_ = settings_file();
+        if (settings_file_) {
+            LoadedSettings loaded = load_settings(*settings_file_);
+            settings_ = std::move(loaded.settings);
+            if (!loaded.message.empty()) complain(loaded.message);
+        }
+        if (const auto folder = state_folder()) {
+            abandoned_ = abandoned_recoveries(*folder);
+            autosave_.emplace(*folder);
+        }
+    }
+    seen_ = state_.document.snapshot();
+    if (!sources.empty()) remember(sources.front());
+    set_sources(std::move(sources));
+    offer_recovery();
+}
+
+void DocumentFiles::grant(FileWish wish) {
+    switch (wish) {
+        case FileWish::none:
+            break;
+        case FileWish::open:
+            leave_document([this] { browse_to_open(); });
+            break;
+        case FileWish::reopen:
+            reopen();
+            break;
+        case FileWish::save:
+            save([] {});
+            break;
+        case FileWish::save_as:
+            save_as([] {});
+            break;
+        case FileWish::add_keys:
+            browse_to_add();
+            break;
+        case FileWish::quit:
+            leave_document([this] {
+                forget_unsaved();
+                state_.quit_wanted = true;
+            });
+            break;
+    }
+}
+
+void DocumentFiles::show(const Rect& area, double now) {
+    now_ = now;
+    if (state_.question && !is_asking()) {
+        TextQuestion question = *std::exchange(state_.question, std::nullopt);
+        ask({.text = question.text,
+             .detail = {},
+             .buttons = {question.button, "Cancel"},
+             .entry = question.entry,
+             .fault = question.fault},
+            [this, answer = question.answer](const Answer& given) {
+                if (given.button == 0) answer(state_, given.entry, now_);
+            });
+    }
+    if (const auto choice = browser_.show(area)) {
+        change_settings([&](Settings& settings) {
+            settings.last_folder = choice->folder;
+            interleaf::remember(settings.recent_folders, choice->folder);
+        });
+        std::exchange(on_choice_, nullptr)(*choice);
+    }
+    if (const auto answer = dialog_.show(area)) std::exchange(on_answer_, nullptr)(*answer);
+}
+
+void DocumentFiles::look_after(double now) {
+    const auto present = state_.document.snapshot();
+    if (present != seen_) {
+        seen_ = present;
+        seen_since_ = now;
+    }
+    if (autosave_) {
+        const bool rests = now - seen_since_ >= autosave_rest;
+        if (state_.document.is_changed() && present != autosaved_ && rests && !state_.is_dragging) {
+            autosaved_ = present;
+            autosave_->write(present, state_.document.folder().value_or(fs::path()));
+        }
+        if (const auto error = autosave_->take_error()) complain(*error);
+    }
+    if (now - looked_ < look_interval) return;
+    looked_ = now;
+    if (const auto file = stamps_.take_changed())
+        complain(fmt::format("{} has changed on disk: Ctrl+R reads it again", file->string()));
+}
+
+void DocumentFiles::remember_window(glm::ivec2 size) {
+    if (settings_.window_size != size)
+        change_settings([size](Settings& settings) { settings.window_size = size; });
+}
+
+// ---- questions
+// ---------------------------------------------------------------------------------------------
+
+void DocumentFiles::ask(Question question, std::function<void(const Answer&)> answer) {
+    if (dialog_.is_open()) return;
+    on_answer_ = std::move(answer);
+    dialog_.ask(std::move(question));
+}
+
+void DocumentFiles::browse(FileRequest request, std::function<void(const FileChoice&)> answer) {
+    if (browser_.is_open()) return;
+    request.places.push_back({"Built-in families", builtin_family_folder().parent_path()});
+    request.recent_folders = settings_.recent_folders;
+    request.folder = settings_.last_folder;
+    on_choice_ = std::move(answer);
+    browser_.open(std::move(request));
+}
+
+/// Does \p next once no changes can be lost: there are none, they have been saved, or they are not wanted.
+void DocumentFiles::leave_document(const Action& next) {
+    if (!state_.document.is_changed()) {
+        next();
+        return;
+    }
+    ask({.text = fmt::format("Save the changes to {}?", state_.document.family().name),
+         .detail = "They are lost otherwise.",
+         .buttons = {"Save", "Don't save", "Cancel"},
+         .entry = {},
+         .fault = {}},
+        [this, next](const Answer& answer) {
+            if (answer.button == 0) save(next);
+            if (answer.button == 1) next();
+        });
+}
+
+// ---- opening
+// -----------------------------------------------------------------------------------------------
+
+void DocumentFiles::browse_to_open() {
+    browse({.title = "Open",
+            .action = "Open",
+            .purpose = FilePurpose::open,
+            .several = true,
+            .types = openable_types(),
+            .places = {},
+            .recent_folders = {},
+            .folder = {},
+            .name = {}},
+           [this](const FileChoice& choice) { open(choice.files); });
+}
+
+void DocumentFiles::browse_to_add() {
+    browse({.title = "Add keys",
+            .action = "Add",
+            .purpose = FilePurpose::open,
+            .several = true,
+            .types = openable_types(),
+            .places = {},
+            .recent_folders = {},
+            .folder = {},
+            .name = {}},
+           [this](const FileChoice& choice) { add_keys(choice.files, now_); });
+}
+
+void DocumentFiles::open(std::vector<fs::path> files) {
+    leave_document([this, files = std::move(files)] {
+        try {
+            Family family = open_family(files);
+            remember(files.front());
+            replace_document(std::move(family), files);
+        } catch (const std::runtime_error& error) {
+            complain(error.what());
+        }
+    });
+}
+
+void DocumentFiles::reopen() {
+    leave_document([this] {
+        try {
+            Family family = open_family(sources_);
+            replace_document(std::move(family), sources_);
+        } catch (const std::runtime_error& error) {
+            complain(error.what());
+        }
+    });
+}
+
+void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
+    try {
+        interleaf::add_keys(state_, open_family(files).keys, now);
+    } catch (const std::runtime_error& error) {
+        complain(error.what());
+    }
+}
+
+void DocumentFiles::replace_document(Family family, std::vector<fs::path> sources) {
+    forget_unsaved();
+    ViewerState opened(std::move(family), family_folder(sources));
+    opened.session.display = state_.session.display;
+    opened.help_shown = state_.help_shown;
+    state_ = std::move(opened);
+    set_sources(std::move(sources));
+}
+
+void DocumentFiles::set_sources(std::vector<fs::path> sources) {
+    stamps_ = FileStamps(watched_files(sources));
+    sources_ = std::move(sources);
+}
+
+// ---- saving
+// ------------------------------------------------------------------------------------------------
+
+void DocumentFiles::save(const Action& next) {
+    if (state_.document.folder()) {
+        write(*state_.document.folder(), next);
+    } else {
+        save_as(next);
+    }
+}
+
+void DocumentFiles::save_as(Action next) {
+    browse({.title = "Save the family in a folder of its own",
+            .action = "Save",
+            .purpose = FilePurpose::save_folder,
+            .several = false,
+            .types = openable_types(),
+            .places = {},
+            .recent_folders = {},
+            .folder = {},
+            .name = folder_name(state_.document.family().name)},
+           [this, next = std::move(next)](const FileChoice& choice) { write(choice.files.front(), next); });
+}
+
+void DocumentFiles::write(const fs::path& folder, const Action& next) {
+    const auto family = state_.document.snapshot();
+    try {
+        write_family(*family, folder);
+    } catch (const std::runtime_error& error) {
+        complain(error.what());
+        return;
+    }
+    state_.document.mark_saved(family, fs::absolute(folder));
+    forget_unsaved();
+    remember(folder);
+    set_sources({fs::absolute(folder)});
+    next();
+}
+
+// ---- what the user is not to lose
+// --------------------------------------------------------------------------
+
+/// Nothing unsaved is worth recovering any more.
+void DocumentFiles::forget_unsaved() {
+    autosaved_ = nullptr;
+    if (autosave_) autosave_->clear();
+    if (!recovered_) return;
+    try {
+        discard_recovery(*recovered_);
+    } catch (const MachineError& error) {
+        complain(error.what());
+    }
+    recovered_.reset();
+}
+
+void DocumentFiles::offer_recovery() {
+    if (abandoned_.empty()) return;
+    const RecoveryNote& note = abandoned_.front().note;
+    const std::string when =
+        note.time == 0
+            ? ""
+            : fmt::format(", as of {:%Y-%m-%d %H:%M}", fmt::localtime(static_cast<std::time_t>(note.time)));
+    ask({.text = fmt::format("Recover {}?", note.name),
+         .detail = fmt::format("Interleaf ended while it had changes that were not saved{}.", when),
+         .buttons = {"Recover", "Discard", "Later"},
+         .entry = {},
+         .fault = {}},
+        [this](const Answer& answer) {
+            if (answer.button == 0) recover();
+            if (answer.button != 1) return;
+            try {
+                if (const auto claimed = claim_recovery(abandoned_.front())) discard_recovery(*claimed);
+            } catch (const MachineError& error) {
+                complain(error.what());
+            }
+            abandoned_.erase(abandoned_.begin());
+            offer_recovery();
+        });
+}
+
+void DocumentFiles::recover() {
+    auto claimed = claim_recovery(abandoned_.front());
+    abandoned_.clear();
+    if (!claimed) return complain("the recovery has gone: another window has taken it");
+    try {
+        Family family = read_family(claimed->family());
+        std::vector<fs::path> sources;
+        if (!claimed->note.document_folder.empty()) sources.push_back(claimed->note.document_folder);
+        replace_document(std::move(family), std::move(sources));
+        state_.document.mark_unsaved();
+        recovered_ = std::move(claimed);
+    } catch (const std::runtime_error& error) {
+        complain(fmt::format("{}; it is kept", error.what()));
+    }
+}
+
+void DocumentFiles::remember(const fs::path& path) {
+    change_settings([&](Settings& settings) { interleaf::remember(settings.recent_files, path); });
+}
+
+void DocumentFiles::change_settings(const std::function<void(Settings&)>& change) {
+    change(settings_);
+    if (!settings_file_) return;
+    try {
+        interleaf::change_settings(*settings_file_, change);
+    } catch (const std::runtime_error& error) {
+        complain(error.what());
+    }
+}
+
+void DocumentFiles::complain(const std::string& text) {
+    state_.message = text;
+}
+
+}  // namespace interleaf

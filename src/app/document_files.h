@@ -1,0 +1,98 @@
+// The files of the document: opening and saving it with the file browser, asking before changes are lost,
+// recent files, the autosave and the offer to recover, and changes on disk by others.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/autosave_writer.h"
+#include "app/file_stamps.h"
+#include "app/recovery.h"
+#include "app/settings.h"
+#include "app/viewer_state.h"
+#include "ui/dialog.h"
+#include "ui/file_browser.h"
+#include "ui/rect.h"
+
+namespace interleaf {
+
+/// The folder to save a document in that was read from \p sources; none unless they are one family.
+std::optional<std::filesystem::path> family_folder(const std::vector<std::filesystem::path>& sources);
+
+class DocumentFiles {
+  public:
+    /// \param sources   the files that the document in \p state was read from; none for the built-in family
+    /// \param is_alone  whether to leave the settings and the recoveries of the user alone
+    DocumentFiles(ViewerState& state, std::vector<std::filesystem::path> sources, bool is_alone);
+
+    /// Grants the wish of a command.
+    void grant(FileWish wish);
+
+    /// Opens \p files as a new document, or adds their keys to this one.
+    void open(std::vector<std::filesystem::path> files);
+    void add_keys(const std::vector<std::filesystem::path>& files, double now);
+
+    const std::vector<std::filesystem::path>& recent_files() const { return settings_.recent_files; }
+
+    /// Whether a question or the file browser has the keyboard.
+    bool is_asking() const { return browser_.is_open() || dialog_.is_open(); }
+
+    /// Draws them in the middle of \p area and acts on the answers; call it in every frame.
+    void show(const Rect& area, double now);
+
+    /// Writes the autosave and looks for changes on disk, when it is time to; call it in every frame.
+    void look_after(double now);
+
+    void remember_window(glm::ivec2 size);
+
+  private:
+    using Action = std::function<void()>;
+
+    void offer_recovery();
+    void recover();
+    void ask(Question question, std::function<void(const Answer&)> answer);
+    void leave_document(const Action& next);
+    void save(const Action& next);
+    void save_as(Action next);
+    void write(const std::filesystem::path& folder, const Action& next);
+    void browse(FileRequest request, std::function<void(const FileChoice&)> answer);
+    void browse_to_open();
+    void browse_to_add();
+    void reopen();
+    void replace_document(Family family, std::vector<std::filesystem::path> sources);
+    void set_sources(std::vector<std::filesystem::path> sources);
+    void forget_unsaved();
+    void remember(const std::filesystem::path& path);
+    void change_settings(const std::function<void(Settings&)>& change);
+    void complain(const std::string& text);
+
+    ViewerState& state_;
+    std::vector<std::filesystem::path> sources_;
+    FileStamps stamps_;
+    double looked_ = 0;  ///< when stamps were compared last
+
+    std::optional<std::filesystem::path> settings_file_;
+    Settings settings_;
+
+    FileBrowser browser_;
+    std::function<void(const FileChoice&)> on_choice_;
+    Dialog dialog_;
+    std::function<void(const Answer&)> on_answer_;
+    double now_ = 0;
+
+    std::optional<AutosaveWriter> autosave_;
+    std::shared_ptr<const Family> autosaved_;
+    std::shared_ptr<const Family> seen_;  ///< the document's state of the last frame,
+    double seen_since_ = 0;               ///< and since when
+    std::vector<Recovery> abandoned_;
+    std::optional<Recovery> recovered_;  ///< what the document was recovered from, until it is saved
+};
+
+}  // namespace interleaf

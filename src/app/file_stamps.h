@@ -1,0 +1,33 @@
+// Whether files have been changed by others since they were read.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace interleaf {
+
+class FileStamps {
+  public:
+    FileStamps() = default;
+
+    /// Remembers \p files as they are now.
+    explicit FileStamps(std::vector<std::filesystem::path> files);
+
+    /// The first file that is other than remembered, or has gone; each change is reported once.
+    std::optional<std::filesystem::path> take_changed();
+
+  private:
+    struct Stamp {
+        std::filesystem::path file;
+        std::filesystem::file_time_type written{};  ///< the earliest time for none
+        std::uintmax_t size = 0;
+        bool operator==(const Stamp&) const = default;
+    };
+    static Stamp stamp_of(const std::filesystem::path& file);
+
+    std::vector<Stamp> stamps_;
+};
+
+}  // namespace interleaf

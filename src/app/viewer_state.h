@@ -1,0 +1,50 @@
+// What the window is about: the document, where the session stands in it, and wishes of commands that the
+// window grants.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "app/document.h"
+#include "app/session.h"
+
+namespace interleaf {
+
+/// What a command asks of the files of the document.
+enum class FileWish : std::uint8_t { none, open, reopen, save, save_as, add_keys, quit };
+
+struct ViewerState;
+
+/// A question with one line of text for an answer.
+struct TextQuestion {
+    std::string text;
+    std::string entry;  ///< at first
+    std::string button;
+    std::function<std::string(const std::string& entry)> fault;  ///< what is wrong with it; "" for nothing
+    std::function<void(ViewerState& state, const std::string& entry, double now)> answer;
+};
+
+struct ViewerState {
+    explicit ViewerState(Family family, std::optional<std::filesystem::path> folder = std::nullopt)
+        : document(std::move(family), std::move(folder)), session(document.snapshot()) {}
+
+    Document document;
+    Session session;  ///< of the document's present state
+    std::optional<std::size_t> selected_key;
+    bool edits_domain = false;  ///< dragging in the domain moves its vertices
+    bool is_dragging = false;   ///< the present step of the document is a drag that goes on
+
+    FileWish file_wish = FileWish::none;
+    std::optional<TextQuestion> question;
+    bool help_shown = false;
+    bool frame_wanted = true;  ///< the camera shall see the whole of the model
+    bool reload_wanted = false;
+    bool quit_wanted = false;
+    std::string message{};  ///< an error to read; empty for none
+};
+
+}  // namespace interleaf

@@ -1,0 +1,15 @@
+// A picture as a texture, for the user interface to show.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "render/gl_object.h"
+
+namespace interleaf {
+
+/// A texture of \p width x \p height pixels from 8-bit RGBA, top row first, shown value by value.
+/// \pre a context is current
+GlTexture image_texture(int width, int height, std::span<const std::uint8_t> rgba);
+
+}  // namespace interleaf
