@@ -142,6 +142,7 @@ class FileBrowser {
     std::size_t place_ = 0;
     SortColumn column_ = SortColumn::name;
     bool has_places_ = false;  ///< there is room for them
+    bool is_narrow_ = false;   ///< there is room for what cannot be left out
     std::size_t columns_ = 3;  ///< there is room for
     TextField field_;
     std::string ambiguous_;  ///< what a Tab could not complete further

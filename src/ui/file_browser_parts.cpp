@@ -82,8 +82,12 @@ std::optional<FileChoice> FileBrowser::show(const Rect& area) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float places_width = scaled(160);
     has_places_ = width >= scaled(600);
+    is_narrow_ = width < scaled(420);
     if (!is_shown(part_)) part_ = Part::list;
-    draw_text(from_imgui(ImGui::GetCursorScreenPos()), width, colors::text, request_.title);
+    // A narrow window has no room for what could not be done beside the buttons.
+    const bool has_remark = is_narrow_ && !remark_.empty();
+    draw_text(from_imgui(ImGui::GetCursorScreenPos()), width, has_remark ? colors::notice : colors::text,
+              has_remark ? remark_ : request_.title);
     ImGui::Dummy({width, ImGui::GetTextLineHeight() + scaled(2)});
     show_path(width);
 
