@@ -31,8 +31,9 @@ constexpr double latest_time = 253'402'300'800;  // the year 10000
 /// Whose folder \p name is: "PID-START" and perhaps more after another '-'.
 std::optional<ProcessIdentity> owner_of(std::string_view name) {
     ProcessIdentity owner{.number = 0, .start_time = 0};
-    const char* const end = name.data() + name.size();
-    const auto number = std::from_chars(name.data(), end, owner.number);
+    const char* const begin = name.data();
+    const char* const end = begin + name.size();
+    const auto number = std::from_chars(begin, end, owner.number);
     if (number.ec != std::errc() || owner.number <= 0 || number.ptr == end || *number.ptr != '-')
         return std::nullopt;
     const auto start = std::from_chars(number.ptr + 1, end, owner.start_time);

@@ -62,6 +62,7 @@ std::optional<std::size_t> breadcrumbs(const std::vector<fs::path>& folders, flo
                                        std::optional<std::size_t> focused) {
     std::optional<std::size_t> clicked;
     std::vector<float> widths;
+    widths.reserve(folders.size());
     for (const fs::path& folder : folders) widths.push_back(text_size(label_of(folder)).x + 2 * padding());
     const float ellipsis_width = text_size(ellipsis).x + 2 * padding();
     std::size_t first = folders.size() - 1;

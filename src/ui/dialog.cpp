@@ -74,7 +74,7 @@ std::optional<Answer> Dialog::show(const Rect& area) {
         end_modal(pressed_.has_value());
     }
     if (!pressed_) return std::nullopt;
-    const Answer answer{.button = *pressed_, .entry = entry_.text()};
+    Answer answer{.button = *pressed_, .entry = entry_.text()};
     question_.reset();
     return answer;
 }

@@ -15,12 +15,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// \p folder as an absolute path, without "." and ".." and a '/' at its end.
+fs::path whole_path(const fs::path& folder) {
+    std::error_code error;
+    const fs::path path = fs::absolute(folder, error).lexically_normal();
+    if (error) return "/";  // relative to a folder that is gone
+    return path.has_filename() ? path : path.parent_path();
+}
+
 /// \p folder, or the nearest of its parents that is a folder.
 fs::path nearest_folder(fs::path folder) {
     std::error_code error;
-    folder = fs::absolute(folder, error).lexically_normal();
-    if (error) return home_folder();
-    if (!folder.has_filename()) folder = folder.parent_path();
+    folder = whole_path(folder);
     while (!fs::is_directory(folder, error) && folder.has_relative_path()) folder = folder.parent_path();
     return folder;
 }
@@ -79,8 +85,8 @@ void FileBrowser::complain(std::string text) {
 
 /// \param cursor  the name to put the cursor on
 void FileBrowser::go_to(const fs::path& folder, const fs::path& cursor) {
-    folder_ = folder;
-    listing_ = read_folder(folder);
+    folder_ = whole_path(folder);
+    listing_ = read_folder(folder_);
     remark_.clear();
     crumb_ = static_cast<std::size_t>(std::ranges::distance(folder_)) - 1;
     arrange(cursor);

@@ -115,6 +115,7 @@ class FileBrowser {
     void show_list(float width, float height);
     void show_nothing(float left, float top, float width, float height);
     void show_field(float width);
+    void leave_field(std::size_t names);
     void show_types(float width);
     void show_buttons(float width);
     void show_remark(float left, float width);
@@ -141,9 +142,11 @@ class FileBrowser {
     std::size_t place_ = 0;
     SortColumn column_ = SortColumn::name;
     bool has_places_ = false;  ///< there is room for them
+    bool is_narrow_ = false;   ///< there is room for what cannot be left out
     std::size_t columns_ = 3;  ///< there is room for
     TextField field_;
-    std::string remark_;  ///< what could not be done
+    std::string ambiguous_;  ///< what a Tab could not complete further
+    std::string remark_;     ///< what could not be done
 
     Asked asked_ = Asked::nothing;
     Dialog dialog_;

@@ -49,7 +49,7 @@ bool FileBrowser::is_shown(Part part) const {
         case Part::type:
             return !wants_folder() && !request_.types.empty();
         case Part::new_folder:
-            return is_saving();
+            return is_saving() && !is_narrow_;
         case Part::places:
             return has_places_;
         default:

@@ -82,8 +82,12 @@ std::optional<FileChoice> FileBrowser::show(const Rect& area) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float places_width = scaled(160);
     has_places_ = width >= scaled(600);
+    is_narrow_ = width < scaled(420);
     if (!is_shown(part_)) part_ = Part::list;
-    draw_text(from_imgui(ImGui::GetCursorScreenPos()), width, colors::text, request_.title);
+    // A narrow window has no room for what could not be done beside the buttons.
+    const bool has_remark = is_narrow_ && !remark_.empty();
+    draw_text(from_imgui(ImGui::GetCursorScreenPos()), width, has_remark ? colors::notice : colors::text,
+              has_remark ? remark_ : request_.title);
     ImGui::Dummy({width, ImGui::GetTextLineHeight() + scaled(2)});
     show_path(width);
 
@@ -225,11 +229,16 @@ void FileBrowser::show_field(float width) {
     const float types_width = has_types ? std::min(scaled(200), width * 0.35F) : 0;
     const float end = left + width - types_width - (has_types ? ImGui::GetStyle().ItemSpacing.x : 0);
     const bool is_focused = part_ == Part::field && !dialog_.is_open() && open_;
-    const TextFieldResult result = field_.show(
-        "##path", is_saving() ? "" : "Type or paste a path (Ctrl+L)", end - ImGui::GetCursorPosX(),
-        is_focused, [this](const std::string& text) { return completed_path(text, folder_, home_folder()); });
+    std::size_t names = 0;
+    const auto complete = [&](const std::string& text) {
+        PathCompletion completion = completed_path(text, folder_, home_folder());
+        names = completion.names;
+        return completion.text;
+    };
+    const TextFieldResult result = field_.show("##path", is_saving() ? "" : "Type or paste a path (Ctrl+L)",
+                                               end - ImGui::GetCursorPosX(), is_focused, complete);
     if (result.clicked) part_ = Part::field;
-    if (result.tabbed) move_part(1);
+    if (result.tabbed) leave_field(names);
     if (result.entered && !ImGui::GetIO().KeyCtrl) {
         field_.refocus();
         if (is_saving() || field_.text().find_first_not_of(' ') != std::string::npos) accept_text();
@@ -238,6 +247,13 @@ void FileBrowser::show_field(float width) {
         ImGui::SameLine();
         show_types(types_width);
     }
+}
+
+/// After a Tab that has completed nothing. Where several \p names begin so, only a second one leaves.
+void FileBrowser::leave_field(std::size_t names) {
+    const std::string text = field_.text();
+    if (names <= 1 || text.empty() || std::exchange(ambiguous_, text) == text) return move_part(1);
+    remark_ = fmt::format("{} names begin so.", grouped(names));
 }
 
 void FileBrowser::show_types(float width) {

@@ -180,8 +180,7 @@ void scroll_to(std::size_t row, float sight) {
     if (top + row_height() > ImGui::GetScrollY() + sight) ImGui::SetScrollY(top + row_height() - sight);
 }
 
-void show_rows(const FileListState& state, FileListResult& result) {
-    const float width = ImGui::GetContentRegionAvail().x;
+void show_rows(float width, const FileListState& state, FileListResult& result) {
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(state.shown.size()), row_height());
     while (clipper.Step()) {
@@ -221,7 +220,7 @@ FileListResult file_list(glm::vec2 size, const FileListState& state) {
     ImGui::BeginChild(
         "list", to_imgui(size), false,
         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    // The rows may have a scroll bar beside them; the headings leave its room, so that columns stay in line.
+    // Headings and rows leave the room of the scroll bar also where there is none: columns stay in line.
     const float inner = size.x - ImGui::GetStyle().ScrollbarSize;
     result.sort_by = show_headings(inner, state);
     const float sight = ImGui::GetContentRegionAvail().y;
@@ -229,7 +228,7 @@ FileListResult file_list(glm::vec2 size, const FileListState& state) {
     if (!state.shown.empty() && state.scroll_to_cursor) scroll_to(state.selection.cursor(), sight);
     ImGui::PushClipRect(ImGui::GetWindowPos(),
                         {ImGui::GetWindowPos().x + size.x, ImGui::GetWindowPos().y + sight}, true);
-    show_rows(state, result);
+    show_rows(inner, state, result);
     ImGui::PopClipRect();
     result.rows_in_sight = static_cast<std::size_t>(std::max(sight / row_height(), 1.0F));
     ImGui::EndChild();

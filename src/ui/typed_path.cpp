@@ -68,23 +68,25 @@ fs::path typed_path(std::string_view text, const fs::path& folder, const fs::pat
     return path.has_filename() || path == path.root_path() ? path : path.parent_path();
 }
 
-std::string completed_path(std::string_view text, const fs::path& folder, const fs::path& home) {
-    if (text == "~") return "~/";
+PathCompletion completed_path(std::string_view text, const fs::path& folder, const fs::path& home) {
+    if (text == "~") return {.text = "~/", .names = 1};
     const std::size_t slash = text.rfind('/');
     const std::size_t begin = slash == std::string_view::npos ? 0 : slash + 1;
     const std::string_view before = text.substr(0, begin);
     const std::string_view typed = text.substr(begin);
     const fs::path in = before.empty() ? folder : typed_path(before, folder, home);
 
+    PathCompletion completion{.text = std::string(text), .names = 0};
     std::vector<std::string> names = names_beginning(in, typed, false);
     if (names.empty()) names = names_beginning(in, typed, true);
-    if (names.empty()) return std::string(text);
+    completion.names = names.size();
+    if (names.empty()) return completion;
     std::string completed = common_beginning(names);
     std::error_code ignored;
     if (names.size() == 1 && fs::is_directory(in / completed, ignored)) completed += '/';
     // Names that differ in the case of what was typed have less in common than that.
-    if (completed.size() < typed.size()) return std::string(text);
-    return std::string(before) + completed;
+    if (completed.size() >= typed.size()) completion.text = std::string(before) + completed;
+    return completion;
 }
 
 }  // namespace interleaf

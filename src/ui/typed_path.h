@@ -15,10 +15,15 @@ std::filesystem::path home_folder();
 std::filesystem::path typed_path(std::string_view text, const std::filesystem::path& folder,
                                  const std::filesystem::path& home);
 
+struct PathCompletion {
+    std::string text;
+    std::size_t names;  ///< that begin as typed
+};
+
 /// \p text as far as the names on the disk complete it: the longest beginning that all names have which begin
 /// so; in any case where none does exactly. A folder that is the only one gets its '/'. Names that a text
 /// field cannot hold are left out, hidden ones are only meant by typing their dot.
-std::string completed_path(std::string_view text, const std::filesystem::path& folder,
-                           const std::filesystem::path& home);
+PathCompletion completed_path(std::string_view text, const std::filesystem::path& folder,
+                              const std::filesystem::path& home);
 
 }  // namespace interleaf
