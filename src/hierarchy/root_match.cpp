@@ -60,9 +60,9 @@ RootMismatch mismatch_at(const ImageEnd& end, const RootGluing& reference, const
 }
 
 std::string figures_of(const RootComplex& roots, const RootGluing& gluing) {
-    return fmt::format("{} root triangles, {} root vertices, {} boundary edges, {} components",
+    return fmt::format("{} root triangles, {} root vertices, {} boundary edges, {} component{}",
                        roots.triangle_count(), roots.vertex_count(), roots.boundary_edge_count(),
-                       gluing.component_count());
+                       gluing.component_count(), gluing.component_count() == 1 ? "" : "s");
 }
 
 /// The first root whose refinement edge corresponds to another edge, by a match that was made without regard
