@@ -56,6 +56,7 @@ Family family_of_keys(std::string name, std::vector<Key> keys) {
     const std::size_t count = family.keys.size();
     if (count >= 2) {
         std::vector<TimelineKey> times;
+        times.reserve(count);
         for (std::size_t key = 0; key < count; ++key) times.push_back({static_cast<double>(key), key});
         family.timeline.emplace(std::move(times));
     }

@@ -139,7 +139,8 @@ class Difference {
 
     /// The key's sides that look like side 0 of \p triangle.
     std::span<const std::pair<std::uint64_t, Index>> alike(Index triangle) const {
-        const std::uint64_t signature = signature_[3 * triangle];
+        const Index side = 3 * triangle;
+        const std::uint64_t signature = signature_[side];
         const auto begin = std::lower_bound(sides_.begin(), sides_.end(), std::pair(signature, Index{0}));
         const auto end = std::upper_bound(begin, sides_.end(), std::pair(signature, no_index));
         return {begin, end};
