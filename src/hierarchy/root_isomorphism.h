@@ -36,7 +36,7 @@ struct RootMatchOptions {
     /// Triangles visited for the sake of a better match than the first. So all candidates are tried in a
     /// complex of up to sqrt(step_limit) triangles, and in a larger one that is not that symmetric; beyond
     /// the limit, those nearest at the seed are.
-    std::uint64_t step_limit = std::uint64_t{1} << 25;
+    std::uint64_t step_limit = std::uint64_t{1} << 24;
 };
 
 /// A root complex with one position a root vertex, or more, of which the first count.
