@@ -28,7 +28,7 @@ void make_unique(std::vector<Key>& keys) {
 glm::dvec2 polygon_corner(std::size_t corner, std::size_t count) {
     const double turn = (static_cast<double>(corner) - 0.5) / static_cast<double>(count) - 0.25;
     const double angle = 2 * std::numbers::pi * turn;
-    const auto rounded = [](double x) { return std::round(x * 1e6) * 1e-6 + 0.0; };
+    const auto rounded = [](double x) { return std::round(x * 1e6) / 1e6 + 0.0; };
     return {rounded(std::cos(angle)), rounded(std::sin(angle))};
 }
 
@@ -56,6 +56,7 @@ Family family_of_keys(std::string name, std::vector<Key> keys) {
     const std::size_t count = family.keys.size();
     if (count >= 2) {
         std::vector<TimelineKey> times;
+        times.reserve(count);
         for (std::size_t key = 0; key < count; ++key) times.push_back({static_cast<double>(key), key});
         family.timeline.emplace(std::move(times));
     }

@@ -13,7 +13,7 @@ namespace interleaf {
 namespace {
 
 /// How far signatures look. More would tell apart what differs only farther away; a walk does that as well.
-constexpr unsigned signature_radius = 8;
+constexpr unsigned signature_radius = 4;
 
 /// Up to this many components of one kind, and this many triangles to visit for it, the best assignment is
 /// found.
@@ -130,7 +130,7 @@ class Search {
           key_(key, options.marked),
           images_(reference.roots.triangle_count()),
           walker_(reference_.gluing),
-          steps_left_(8 * options.step_limit + 64 * std::uint64_t{reference.roots.triangle_count()}) {
+          steps_left_(4 * options.step_limit + 64 * std::uint64_t{reference.roots.triangle_count()}) {
         match_.roots.resize(reference.roots.triangle_count());
         match_.vertices.resize(reference.roots.vertex_count());
     }
@@ -304,9 +304,10 @@ class Search {
     std::vector<Index> candidates(Index seed, const Searched& target, Index component,
                                   const glm::dvec3& shift) const {
         std::vector<std::pair<double, Index>> sides;
+        const Index seed_side = 3 * seed;
         for (const Index t : target.gluing.component(component))
             for (const Index side : {3 * t, 3 * t + 1, 3 * t + 2}) {
-                if (target.signature[side] != reference_.signature[3 * seed]) continue;
+                if (target.signature[side] != reference_.signature[seed_side]) continue;
                 double distance = 0;
                 for (Index k = 0; k < 3; ++k) {
                     const Index ours = reference_.gluing.triangles[seed][k];

@@ -33,10 +33,10 @@ struct RootMatchOptions {
     /// are found.
     std::span<const Index> given{};
 
-    /// Triangles visited for the sake of a better match than the first. All candidates are tried in a
-    /// component of up to sqrt(step_limit) triangles, and in a larger one that is not that symmetric; beyond
+    /// Triangles visited for the sake of a better match than the first. So all candidates are tried in a
+    /// complex of up to sqrt(step_limit) triangles, and in a larger one that is not that symmetric; beyond
     /// the limit, those nearest at the seed are.
-    std::uint64_t step_limit = std::uint64_t{1} << 28;
+    std::uint64_t step_limit = std::uint64_t{1} << 24;
 };
 
 /// A root complex with one position a root vertex, or more, of which the first count.

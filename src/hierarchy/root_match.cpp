@@ -60,9 +60,9 @@ RootMismatch mismatch_at(const ImageEnd& end, const RootGluing& reference, const
 }
 
 std::string figures_of(const RootComplex& roots, const RootGluing& gluing) {
-    return fmt::format("{} root triangles, {} root vertices, {} boundary edges, {} components",
+    return fmt::format("{} root triangles, {} root vertices, {} boundary edges, {} component{}",
                        roots.triangle_count(), roots.vertex_count(), roots.boundary_edge_count(),
-                       gluing.component_count());
+                       gluing.component_count(), gluing.component_count() == 1 ? "" : "s");
 }
 
 /// The first root whose refinement edge corresponds to another edge, by a match that was made without regard
@@ -139,7 +139,8 @@ class Difference {
 
     /// The key's sides that look like side 0 of \p triangle.
     std::span<const std::pair<std::uint64_t, Index>> alike(Index triangle) const {
-        const std::uint64_t signature = signature_[3 * triangle];
+        const Index side = 3 * triangle;
+        const std::uint64_t signature = signature_[side];
         const auto begin = std::lower_bound(sides_.begin(), sides_.end(), std::pair(signature, Index{0}));
         const auto end = std::upper_bound(begin, sides_.end(), std::pair(signature, no_index));
         return {begin, end};

@@ -114,6 +114,7 @@ void synchronise_all(std::span<Key> keys, std::span<const std::vector<Index>> gi
                      std::vector<std::string>* changes) {
     const Synchronisation synchronisation = synchronise(keys, given);
     std::vector<std::string> faults;
+    faults.reserve(synchronisation.mismatches.size());
     for (const KeyMismatch& mismatch : synchronisation.mismatches)
         faults.push_back(fmt::format("{}: {}", place_of(mismatch.key), mismatch.text));
     if (!faults.empty()) throw InputError(joined(faults, "; "));

@@ -6,7 +6,7 @@
 namespace interleaf {
 namespace {
 
-const std::vector<std::string> commands = {"view", "render", "export", "info", "check", "make"};
+const std::vector<std::string> commands = {"view", "render", "export", "info", "check", "make", "family"};
 
 TEST_CASE("--version names the program and its version") {
     const Outcome outcome = run_interleaf({"--version"});
@@ -72,6 +72,8 @@ TEST_CASE("a faulty command line exits with 2 and one message that names the wor
         {{"view", "--at", "0,0", "--time", "1"}, "--time"},
         {{"info"}, "FILE"},
         {{"check"}, "FILE"},
+        {{"family", "-o", "a"}, "KEY"},
+        {{"family", "a.ilh"}, "--output"},
         {{"make", "-o", "a.ilh"}, "SHAPE"},
         {{"make", "star"}, "--output"},
         {{"make", "moon", "-o", "a.ilh"}, "moon"},

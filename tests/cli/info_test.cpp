@@ -182,7 +182,7 @@ TEST_CASE("check names the keys that do not share their roots: constraints (B)")
     CHECK(outcome.status == 1);
     CHECK(outcome.output.empty());
     CHECK(contains(outcome.errors, "family.json"));
-    CHECK(contains(outcome.errors, "(key 1) have different roots"));
+    CHECK(contains(outcome.errors, "keys[1]: key square: 2 root triangles"));
     CHECK(contains(outcome.errors, "square"));
 }
 

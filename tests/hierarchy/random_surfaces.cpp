@@ -87,6 +87,15 @@ RootComplex random_surface(unsigned genus, bool open, Random& random) {
     return marked(renumbered(roots, random_renumbering(roots, random)), Marking::random, random);
 }
 
+Hierarchy bisected_key(const RootComplex& roots, Random& random) {
+    AdaptiveMesh mesh(roots, random_points(random, roots.vertex_count()));
+    refine_at_random(mesh, random, 1 + static_cast<unsigned>(random.below(5)),
+                     2 * roots.triangle_count() + 60);
+    Hierarchy key = mesh.freeze();
+    for (glm::vec3& p : key.positions) p += 0.1F * random.point();
+    return key;
+}
+
 RootComplex mirrored(const RootComplex& roots) {
     std::vector<Triangle> triangles;
     for (const auto& [i, j, k] : roots.triangles()) triangles.push_back({i, k, j});

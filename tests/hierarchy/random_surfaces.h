@@ -19,6 +19,9 @@ RootComplex flipped_at_random(RootComplex roots, std::size_t count, Random& rand
 /// with triangles cut out if \p open. Marked at random.
 RootComplex random_surface(unsigned genus, bool open, Random& random);
 
+/// A key over \p roots that is bisected, however many they are.
+Hierarchy bisected_key(const RootComplex& roots, Random& random);
+
 /// The complex with all triangles run round the other way, refinement edges kept.
 RootComplex mirrored(const RootComplex& roots);
 

@@ -158,8 +158,8 @@ TEST_CASE(
         if (!open) REQUIRE(roots.euler_number() == 2 - 2 * static_cast<int>(genus));
         ++(open ? open_seen : closed_seen)[static_cast<int>(genus)];
         if (random.chance(0.2)) roots = side_by_side(roots, random_surface(0, random.chance(0.5), random));
-        const Hierarchy reference = random_key(roots, random);
-        Hierarchy key = random_key(roots, random);
+        const Hierarchy reference = bisected_key(roots, random);
+        Hierarchy key = bisected_key(roots, random);
         move_near(key, reference, random);
 
         const Hierarchy shuffled = renumbered(key, random_renumbering(roots, random));
@@ -330,7 +330,7 @@ TEST_CASE("a key that is not bisected takes the marking of the roots it is put o
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = random_surface(static_cast<unsigned>(seed % 3), random.chance(0.5), random);
-        const Hierarchy reference = random_key(roots, random);
+        const Hierarchy reference = bisected_key(roots, random);
         Hierarchy key = scattered(marked(roots, Marking::random, random), random);
         move_near(key, reference, random);
         const Hierarchy shuffled = renumbered(key, random_renumbering(roots, random));
@@ -404,8 +404,8 @@ TEST_CASE("what differs is named where it differs") {
     const auto with_roots = [&](RootComplex roots) { return scattered(roots, random); };
 
     CHECK(text_of(mismatch_of(reference, with_roots(octahedron()))) ==
-          "key star: 8 root triangles, 6 root vertices, 0 boundary edges, 1 components, expected 288 root "
-          "triangles, 144 root vertices, 0 boundary edges, 1 components as key sphere has");
+          "key star: 8 root triangles, 6 root vertices, 0 boundary edges, 1 component, expected 288 root "
+          "triangles, 144 root vertices, 0 boundary edges, 1 component as key sphere has");
 
     // One flipped edge: the place is one of the four vertices around it.
     std::vector<Triangle> triangles(reference.roots.triangles().begin(), reference.roots.triangles().end());
@@ -441,8 +441,8 @@ TEST_CASE("given roots are obeyed, and a wrong one is named") {
         Random random(seed);
         RootComplex roots = random_surface(static_cast<unsigned>(seed % 4), random.chance(0.5), random);
         if (random.chance(0.3)) roots = side_by_side(roots, octahedron());
-        const Hierarchy reference = random_key(roots, random);
-        const Hierarchy key = random_key(roots, random);  // nowhere near the reference
+        const Hierarchy reference = bisected_key(roots, random);
+        const Hierarchy key = bisected_key(roots, random);  // nowhere near the reference
         const Renumbering renumbering = random_renumbering(roots, random);
         const Hierarchy shuffled = renumbered(key, renumbering);
         std::vector<Index> given = renumbering.roots;

@@ -238,7 +238,8 @@ TEST_CASE("a hostile family file is refused with its place and what was expected
         {with_keys(R"([{"name": "a", "file": "a.ilh"}, {"name": "b", "file": "./a.ilh"}])"),
          "keys[1].file: is the file of keys[0], too"},
         {with_keys(R"([{"name": "a", "file": "a.ilh"}, {"name": "o", "file": "other.ilh"}])"),
-         "family.json: keys: keys \"a\""},
+         "family.json: keys[1]: key o: 7 root triangles, 6 root vertices, 3 boundary edges, 1 component, "
+         "expected 8 root triangles, 6 root vertices, 0 boundary edges, 1 component as key a has"},
         {with_file("missing.ilh"), "keys[0].file: is \"missing.ilh\": No such file"},
         {with_file("family.json"), "family.json: signature: is not that of a hierarchy file"},
         {with_file(""), "keys[0].file: is \"\", expected a path relative to the family's folder"},

@@ -1,0 +1,147 @@
+// Several keys on the command line, patterns, and `interleaf family`.
+#include <array>
+
+#include "cli/process.h"
+#include "cli/temporary_folder.h"
+#include <doctest/doctest.h>
+
+#include "io/family_file.h"
+#include "io/hierarchy_file.h"
+
+namespace interleaf {
+namespace {
+
+constexpr std::array<const char*, 3> names = {
+    INTERLEAF_FIVE_KEYS "/sphere.ilh", INTERLEAF_FIVE_KEYS "/star.ilh", INTERLEAF_FIVE_KEYS "/bone.ilh"};
+
+/// flow.1.obj, flow.2.obj and flow.10.obj: the same faces, moved by 1, 2 and 10 along x.
+void write_series(const TemporaryFolder& folder) {
+    for (const std::string number : {"1", "2", "10"}) {
+        std::string text = "v ";
+        text.append(number).append(" 0 0\nv ").append(number).append(" 1 0\nv ");
+        text.append(number).append(" 0 1\nf 1 2 3\n");
+        set_content(folder / ("flow." + number + ".obj"), text);
+    }
+}
+
+TEST_CASE("family makes a folder of keys that can be opened") {
+    const TemporaryFolder folder;
+    const Outcome made = run_interleaf({"family", names[0], names[1], names[2], "-o", folder / "three"});
+    CHECK(made.status == 0);
+    CHECK(made.output.empty());
+    CHECK(made.errors.empty());
+    const Family family = read_family(folder / "three");
+    REQUIRE(family.keys.size() == 3);
+    CHECK(family.name == "sphere to bone");
+    CHECK(family.keys[0].name == "sphere");
+    CHECK(family.keys[2].name == "bone");
+    CHECK(family.timeline->end() == 2);
+    CHECK(family.domain->triangles().size() == 1);
+    CHECK(run_interleaf({"check", folder / "three"}).output == folder / "three" + ": sound, 3 keys\n");
+    CHECK(run_interleaf({"export", folder / "three", "--at", "0,0", "-o", folder / "u.obj"}).status == 0);
+}
+
+TEST_CASE("keys in another numbering are put over the roots of the first, and check and family say so") {
+    const TemporaryFolder folder;
+    const Hierarchy star = read_hierarchy(names[1]);
+    // The same key with its root vertices in reverse.
+    const Index count = star.roots.vertex_count();
+    std::vector<Triangle> triangles;
+    for (const auto& [a, b, c] : star.roots.triangles())
+        triangles.push_back({count - 1 - a, count - 1 - b, count - 1 - c});
+    Hierarchy reversed = star;
+    reversed.roots = RootComplex(count, triangles);
+    for (Index v = 0; v < count; ++v) reversed.positions[v] = star.positions[count - 1 - v];
+    std::filesystem::create_directory(folder / "f");
+    write_hierarchy(reversed, folder / "f/star.ilh");
+    std::filesystem::copy_file(names[0], folder / "f/sphere.ilh");
+    set_content(folder / "f/family.json",
+                R"({"format": "interleaf-family", "version": 1, "name": "f", "keys": [)"
+                R"({"name": "sphere", "file": "sphere.ilh"}, {"name": "star", "file": "star.ilh"}]})");
+    const Outcome checked = run_interleaf({"check", folder / "f"});
+    CHECK(checked.status == 0);
+    CHECK(contains(checked.output, "/f: sound, 2 keys\n"));
+    CHECK(contains(checked.output, "/f: key star: its roots were renumbered as key sphere has them\n"));
+
+    const Outcome made = run_interleaf({"family", names[0], folder / "f/star.ilh", "-o", folder / "g"});
+    CHECK(made.status == 0);
+    CHECK(is_one_message(made.errors));
+    CHECK(contains(made.errors, "key star: its roots were renumbered as key sphere has them"));
+    CHECK(content_of(folder / "g/sphere.ilh") == content_of(names[0]));
+    const Family family = read_family(folder / "g");
+    CHECK(family.keys[1].hierarchy->roots == star.roots);
+    CHECK(family.keys[1].hierarchy->leaf_count() == star.leaf_count());
+    CHECK(contains(run_interleaf({"check", folder / "g"}).output, "sound, 2 keys\n"));
+}
+
+TEST_CASE("a series of meshes is opened by a pattern or by name, in the order of its numbers") {
+    const TemporaryFolder folder;
+    write_series(folder);
+    const std::string pattern = folder / "flow.*.obj";
+    CHECK(run_interleaf({"check", pattern}).output == pattern + ": sound, 3 keys\n");
+    const Outcome info = run_interleaf({"info", pattern});
+    CHECK(info.status == 0);
+    CHECK(contains(info.output, "flow.1 to flow.10"));
+
+    // Half a second after flow.2 comes the middle between it and flow.10.
+    CHECK(run_interleaf({"export", pattern, "--time", "1.5", "-o", folder / "u.obj"}).status == 0);
+    CHECK(content_of(folder / "u.obj") == "v 6 0 0\nv 6 1 0\nv 6 0 1\nf 1 2 3\n");
+
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{pattern},
+          {folder / "flow.10.obj", folder / "flow.1.obj", folder / "flow.2.obj"}}) {
+        std::vector<std::string> line{"family"};
+        line.insert(line.end(), words.begin(), words.end());
+        line.insert(line.end(), {"-o", folder / "series"});
+        CHECK(run_interleaf(line).status == 0);
+        const Family family = read_family(folder / "series");
+        REQUIRE(family.keys.size() == 3);
+        CHECK(family.keys[0].name == "flow.1");
+        CHECK(family.keys[2].name == "flow.10");
+    }
+}
+
+TEST_CASE("several keys that do not fit exit with 1 and say which and where") {
+    const TemporaryFolder folder;
+    write_series(folder);
+    set_content(folder / "flow.2.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 1\n");
+    struct Fault {
+        std::vector<std::string> arguments;
+        std::string part;
+    };
+    const std::vector<Fault> faults = {
+        {{folder / "flow.*.obj"},
+         "flow.2.obj: face 1: has the vertices (2, 3, 1), expected (1, 2, 3) as in "},
+        {{folder / "none.*.obj"}, "none.*.obj: no file matches"},
+        {{folder / "f*/a.obj"}, "f*/a.obj: expected * in the name of files alone"},
+        {{names[0], folder / "flow.1.obj"}, "flow.1.obj: key flow.1: 1 root triangles"},
+        {{names[0], folder / "missing.ilh"}, "missing.ilh: there is no such file"},
+        {{names[0], INTERLEAF_FIVE_KEYS}, "five-keys: expected a file that ends in .ilh or .obj"}};
+    for (const Fault& fault : faults)
+        for (const std::string command : {"view", "", "family"}) {
+            std::vector<std::string> line;
+            if (!command.empty()) line.push_back(command);
+            line.insert(line.end(), fault.arguments.begin(), fault.arguments.end());
+            if (command == "family") line.insert(line.end(), {"-o", folder / "f"});
+            const Outcome outcome = run_interleaf(line);
+            CAPTURE(command);
+            CAPTURE(outcome.errors);
+            CHECK(outcome.status == 1);
+            CHECK(is_one_message(outcome.errors));
+            CHECK(contains(outcome.errors, fault.part));
+        }
+    CHECK_FALSE(std::filesystem::exists(folder / "f"));
+}
+
+TEST_CASE("several keys are viewed as one family") {
+    for (const std::vector<std::string>& line :
+         {std::vector<std::string>{names[0], names[1]}, {"view", names[0], names[1], "--time", "0.5"}}) {
+        const Outcome outcome = run_interleaf(line);
+        CAPTURE(outcome.errors);
+        CHECK(outcome.status == 3);  // all was read; only the display is missing
+        CHECK(contains(outcome.errors, "no display"));
+    }
+}
+
+}  // namespace
+}  // namespace interleaf

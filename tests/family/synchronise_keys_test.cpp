@@ -1,0 +1,139 @@
+#include "family/synchronise_keys.h"
+
+#include <algorithm>
+
+#include <doctest/doctest.h>
+
+#include "hierarchy/checker.h"
+#include "hierarchy/random_surfaces.h"
+
+using namespace interleaf;
+using namespace interleaf::testing;
+
+namespace {
+
+/// Keys over one random surface that are shuffled, each its own way; the first is not bisected if \p flat.
+struct Shuffled {
+    std::vector<Key> originals;
+    std::vector<Key> keys;
+    std::vector<std::vector<Index>> given;
+};
+
+Shuffled shuffled_keys(std::uint64_t seed, bool flat) {
+    Random random(seed);
+    const RootComplex roots = random_surface(static_cast<unsigned>(seed % 4), seed % 3 == 0, random);
+    Shuffled result;
+    for (int n = 0; n < 4; ++n) {
+        Hierarchy key = bisected_key(roots, random);
+        if (flat && n == 0) key = unrefined(roots, random_points(random, roots.vertex_count()));
+        for (Index v = 0; n > 0 && v < roots.vertex_count(); ++v)
+            key.positions[v] = result.originals[0].hierarchy->positions[v] + 0.001F * random.point();
+        const std::string name(1, static_cast<char>('a' + n));
+        result.originals.push_back({name, key});
+        const Renumbering renumbering = random_renumbering(roots, random);
+        result.given.push_back(n == 0 ? std::vector<Index>() : renumbering.roots);
+        result.keys.push_back({name, n == 0 ? key : renumbered(key, renumbering)});
+    }
+    return result;
+}
+
+bool is_same(const Hierarchy& a, const Hierarchy& b) {
+    return a.roots == b.roots && a.bits == b.bits && a.midpoints == b.midpoints && a.positions == b.positions;
+}
+
+bool contains(const std::string& text, std::string_view part) {
+    return text.find(part) != std::string::npos;
+}
+
+Hierarchy with_roots(const RootComplex& roots) {
+    return unrefined(roots, std::vector<glm::vec3>(roots.vertex_count()));
+}
+
+/// \p key with root \p root bisected.
+Hierarchy bisected(const RootComplex& roots, Index root) {
+    AdaptiveMesh mesh(roots, std::vector<glm::vec3>(roots.vertex_count()));
+    mesh.refine({{root}});
+    return mesh.freeze();
+}
+
+/// \p roots with another refinement edge in root \p root.
+RootComplex marked_otherwise(const RootComplex& roots, Index root) {
+    std::vector<Triangle> triangles(roots.triangles().begin(), roots.triangles().end());
+    std::rotate(triangles[root].begin(), triangles[root].begin() + 1, triangles[root].end());
+    return {roots.vertex_count(), std::move(triangles)};
+}
+
+}  // namespace
+
+TEST_CASE("keys are put over the roots of the first, found or given, and then share their memory") {
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        CAPTURE(seed);
+        const Shuffled shuffled = shuffled_keys(seed, seed % 2 == 0);
+        for (const bool is_given : {false, true}) {
+            std::vector<Key> keys = shuffled.keys;
+            const Synchronisation result = synchronise(
+                keys, is_given ? std::span(shuffled.given) : std::span<const std::vector<Index>>());
+            REQUIRE(result.mismatches.empty());
+            for (std::size_t n = 0; n < keys.size(); ++n) {
+                REQUIRE(is_same(*keys[n].hierarchy, *shuffled.originals[n].hierarchy));
+                REQUIRE(keys[n].hierarchy->roots.triangles().data() ==
+                        keys[0].hierarchy->roots.triangles().data());
+            }
+            std::vector<Key> again = keys;
+            const Synchronisation nothing = synchronise(again);
+            REQUIRE(nothing.changes.empty());
+            REQUIRE(nothing.mismatches.empty());
+        }
+    }
+}
+
+TEST_CASE("what was changed is said") {
+    Random random(1);
+    const RootComplex roots = flipped_at_random(plate(1), 60, random);
+    std::vector<Key> keys{{"sphere", bisected(roots, 0)},
+                          {"star", renumbered(bisected(roots, 1), random_renumbering(roots, random))},
+                          {"same", bisected(roots, 2)},
+                          {"flat", with_roots(marked_otherwise(roots, 5))}};
+    const Synchronisation result = synchronise(keys);
+    REQUIRE(result.changes.size() == 2);
+    CHECK(result.changes[0] == "key star: its roots were renumbered as key sphere has them");
+    CHECK(result.changes[1] ==
+          "key flat: nothing is bisected in it, so 1 of its 64 roots took other refinement edges");
+    for (const Key& key : keys) CHECK(key.hierarchy->roots == roots);
+}
+
+TEST_CASE("the first key, if nothing is bisected in it, is marked as the first one with bisections") {
+    Random random(2);
+    const RootComplex roots = flipped_at_random(plate(1), 60, random);
+    const RootComplex marked = marked_otherwise(roots, 3);
+    std::vector<Key> keys{{"flat", with_roots(roots)},
+                          {"flat too", with_roots(marked_otherwise(roots, 9))},
+                          {"star", renumbered(bisected(marked, 7), random_renumbering(roots, random))},
+                          {"bone", bisected(marked_otherwise(marked, 12), 0)}};
+    const Synchronisation result = synchronise(keys);
+    for (const std::size_t n : {0, 1, 2}) {
+        CHECK(keys[n].hierarchy->roots == marked);
+        CHECK(check(*keys[n].hierarchy).empty());
+    }
+    REQUIRE(result.mismatches.size() == 1);
+    CHECK(result.mismatches[0].key == 3);
+    CHECK(result.mismatches[0].mismatch.kind == RootMismatch::Kind::refinement_edge);
+    CHECK(result.mismatches[0].mismatch.root == 12);
+    CHECK(contains(result.mismatches[0].text, "key bone: root 12: its refinement edge ("));
+    CHECK(contains(result.mismatches[0].text, "marked as those of key star"));
+}
+
+TEST_CASE("two bisected keys with other refinement edges stay as they are, and the edge is named") {
+    Random random(3);
+    const RootComplex roots = flipped_at_random(plate(1), 60, random);
+    std::vector<Key> keys{{"sphere", bisected(roots, 0)}, {"star", bisected(marked_otherwise(roots, 4), 0)}};
+    const Hierarchy before = keys[1].hierarchy;
+    const Synchronisation result = synchronise(keys);
+    CHECK(result.changes.empty());
+    REQUIRE(result.mismatches.size() == 1);
+    CHECK(contains(result.mismatches[0].text, "key star: root 4: its refinement edge ("));
+    CHECK(contains(result.mismatches[0].text,
+                   " of key sphere's root 4, which is not its refinement edge; both "
+                   "keys are bisected, so neither can be marked anew"));
+    CHECK(is_same(keys[1].hierarchy, before));
+}
