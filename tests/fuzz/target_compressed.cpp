@@ -1,0 +1,127 @@
+// Hierarchy files in the compressed form: the 64 bytes before the frames, then what the frames hold: planes
+// of root triangles, decisions, planes of positions. A file is compressed anew, and has the checksum of its
+// content if it has any content.
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "fuzz/hierarchy_parts.h"
+#include "fuzz/target.h"
+#include <zstd.h>
+
+#include "hierarchy/error.h"
+#include "io/hierarchy_file.h"
+
+namespace interleaf::fuzz {
+
+namespace {
+
+using hierarchy_format::Header;
+
+constexpr std::size_t decision_count_place = 32;
+constexpr std::size_t first_size_place = 40;
+constexpr std::size_t second_size_place = 48;
+constexpr std::size_t content_checksum_place = 60;
+constexpr std::size_t fixed_size = 64;
+constexpr std::uint64_t row_size = 12;
+
+std::uint64_t number_at(ByteSpan bytes, std::size_t place) {
+    std::uint64_t number = 0;
+    std::memcpy(&number, bytes.data() + place, sizeof(number));
+    return number;
+}
+
+void set_number(Bytes& bytes, std::size_t place, std::uint64_t number) {
+    std::memcpy(bytes.data() + place, &number, sizeof(number));
+}
+
+/// What a frame holds, as far as that is little; nothing if it is damaged.
+Bytes decompressed(ByteSpan frame) {
+    constexpr unsigned long long most = 1 << 20;
+    const unsigned long long size = ZSTD_getFrameContentSize(frame.data(), frame.size());
+    Bytes content(size <= most ? size : 0);
+    const std::size_t result = ZSTD_decompress(content.data(), content.size(), frame.data(), frame.size());
+    content.resize(ZSTD_isError(result) != 0 ? 0 : result);
+    return content;
+}
+
+Bytes compressed(ByteSpan content) {
+    Bytes frame(ZSTD_compressBound(content.size()));
+    frame.resize(ZSTD_compress(frame.data(), frame.size(), content.data(), content.size(), 1));
+    return frame;
+}
+
+std::vector<Bytes> parts_of(ByteSpan file) {
+    if (file.size() < fixed_size + sizeof(std::uint32_t)) return {};
+    ByteSpan rest = file.first(file.size() - sizeof(std::uint32_t));
+    std::vector<Bytes> parts;
+    parts.push_back(take(rest, fixed_size));
+    const Bytes connectivity = decompressed(take(rest, number_at(file, first_size_place)));
+    ByteSpan content = connectivity;
+    parts.push_back(take(content, row_size * header_at(file).root_triangles));
+    parts.push_back(take(content, content.size()));
+    parts.push_back(decompressed(rest));
+    return parts;
+}
+
+void repair_counts(std::vector<Bytes>& parts) {
+    parts[0].resize(fixed_size);
+    Header header = header_at(parts[0]);
+    header.root_triangles = static_cast<std::uint32_t>(parts[1].size() / row_size);
+    header.vertices = static_cast<std::uint32_t>(parts[3].size() / row_size);
+    std::memcpy(parts[0].data(), &header, sizeof(header));
+    parts[1].resize(row_size * header.root_triangles);
+    parts[3].resize(row_size * header.vertices);
+    set_number(parts[0], decision_count_place, parts[2].size());
+}
+
+/// The checksum that the reader expected, by its message; none if it stumbled over something else.
+std::string expected_content_checksum(const Bytes& file) {
+    constexpr std::string_view begin = "key: checksum of the content: is ";
+    constexpr std::string_view middle = "00000000, expected ";
+    try {
+        parse_hierarchy(file, "key");
+    } catch (const InputError& error) {
+        const std::string message = error.what();
+        if (message.starts_with(begin)) return message.substr(begin.size() + middle.size());
+    }
+    return {};
+}
+
+Bytes file_of(std::vector<Bytes> parts, bool keeps_counts) {
+    if (!keeps_counts) repair_counts(parts);
+    Bytes connectivity = parts[1];
+    append(connectivity, parts[2]);
+    const Bytes first = compressed(connectivity);
+    const Bytes second = compressed(parts[3]);
+
+    Bytes file = parts[0];
+    file.resize(fixed_size);
+    set_number(file, first_size_place, first.size());
+    set_number(file, second_size_place, second.size());
+    append(file, first);
+    append(file, second);
+    append_checksum(file);
+    if (const std::string expected = expected_content_checksum(file); !expected.empty()) {
+        const auto checksum = static_cast<std::uint32_t>(std::strtoul(expected.c_str(), nullptr, 16));
+        std::memcpy(file.data() + content_checksum_place, &checksum, sizeof(checksum));
+        file.resize(file.size() - sizeof(checksum));
+        append_checksum(file);
+    }
+    return file;
+}
+
+/// The reader refuses counts that stand for more than this.
+std::uint64_t content_size(ByteSpan file) {
+    if (file.size() < sizeof(Header)) return file.size();
+    const std::uint64_t limit = (std::uint64_t{16} << 20) + 64 * file.size();
+    return std::min(limit, hierarchy_format::plain_size(header_at(file)));
+}
+
+}  // namespace
+
+const Target target{read_hierarchy_bytes, parts_of, file_of, content_size};
+
+}  // namespace interleaf::fuzz
