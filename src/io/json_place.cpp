@@ -24,6 +24,19 @@ std::string description(const json& value) {
     }
 }
 
+/// At least the number of values in \p text: each but the first follows a comma or begins an array or object.
+std::size_t most_values_in(std::string_view text) {
+    std::size_t count = 1;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"') in_string = !in_string;
+        if (in_string && c == '\\') ++i;
+        count += !in_string && (c == ',' || c == '[' || c == '{');
+    }
+    return count;
+}
+
 }  // namespace
 
 JsonPlace JsonPlace::member(std::string_view name) const {
@@ -72,6 +85,9 @@ void JsonPlace::fail_expecting(std::string_view what) const {
 }
 
 json parse_json(std::string_view text, std::string_view file) {
+    if (most_values_in(text) > most_json_values)
+        throw InputError(
+            fmt::format("{}: document: has more than {} values, expected fewer", file, most_json_values));
     try {
         return json::parse(text);
     } catch (const json::exception& error) {

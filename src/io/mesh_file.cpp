@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 #include <stb_image_write.h>
-#include <tiny_obj_loader.h>
 
 #include "hierarchy/error.h"
 #include "io/input_file.h"
 #include "io/obj_lines.h"
+#include "io/polygon_divider.h"
 
 namespace interleaf {
 
@@ -18,25 +18,24 @@ namespace {
 
 constexpr std::uint64_t largest_obj = std::uint64_t{1} << 30;
 
-/// The faces as triangles, polygons divided by tinyobjloader.
-std::vector<Triangle> triangulated(const ObjLines& lines, std::string_view name) {
-    tinyobj::ObjReader reader;
-    tinyobj::ObjReaderConfig options;
-    options.vertex_color = false;
-    if (!reader.ParseFromString(lines.text, "", options))
-        throw InputError(fmt::format("{}: {}", name, reader.Error()));
-
-    std::vector<Triangle> triangles;
-    triangles.reserve(lines.triangle_count);
-    for (const tinyobj::shape_t& shape : reader.GetShapes())
-        for (std::size_t i = 0; i < shape.mesh.indices.size(); i += 3) {
-            const auto vertex = [&](std::size_t corner) {
-                return static_cast<Index>(shape.mesh.indices[i + corner].vertex_index);
-            };
-            triangles.push_back({vertex(0), vertex(1), vertex(2)});
-        }
-    if (triangles.size() != lines.triangle_count)
-        throw InputError(fmt::format("{}: faces: a polygon cannot be divided into triangles", name));
+/// The faces as triangles, polygons divided. Takes the faces of \p lines, so that they are not held twice.
+std::vector<Triangle> triangulated(ObjLines& lines, std::string_view name) {
+    std::vector<Triangle> triangles(lines.triangle_count);
+    PolygonDivider divider(lines.positions, name);
+    const Index* corner = lines.corners.data();
+    auto* place = triangles.data();
+    for (std::size_t face = 0; face < lines.face_sizes.size(); ++face) {
+        const std::size_t size = lines.face_sizes[face];
+        if (size == 3)
+            *place = {corner[0], corner[1], corner[2]};
+        else
+            divider.divide(face, {corner, size}, {place, size - 2});
+        corner += size;
+        place += size - 2;
+    }
+    divider.finish();
+    lines.corners = {};
+    lines.face_sizes = {};
     return triangles;
 }
 

@@ -17,10 +17,7 @@ namespace interleaf {
 
 namespace {
 
-/// Dividing a polygon takes time that grows with the square of its corners.
-constexpr std::size_t most_corners = 1000;
-
-/// tinyobjloader counts vertices in an int, and coordinates in an int as well.
+/// Far more than the largest file can have.
 constexpr std::size_t most_vertices = std::numeric_limits<int>::max() / 3;
 
 constexpr std::string_view blanks = " \t\r";
@@ -95,19 +92,17 @@ class Reader {
             position[axis] = *number;
         }
         lines_.positions.push_back(position);
-        fmt::format_to(std::back_inserter(lines_.text), "v {} {} {}\n", position.x, position.y, position.z);
     }
 
     void read_face(std::string_view line) {
-        lines_.text += 'f';
         std::size_t corners = 0;
         for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-            fmt::format_to(std::back_inserter(lines_.text), " {}", vertex_number(word));
+            lines_.corners.push_back(static_cast<Index>(vertex_number(word) - 1));
             ++corners;
         }
         if (corners < 3 || corners > most_corners)
             fail(fmt::format("a face of {} vertices, expected 3 to {}", corners, most_corners));
-        lines_.text += '\n';
+        lines_.face_sizes.push_back(static_cast<std::uint16_t>(corners));
         lines_.triangle_count += corners - 2;
     }
 
