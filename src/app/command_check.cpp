@@ -4,6 +4,7 @@
 
 #include "app/builtin_family.h"
 #include "app/error_message.h"
+#include "app/shown_text.h"
 #include "hierarchy/error.h"
 
 namespace interleaf {
@@ -13,7 +14,7 @@ namespace {
 bool is_sound(const std::filesystem::path& file) {
     try {
         const Family family = open_family(file);
-        fmt::print("{}: sound, {}\n", file.string(),
+        fmt::print("{}: sound, {}\n", shown_text(file.string()),
                    family.keys.size() == 1 ? "1 key" : fmt::format("{} keys", family.keys.size()));
         return true;
     } catch (const InputError& error) {

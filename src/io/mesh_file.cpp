@@ -72,7 +72,9 @@ Hierarchy read_obj(const std::filesystem::path& file) {
         const auto vertex_count = static_cast<Index>(lines.positions.size());
         return unrefined(RootComplex(vertex_count, std::move(triangles)), lines.positions);
     } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: faces (counted from 0, as triangles): {}", name, error.what()));
+        throw InputError(
+            fmt::format("{}: faces, as triangles (these and the vertices in use counted from 0): {}", name,
+                        error.what()));
     }
 }
 

@@ -86,6 +86,7 @@ class Reader {
         glm::vec3 position{};
         for (int axis = 0; axis < 3; ++axis) {
             const std::string_view word = take_word(line);
+            if (word.empty()) fail(fmt::format("a vertex of {} coordinates, expected three", axis));
             const std::optional<float> number = parse_float(word);
             if (!number)
                 fail(fmt::format("{} is not a coordinate, expected three finite numbers", in_quotes(word)));
@@ -113,7 +114,8 @@ class Reader {
         if (parse(word.substr(0, word.find('/')), number) != std::errc())
             fail(fmt::format("{} is not a corner, expected the number of a vertex", in_quotes(word)));
         const std::int64_t before = static_cast<std::int64_t>(lines_.positions.size());
-        if (number == 0 || number < -before || number > static_cast<std::int64_t>(most_vertices))
+        if (number == 0) fail("vertex 0 does not exist, they are counted from 1");
+        if (number < -before || number > static_cast<std::int64_t>(most_vertices))
             fail(fmt::format("vertex {} does not exist, there are {} before this line", number, before));
         const auto counted = static_cast<std::size_t>(number > 0 ? number : before + 1 + number);
         if (counted > greatest_) {

@@ -27,6 +27,26 @@ hierarchy_format::Header header_at(ByteSpan file) {
     return header;
 }
 
+FieldTable field_table(ByteSpan bytes, std::uint32_t most_fields) {
+    FieldTable table;
+    while (table.fields < most_fields && table.size + 2 <= bytes.size()) {
+        const auto kind = std::to_integer<std::uint64_t>(bytes[table.size]);
+        const std::uint64_t size = 2 + std::to_integer<std::uint64_t>(bytes[table.size + 1]);
+        if (size > bytes.size() - table.size) break;
+        table.size += size;
+        table.components += kind;
+        ++table.fields;
+    }
+    return table;
+}
+
+std::uint64_t plain_file_size(const hierarchy_format::Header& header, std::uint64_t components) {
+    return sizeof(header) + sizeof(Triangle) * std::uint64_t{header.root_triangles} +
+           sizeof(std::uint64_t) * hierarchy_format::word_count(header) +
+           sizeof(Index) * std::uint64_t{header.midpoints} +
+           (sizeof(glm::vec3) + sizeof(float) * components) * header.vertices + sizeof(std::uint32_t);
+}
+
 void append_checksum(Bytes& bytes) {
     hierarchy_format::append_checksum(bytes);
 }

@@ -53,28 +53,38 @@ Bytes compressed(ByteSpan content) {
     return frame;
 }
 
+enum Part { head, table, roots, decisions, positions, values };
+
 std::vector<Bytes> parts_of(ByteSpan file) {
     if (file.size() < fixed_size + sizeof(std::uint32_t)) return {};
+    const Header header = header_at(file);
     ByteSpan rest = file.first(file.size() - sizeof(std::uint32_t));
     std::vector<Bytes> parts;
     parts.push_back(take(rest, fixed_size));
+    if (header.fields > 0) take(rest, sizeof(std::uint64_t));  // the size of the third frame
+    parts.push_back(take(rest, field_table(rest, header.fields).size));
     const Bytes connectivity = decompressed(take(rest, number_at(file, first_size_place)));
     ByteSpan content = connectivity;
-    parts.push_back(take(content, row_size * header_at(file).root_triangles));
+    parts.push_back(take(content, row_size * header.root_triangles));
     parts.push_back(take(content, content.size()));
+    parts.push_back(decompressed(take(rest, number_at(file, second_size_place))));
     parts.push_back(decompressed(rest));
     return parts;
 }
 
 void repair_counts(std::vector<Bytes>& parts) {
-    parts[0].resize(fixed_size);
-    Header header = header_at(parts[0]);
-    header.root_triangles = static_cast<std::uint32_t>(parts[1].size() / row_size);
-    header.vertices = static_cast<std::uint32_t>(parts[3].size() / row_size);
-    std::memcpy(parts[0].data(), &header, sizeof(header));
-    parts[1].resize(row_size * header.root_triangles);
-    parts[3].resize(row_size * header.vertices);
-    set_number(parts[0], decision_count_place, parts[2].size());
+    const FieldTable fields = field_table(parts[table], ~0U);
+    parts[head].resize(fixed_size);
+    Header header = header_at(parts[head]);
+    header.fields = fields.fields;
+    header.root_triangles = static_cast<std::uint32_t>(parts[roots].size() / row_size);
+    header.vertices = static_cast<std::uint32_t>(parts[positions].size() / row_size);
+    std::memcpy(parts[head].data(), &header, sizeof(header));
+    parts[table].resize(fields.size);
+    parts[roots].resize(row_size * header.root_triangles);
+    parts[positions].resize(row_size * header.vertices);
+    parts[values].resize((fields.components + 2) / 3 * row_size * header.vertices);  // columns in threes
+    set_number(parts[head], decision_count_place, parts[decisions].size());
 }
 
 /// The checksum that the reader expected, by its message; none if it stumbled over something else.
@@ -92,17 +102,24 @@ std::string expected_content_checksum(const Bytes& file) {
 
 Bytes file_of(std::vector<Bytes> parts, bool keeps_counts) {
     if (!keeps_counts) repair_counts(parts);
-    Bytes connectivity = parts[1];
-    append(connectivity, parts[2]);
-    const Bytes first = compressed(connectivity);
-    const Bytes second = compressed(parts[3]);
+    append(parts[roots], parts[decisions]);
+    const Bytes first = compressed(parts[roots]);
+    const Bytes second = compressed(parts[positions]);
+    const Bytes third = compressed(parts[values]);
 
-    Bytes file = parts[0];
+    Bytes file = parts[head];
     file.resize(fixed_size);
     set_number(file, first_size_place, first.size());
     set_number(file, second_size_place, second.size());
+    const bool has_fields = header_at(file).fields > 0;
+    if (has_fields) {
+        file.resize(fixed_size + sizeof(std::uint64_t));
+        set_number(file, fixed_size, third.size());
+        append(file, parts[table]);
+    }
     append(file, first);
     append(file, second);
+    if (has_fields) append(file, third);
     append_checksum(file);
     if (const std::string expected = expected_content_checksum(file); !expected.empty()) {
         const auto checksum = static_cast<std::uint32_t>(std::strtoul(expected.c_str(), nullptr, 16));
@@ -115,9 +132,10 @@ Bytes file_of(std::vector<Bytes> parts, bool keeps_counts) {
 
 /// The reader refuses counts that stand for more than this.
 std::uint64_t content_size(ByteSpan file) {
-    if (file.size() < sizeof(Header)) return file.size();
+    const std::vector<Bytes> parts = parts_of(file);
+    if (parts.empty()) return file.size();
     const std::uint64_t limit = (std::uint64_t{16} << 20) + 64 * file.size();
-    return std::min(limit, hierarchy_format::plain_size(header_at(file)));
+    return std::min(limit, plain_file_size(header_at(file), field_table(parts[table], ~0U).components));
 }
 
 }  // namespace
