@@ -16,6 +16,12 @@ if(INTERLEAF_SANITIZE)
   target_compile_options(interleaf_options INTERFACE ${sanitizers})
   target_link_options(interleaf_options INTERFACE ${sanitizers})
 endif()
+if(INTERLEAF_FUZZ)
+  set(instruments -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -g -O1
+    -fprofile-instr-generate -fcoverage-mapping)
+  target_compile_options(interleaf_options INTERFACE ${instruments})
+  target_link_options(interleaf_options INTERFACE ${instruments})
+endif()
 
 # interleaf_library(NAME SOURCES... LINK targets...): the layer src/NAME as the target interleaf_NAME.
 function(interleaf_library name)

@@ -8,6 +8,7 @@
 
 #include "app/error_message.h"
 #include "app/open_family.h"
+#include "app/shown_text.h"
 #include "hierarchy/error.h"
 
 namespace interleaf {
@@ -18,9 +19,9 @@ bool is_sound(const std::filesystem::path& file) {
     try {
         std::vector<std::string> changes;
         const Family family = open_family(std::span(&file, 1), &changes);
-        fmt::print("{}: sound, {}\n", file.string(),
+        fmt::print("{}: sound, {}\n", shown_text(file.string()),
                    family.keys.size() == 1 ? "1 key" : fmt::format("{} keys", family.keys.size()));
-        for (const std::string& change : changes) fmt::print("{}: {}\n", file.string(), change);
+        for (const std::string& change : changes) fmt::print("{}: {}\n", shown_text(file.string()), change);
         return true;
     } catch (const InputError& error) {
         print_error(error.what());

@@ -9,6 +9,7 @@
 
 #include "app/figures.h"
 #include "app/open_family.h"
+#include "app/shown_text.h"
 #include "io/family_file.h"
 #include "io/hierarchy_file.h"
 #include "ui/number_text.h"
@@ -134,7 +135,7 @@ void print_line(std::string_view label, std::string_view text) {
 }
 
 void print_whole(Kind kind, const Family& family, const Figures& whole) {
-    print_line(name_of(kind), family.name);
+    print_line(name_of(kind), shown_text(family.name));
     print_line("roots", grouped(whole.roots));
     print_line("leaves", grouped(whole.leaves));
     print_line("vertices", grouped(whole.vertices));

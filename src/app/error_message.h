@@ -5,8 +5,7 @@
 
 namespace interleaf {
 
-/// Prints the line "interleaf: TEXT"; \p text is what() of one of our errors. It may hold names of files, so
-/// control characters in it are escaped.
+/// Prints the line "interleaf: TEXT", as shown_text() makes it; \p text is what() of one of our errors.
 void print_error(std::string_view text);
 
 }  // namespace interleaf

@@ -39,6 +39,15 @@ double least_height(const Corners& corners) {
     return std::abs(double_area(corners[0], corners[1], corners[2])) / longest;
 }
 
+/// Whether \p point is farther than \p slack from the box of \p corners: most points are, and that is found
+/// fast.
+bool is_beside(const Corners& corners, const glm::dvec2& point, double slack) {
+    const auto& [a, b, c] = corners;
+    const glm::dvec2 low = glm::min(a, glm::min(b, c)) - slack;
+    const glm::dvec2 high = glm::max(a, glm::max(b, c)) + slack;
+    return point.x < low.x || point.y < low.y || point.x > high.x || point.y > high.y;
+}
+
 /// Whether an edge of \p a has all of \p points outside or at most \p slack inside. Corners
 /// counter-clockwise.
 bool edge_separates(const Corners& a, std::span<const glm::dvec2> points, double slack) {
@@ -151,6 +160,7 @@ void check_triangles(std::span<const DomainVertex> vertices, std::span<const Tri
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         for (std::size_t v = 0; v < vertices.size(); ++v) {
             if (std::find(triangles[t].begin(), triangles[t].end(), v) != triangles[t].end()) continue;
+            if (is_beside(corners[t], vertices[v].at, touching * size)) continue;
             if (nearest_in_triangle(corners[t], vertices[v].at).distance <= touching * size) {
                 throw InputError(
                     fmt::format("domain vertex {} lies on triangle {} and is not a corner of it", v, t));

@@ -17,7 +17,12 @@ std::string utf8_of(const std::filesystem::path& path) {
 
 bool is_name(std::string_view text) {
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-    return std::ranges::none_of(text, is_control) && is_utf8(text);
+    if (std::ranges::any_of(text, is_control)) return false;
+    // U+0080 to U+009F, which terminals obey as well: in UTF-8 after C2, where no other character has less
+    // than A0.
+    for (std::size_t i = 0; i + 1 < text.size(); ++i)
+        if (text[i] == '\xc2' && static_cast<unsigned char>(text[i + 1]) < 0xa0) return false;
+    return is_utf8(text);
 }
 
 bool is_utf8(std::string_view text) {

@@ -274,7 +274,13 @@ std::vector<fs::path> key_files(const fs::path& path) {
 
 Family read_family(const fs::path& path, std::vector<std::string>* changes) {
     std::error_code ignored;
-    if (fs::is_directory(path, ignored)) return read_family_json(path / "family.json", changes);
+    if (fs::is_directory(path, ignored)) {
+        const fs::path file = path / "family.json";
+        if (fs::status(file, ignored).type() == fs::file_type::not_found)
+            throw InputError(
+                fmt::format("{}: is a folder without family.json, expected a family", path.string()));
+        return read_family_json(file, changes);
+    }
     const std::string extension = lower_case_extension(path);
     if (extension == ".json") return read_family_json(path, changes);
     if (extension == ".ilh" || extension == ".obj") return read_keys(std::span(&path, 1), changes);

@@ -10,11 +10,13 @@
 #include "hierarchy/error.h"
 #include "io/family_file.h"
 #include "io/family_format.h"
+#include "io/folder_lock.h"
 #include "io/hierarchy_file.h"
 #include "io/input_file.h"
 #include "io/joined_text.h"
 #include "io/json_place.h"
 #include "io/safe_write.h"
+#include "io/save_journal.h"
 
 namespace interleaf {
 
@@ -59,10 +61,15 @@ bool holds(const fs::path& file, const std::vector<std::byte>& bytes) {
     return std::ranges::equal(std::as_bytes(std::span(content)), bytes);
 }
 
-/// Writes a key into \p folder under a name that no other file has, so that what an earlier family.json names
-/// stays as it is. A file that holds just this key is used again, unless it is in \p taken. \return its name,
-/// added to \p taken
-std::string write_key(const Key& key, const fs::path& folder, std::set<std::string>& taken) {
+/// A key file that is to be in the family's folder.
+struct KeyFile {
+    KeyFileMark mark;
+    bool is_present;  ///< with just this content
+};
+
+/// The file for \p key in \p folder: one that holds just this key, or one that is not there, so that what an
+/// earlier family.json names stays as it is; none in \p taken, to which its name is added.
+KeyFile choose_file(const Key& key, const fs::path& folder, std::set<std::string>& taken) {
     const std::vector<std::byte> bytes = serialize_hierarchy(*key.hierarchy);
     const std::string stem = file_stem(key.name);
     for (unsigned number = 1;; ++number) {
@@ -71,30 +78,27 @@ std::string write_key(const Key& key, const fs::path& folder, std::set<std::stri
         if (taken.contains(name)) continue;
         const bool is_present = fs::exists(fs::symlink_status(file));
         if (is_present && !holds(file, bytes)) continue;
-        if (!is_present) write_file(file, bytes);
         taken.insert(name);
-        return name;
+        return {mark_of(name, bytes), is_present};
     }
 }
 
-/// The key files beside \p file that it names; none if it is missing or no family.
-std::set<std::string> named_key_files(const fs::path& file) {
-    std::set<std::string> names;
-    try {
-        const nlohmann::json document =
-            parse_json(read_text(file, family_format::largest_file), file.string());
-        const JsonPlace keys = JsonPlace(document, file.string()).member("keys");
-        for (std::size_t i = 0; i < keys.size(); ++i) {
-            const fs::path name = family_format::path_of(keys.element(i).member("file").string());
-            if (name == name.filename() && name.extension() == ".ilh")
-                names.insert(family_format::utf8_of(name));
-        }
-    } catch (const InputError&) {
-        return {};
-    } catch (const MachineError&) {
-        return {};
-    }
-    return names;
+std::vector<KeyFile> choose_files(const Family& family, const fs::path& folder) {
+    std::set<std::string> taken;
+    std::vector<KeyFile> files;
+    files.reserve(family.keys.size());
+    for (const Key& key : family.keys) files.push_back(choose_file(key, folder, taken));
+    return files;
+}
+
+/// What the journal is to know: the files that will be new, and those that the present family.json names.
+std::vector<KeyFileMark> unsettled_files(const std::vector<KeyFile>& files, const fs::path& folder) {
+    std::vector<KeyFileMark> unsettled;
+    for (const KeyFile& file : files)
+        if (!file.is_present) unsettled.push_back(file.mark);
+    for (const std::string& name : named_key_files(folder).value_or(std::set<std::string>()))
+        if (const auto mark = mark_of(name, folder)) unsettled.push_back(*mark);
+    return unsettled;
 }
 
 /// A member that is an array, one element a line.
@@ -128,12 +132,12 @@ std::string domain_text(const ParameterDomain& domain, const Family& family) {
                        array_text("    ", "triangles", triangles));
 }
 
-/// The text of family.json. \p files has one file name a key.
-std::string family_text(const Family& family, const std::vector<std::string>& files) {
+/// The text of family.json. \p files has one a key.
+std::string family_text(const Family& family, const std::vector<KeyFile>& files) {
     std::vector<ordered_json> keys;
     keys.reserve(family.keys.size());
     for (std::size_t i = 0; i < family.keys.size(); ++i)
-        keys.push_back({{"name", family.keys[i].name}, {"file", files[i]}});
+        keys.push_back({{"name", family.keys[i].name}, {"file", files[i].mark.name}});
     std::vector<std::string> members{
         fmt::format("  \"format\": \"{}\"", family_format::name),
         fmt::format("  \"version\": {}", family_format::version),
@@ -145,25 +149,31 @@ std::string family_text(const Family& family, const std::vector<std::string>& fi
     return fmt::format("{{\n{}\n}}\n", joined(members, ",\n"));
 }
 
+/// \pre  nobody else saves into \p folder
+void save(const Family& family, const fs::path& folder) {
+    const std::vector<KeyFile> files = choose_files(family, folder);
+    begin_save(folder, unsettled_files(files, folder));
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (!files[i].is_present)
+            write_hierarchy(*family.keys[i].hierarchy, folder / family_format::path_of(files[i].mark.name));
+    write_file(folder / "family.json", family_text(family, files));
+}
+
 }  // namespace
 
 void write_family(const Family& family, const fs::path& folder) {
     check_writable(family, folder);
     try {
         fs::create_directories(folder);
-        const fs::path family_file = folder / "family.json";
-        std::set<std::string> obsolete = named_key_files(family_file);
-
-        std::set<std::string> taken;
-        std::vector<std::string> files;
-        files.reserve(family.keys.size());
-        for (const Key& key : family.keys) files.push_back(write_key(key, folder, taken));
-        write_file(family_file, family_text(family, files));
-
-        // The family is safe by now: an old key that cannot be removed does no harm.
-        std::error_code ignored;
-        for (const std::string& name : taken) obsolete.erase(name);
-        for (const std::string& name : obsolete) fs::remove(folder / family_format::path_of(name), ignored);
+        const FolderLock lock(folder);
+        finish_save(folder);  // one that was killed
+        try {
+            save(family, folder);
+        } catch (...) {
+            finish_save(folder);
+            throw;
+        }
+        finish_save(folder);
     } catch (const fs::filesystem_error& error) {
         throw MachineError(fmt::format("{}: cannot write: {}", folder.string(), error.code().message()));
     }

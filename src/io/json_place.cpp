@@ -1,5 +1,7 @@
 #include "io/json_place.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "hierarchy/error.h"
@@ -22,6 +24,28 @@ std::string description(const json& value) {
         default:
             return value.dump();
     }
+}
+
+/// "line 3: " where \p message says that a number of \p text is too large; others know their place. Ends of
+/// such messages are "'1e999'".
+std::string place_of_overflow(std::string_view message, std::string_view text) {
+    if (!message.starts_with("number overflow")) return {};
+    const std::string_view rest = message.substr(std::min(message.find('\'') + 1, message.size()));
+    const std::size_t place = text.find(rest.substr(0, rest.find('\'')));
+    return fmt::format("line {}: ", 1 + std::ranges::count(text.substr(0, place), '\n'));
+}
+
+/// At least the number of values in \p text: each but the first follows a comma or begins an array or object.
+std::size_t most_values_in(std::string_view text) {
+    std::size_t count = 1;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"') in_string = !in_string;
+        if (in_string && c == '\\') ++i;
+        count += !in_string && (c == ',' || c == '[' || c == '{');
+    }
+    return count;
 }
 
 }  // namespace
@@ -72,6 +96,9 @@ void JsonPlace::fail_expecting(std::string_view what) const {
 }
 
 json parse_json(std::string_view text, std::string_view file) {
+    if (most_values_in(text) > most_json_values)
+        throw InputError(
+            fmt::format("{}: document: has more than {} values, expected fewer", file, most_json_values));
     try {
         return json::parse(text);
     } catch (const json::exception& error) {
@@ -81,7 +108,8 @@ json parse_json(std::string_view text, std::string_view file) {
         const std::string_view what = error.what();
         constexpr std::size_t longest_shown = 200;
         const std::string_view shown = what.substr(what.find("] ") + 2);
-        throw InputError(fmt::format("{}: {}{}", file, shown.substr(0, longest_shown),
+        throw InputError(fmt::format("{}: {}{}{}", file, place_of_overflow(shown, text),
+                                     shown.substr(0, longest_shown),
                                      shown.size() > longest_shown ? "..." : ""));
     }
 }

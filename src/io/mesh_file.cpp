@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 #include <stb_image_write.h>
-#include <tiny_obj_loader.h>
 
 #include "hierarchy/error.h"
 #include "io/input_file.h"
 #include "io/obj_lines.h"
+#include "io/polygon_divider.h"
 
 namespace interleaf {
 
@@ -19,29 +19,26 @@ namespace {
 
 constexpr std::uint64_t largest_obj = std::uint64_t{1} << 30;
 
-/// The faces as triangles, polygons divided by tinyobjloader.
-std::vector<Triangle> triangulated(const ObjLines& lines, std::string_view name) {
-    std::string text;
-    for (const glm::vec3& p : lines.positions)
-        fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x, p.y, p.z);
-    text += lines.faces;
-    tinyobj::ObjReader reader;
-    tinyobj::ObjReaderConfig options;
-    options.vertex_color = false;
-    if (!reader.ParseFromString(text, "", options))
-        throw InputError(fmt::format("{}: {}", name, reader.Error()));
+ObjLines read_lines(const std::filesystem::path& file) {
+    return read_obj_lines(read_text(file, largest_obj), file.string());
+}
 
-    std::vector<Triangle> triangles;
-    triangles.reserve(lines.triangle_count);
-    for (const tinyobj::shape_t& shape : reader.GetShapes())
-        for (std::size_t i = 0; i < shape.mesh.indices.size(); i += 3) {
-            const auto vertex = [&](std::size_t corner) {
-                return static_cast<Index>(shape.mesh.indices[i + corner].vertex_index);
-            };
-            triangles.push_back({vertex(0), vertex(1), vertex(2)});
-        }
-    if (triangles.size() != lines.triangle_count)
-        throw InputError(fmt::format("{}: faces: a polygon cannot be divided into triangles", name));
+/// The faces as triangles, polygons divided.
+std::vector<Triangle> triangulated(const ObjLines& lines, std::string_view name) {
+    std::vector<Triangle> triangles(lines.triangle_count);
+    PolygonDivider divider(lines.positions, name);
+    const Index* corner = lines.corners.data();
+    auto* place = triangles.data();
+    for (std::size_t face = 0; face < lines.face_sizes.size(); ++face) {
+        const std::size_t size = lines.face_sizes[face];
+        if (size == 3)
+            *place = {corner[0], corner[1], corner[2]};
+        else
+            divider.divide(face, {corner, size}, {place, size - 2});
+        corner += size;
+        place += size - 2;
+    }
+    divider.finish();
     return triangles;
 }
 
@@ -56,74 +53,67 @@ std::vector<Index> used_vertices(const std::vector<Triangle>& triangles, std::si
     return used;
 }
 
-/// The triangles in the numbers that their vertices have in \p used.
-std::vector<Triangle> renumbered(std::vector<Triangle> triangles, const std::vector<Index>& used,
-                                 std::size_t vertex_count) {
+/// Gives the vertices of \p triangles the numbers that they have in \p used.
+void renumber(std::vector<Triangle>& triangles, const std::vector<Index>& used, std::size_t vertex_count) {
     std::vector<Index> number(vertex_count);
     for (Index n = 0; n < used.size(); ++n) number[used[n]] = n;
     for (Triangle& triangle : triangles)
         for (Index& vertex : triangle) vertex = number[vertex];
-    return triangles;
 }
 
-std::vector<glm::vec3> picked(const std::vector<glm::vec3>& positions, const std::vector<Index>& used) {
+std::vector<glm::vec3> picked(const std::vector<glm::vec3>& values, const std::vector<Index>& used) {
     std::vector<glm::vec3> result;
     result.reserve(used.size());
-    for (const Index vertex : used) result.push_back(positions[vertex]);
+    for (const Index vertex : used) result.push_back(values[vertex]);
     return result;
 }
 
-/// The first of several OBJ files with the same faces, and what the others take from it.
-struct ObjModel {
-    std::string name;
-    std::string faces;
-    std::vector<Index> used;
-    Hierarchy hierarchy;
-};
+/// The vertices of \p lines that are \p used, over \p roots.
+Hierarchy key_of(const RootComplex& roots, const ObjLines& lines, const std::vector<Index>& used) {
+    return unrefined(roots, picked(lines.positions, used));
+}
 
-ObjModel read_model(const std::filesystem::path& file) {
-    ObjModel model;
-    model.name = file.string();
-    ObjLines lines = read_obj_lines(read_text(file, largest_obj), model.name);
-    const std::vector<Triangle> triangles = triangulated(lines, model.name);
-    const std::size_t vertex_count = lines.positions.size();
-    model.used = used_vertices(triangles, vertex_count);
+/// The roots that the faces of \p lines are; \p used gets the vertices that they use.
+RootComplex roots_of(const ObjLines& lines, const std::string& name, std::vector<Index>& used) {
+    std::vector<Triangle> triangles = triangulated(lines, name);
+    used = used_vertices(triangles, lines.positions.size());
+    renumber(triangles, used, lines.positions.size());
     try {
-        const auto used_count = static_cast<Index>(model.used.size());
-        model.hierarchy = unrefined(RootComplex(used_count, renumbered(triangles, model.used, vertex_count)),
-                                    picked(lines.positions, model.used));
+        return {static_cast<Index>(used.size()), std::move(triangles)};
     } catch (const InputError& error) {
         throw InputError(
-            fmt::format("{}: faces (counted from 0, as triangles): {}", model.name, error.what()));
+            fmt::format("{}: faces, as triangles (these and the vertices in use counted from 0): {}", name,
+                        error.what()));
     }
-    model.faces = std::move(lines.faces);
-    return model;
 }
 
-/// "f 1 2 3" as "(1, 2, 3)".
-std::string corners_text(std::string_view line) {
-    constexpr std::size_t longest = 60;
-    std::string text = "(";
-    for (const char c : line.substr(std::min<std::size_t>(line.size(), 2), longest))
-        text += c == ' ' ? std::string(", ") : std::string(1, c);
-    return text + (line.size() > longest + 2 ? "...)" : ")");
+/// "(1, 2, 3)", counted from 1 as in the file.
+std::string corners_text(std::span<const Index> corners) {
+    constexpr std::size_t most = 12;
+    std::string text;
+    for (const Index corner : corners.first(std::min(corners.size(), most)))
+        text += fmt::format("{}{}", text.empty() ? "(" : ", ", corner + 1);
+    return text + (corners.size() > most ? ", ...)" : ")");
 }
 
-/// Where \p faces differ from those of \p model, which they do.
-std::string first_difference(std::string_view faces, const ObjModel& model) {
-    std::string_view expected = model.faces;
-    for (std::size_t face = 1;; ++face) {
-        const std::string_view line = faces.substr(0, faces.find('\n'));
-        const std::string_view expected_line = expected.substr(0, expected.find('\n'));
-        if (expected.empty())
-            return fmt::format("face {}: expected {} faces, as {} has", face, face - 1, model.name);
-        if (faces.empty()) return fmt::format("has {} faces, expected more, as {} has", face - 1, model.name);
-        if (line != expected_line)
-            return fmt::format("face {}: has the vertices {}, expected {} as in {} (counted from 1)", face,
-                               corners_text(line), corners_text(expected_line), model.name);
-        faces.remove_prefix(line.size() + 1);
-        expected.remove_prefix(expected_line.size() + 1);
+/// Where the faces of \p lines differ from those of \p first, the file \p first_name; empty where they do not.
+std::string face_difference(const ObjLines& lines, const ObjLines& first, std::string_view first_name) {
+    std::size_t corner = 0;
+    for (std::size_t face = 0; face < std::min(lines.face_sizes.size(), first.face_sizes.size()); ++face) {
+        const auto of = [&](const ObjLines& some) {
+            return std::span(some.corners).subspan(corner, some.face_sizes[face]);
+        };
+        if (!std::ranges::equal(of(lines), of(first)))
+            return fmt::format("face {}: has the vertices {}, expected {} as in {} (counted from 1)", face + 1,
+                               corners_text(of(lines)), corners_text(of(first)), first_name);
+        corner += lines.face_sizes[face];
     }
+    if (lines.face_sizes.size() > first.face_sizes.size())
+        return fmt::format("face {}: expected {} faces, as {} has", first.face_sizes.size() + 1,
+                           first.face_sizes.size(), first_name);
+    if (lines.face_sizes.size() < first.face_sizes.size())
+        return fmt::format("has {} faces, expected more, as {} has", lines.face_sizes.size(), first_name);
+    return "";
 }
 
 void append_bytes(std::string& bytes, const void* data, std::size_t size) {
@@ -133,21 +123,26 @@ void append_bytes(std::string& bytes, const void* data, std::size_t size) {
 }  // namespace
 
 Hierarchy read_obj(const std::filesystem::path& file) {
-    return read_model(file).hierarchy;
+    const ObjLines lines = read_lines(file);
+    std::vector<Index> used;
+    const RootComplex roots = roots_of(lines, file.string(), used);
+    return key_of(roots, lines, used);
 }
 
 std::vector<Hierarchy> read_obj_series(std::span<const std::filesystem::path> files) {
     std::vector<Hierarchy> series;
     if (files.empty()) return series;
     series.reserve(files.size());
-    const ObjModel model = read_model(files.front());
-    series.push_back(model.hierarchy);
+    const std::string first_name = files.front().string();
+    const ObjLines first = read_lines(files.front());
+    std::vector<Index> used;
+    const RootComplex roots = roots_of(first, first_name, used);
+    series.push_back(key_of(roots, first, used));
     for (const std::filesystem::path& file : files.subspan(1)) {
-        const std::string name = file.string();
-        const ObjLines lines = read_obj_lines(read_text(file, largest_obj), name);
-        if (lines.faces != model.faces)
-            throw InputError(fmt::format("{}: {}", name, first_difference(lines.faces, model)));
-        series.push_back(unrefined(model.hierarchy.roots, picked(lines.positions, model.used)));
+        const ObjLines lines = read_lines(file);
+        const std::string difference = face_difference(lines, first, first_name);
+        if (!difference.empty()) throw InputError(fmt::format("{}: {}", file.string(), difference));
+        series.push_back(key_of(roots, lines, used));
     }
     return series;
 }

@@ -17,10 +17,7 @@ namespace interleaf {
 
 namespace {
 
-/// Dividing a polygon takes time that grows with the square of its corners.
-constexpr std::size_t most_corners = 1000;
-
-/// tinyobjloader counts vertices in an int, and coordinates in an int as well.
+/// Far more than the largest file can have.
 constexpr std::size_t most_vertices = std::numeric_limits<int>::max() / 3;
 
 constexpr std::string_view blanks = " \t\r";
@@ -89,6 +86,7 @@ class Reader {
         glm::vec3 position{};
         for (int axis = 0; axis < 3; ++axis) {
             const std::string_view word = take_word(line);
+            if (word.empty()) fail(fmt::format("a vertex of {} coordinates, expected three", axis));
             const std::optional<float> number = parse_float(word);
             if (!number)
                 fail(fmt::format("{} is not a coordinate, expected three finite numbers", in_quotes(word)));
@@ -98,15 +96,14 @@ class Reader {
     }
 
     void read_face(std::string_view line) {
-        lines_.faces += 'f';
         std::size_t corners = 0;
         for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-            fmt::format_to(std::back_inserter(lines_.faces), " {}", vertex_number(word));
+            lines_.corners.push_back(static_cast<Index>(vertex_number(word) - 1));
             ++corners;
         }
         if (corners < 3 || corners > most_corners)
             fail(fmt::format("a face of {} vertices, expected 3 to {}", corners, most_corners));
-        lines_.faces += '\n';
+        lines_.face_sizes.push_back(static_cast<std::uint16_t>(corners));
         lines_.triangle_count += corners - 2;
     }
 
@@ -117,7 +114,8 @@ class Reader {
         if (parse(word.substr(0, word.find('/')), number) != std::errc())
             fail(fmt::format("{} is not a corner, expected the number of a vertex", in_quotes(word)));
         const std::int64_t before = static_cast<std::int64_t>(lines_.positions.size());
-        if (number == 0 || number < -before || number > static_cast<std::int64_t>(most_vertices))
+        if (number == 0) fail("vertex 0 does not exist, they are counted from 1");
+        if (number < -before || number > static_cast<std::int64_t>(most_vertices))
             fail(fmt::format("vertex {} does not exist, there are {} before this line", number, before));
         const auto counted = static_cast<std::size_t>(number > 0 ? number : before + 1 + number);
         if (counted > greatest_) {

@@ -1,55 +1,19 @@
 #include "io/safe_write.h"
 
 #include <cerrno>
-#include <cstdio>
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "hierarchy/error.h"
 #include "io/file_descriptor.h"
+#include "io/temporary_file.h"
 
 namespace interleaf {
 
 namespace {
 
 constexpr std::string_view cannot_write = "cannot write";
-
-/// A new file with a name of its own in \p folder, removed again unless it was renamed.
-class TemporaryFile {
-  public:
-    explicit TemporaryFile(const std::filesystem::path& target);
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
-        if (!renamed_) ::unlink(path_.c_str());
-    }
-
-    FileDescriptor& descriptor() { return descriptor_; }
-    bool rename_to(const std::filesystem::path& target) {
-        return renamed_ = ::rename(path_.c_str(), target.c_str()) == 0;
-    }
-
-  private:
-    std::filesystem::path path_;
-    FileDescriptor descriptor_;
-    bool renamed_ = false;
-};
-
-// The name does not contain the target's, which may be as long as names can be. O_EXCL keeps it ours; a
-// number that another thread or a killed process has taken is passed over.
-TemporaryFile::TemporaryFile(const std::filesystem::path& target) {
-    constexpr int attempts = 10'000;
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-        path_ = target.parent_path() / fmt::format(".interleaf-{}-{}", ::getpid(), attempt);
-        descriptor_ = FileDescriptor(path_, O_WRONLY | O_CREAT | O_EXCL, 0666);
-        if (descriptor_.is_open()) return;
-        if (errno != EEXIST) break;
-    }
-    throw_system_error(target, cannot_write);
-}
 
 void write_all(const FileDescriptor& descriptor, std::span<const std::byte> bytes,
                const std::filesystem::path& target) {
@@ -71,33 +35,51 @@ void write_in_place(std::span<const std::byte> bytes, const std::filesystem::pat
 /// Makes the rename last through a power failure. Some file systems and permissions do not allow it; the file
 /// is whole all the same, so that is no error.
 void flush_folder(const std::filesystem::path& folder) {
-    const FileDescriptor descriptor(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+    const FileDescriptor descriptor(folder, O_RDONLY | O_DIRECTORY);
     if (descriptor.is_open()) ::fsync(descriptor.number());
+}
+
+/// What \p file is called behind all symbolic links, whether it exists or not.
+std::filesystem::path behind_links(const std::filesystem::path& file) {
+    constexpr int most_links = 40;  // as the system has it
+    std::filesystem::path target = file;
+    std::error_code error;
+    for (int links = 0; std::filesystem::is_symlink(target, error); ++links) {
+        if (links == most_links) {
+            errno = ELOOP;
+            throw_system_error(file, cannot_write);
+        }
+        target = target.parent_path() / std::filesystem::read_symlink(target, error);
+    }
+    return target;
+}
+
+/// Gives \p file the owner, as far as we may, and the permissions of the file it is to replace.
+bool take_after(const FileDescriptor& file, const struct stat& old) {
+    if (::fchown(file.number(), old.st_uid, old.st_gid) != 0) errno = 0;  // then it is ours, as any new file
+    return ::fchmod(file.number(), old.st_mode & 07777) == 0;
 }
 
 }  // namespace
 
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
-    std::error_code error;
-    std::filesystem::path target = file;
-    if (std::filesystem::is_symlink(file, error)) target = std::filesystem::weakly_canonical(file, error);
-    if (error && target.empty()) {
-        errno = error.value();
-        throw_system_error(file, cannot_write);
-    }
-
+    const std::filesystem::path target = behind_links(file);
     struct stat status {};
     const bool exists = ::stat(target.c_str(), &status) == 0;
     if (exists && !S_ISREG(status.st_mode)) return write_in_place(bytes, target);
+    // Its folder would let us replace a file that may not be written.
+    if (exists && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
+        throw_system_error(target, cannot_write);
 
-    TemporaryFile temporary(target);
-    FileDescriptor& descriptor = temporary.descriptor();
-    write_all(descriptor, bytes, target);
-    if (exists && ::fchmod(descriptor.number(), status.st_mode & 07777) != 0)
+    const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+    // Nobody else gets to read on the way what only its owner may.
+    TemporaryFile temporary(folder, exists ? 0600 : 0666);
+    if (!temporary.is_open()) throw_system_error(target, cannot_write);
+    write_all(temporary.descriptor(), bytes, target);
+    if ((exists && !take_after(temporary.descriptor(), status)) ||
+        ::fsync(temporary.descriptor().number()) != 0 || !temporary.rename_to(target))
         throw_system_error(target, cannot_write);
-    if (::fsync(descriptor.number()) != 0 || !descriptor.close() || !temporary.rename_to(target))
-        throw_system_error(target, cannot_write);
-    flush_folder(target.parent_path());
+    flush_folder(folder);
 }
 
 void write_file(const std::filesystem::path& file, std::string_view text) {

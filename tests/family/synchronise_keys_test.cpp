@@ -127,7 +127,7 @@ TEST_CASE("two bisected keys with other refinement edges stay as they are, and t
     Random random(3);
     const RootComplex roots = flipped_at_random(plate(1), 60, random);
     std::vector<Key> keys{{"sphere", bisected(roots, 0)}, {"star", bisected(marked_otherwise(roots, 4), 0)}};
-    const Hierarchy before = keys[1].hierarchy;
+    const Hierarchy before = *keys[1].hierarchy;
     const Synchronisation result = synchronise(keys);
     CHECK(result.changes.empty());
     REQUIRE(result.mismatches.size() == 1);
@@ -135,5 +135,5 @@ TEST_CASE("two bisected keys with other refinement edges stay as they are, and t
     CHECK(contains(result.mismatches[0].text,
                    " of key sphere's root 4, which is not its refinement edge; both "
                    "keys are bisected, so neither can be marked anew"));
-    CHECK(is_same(keys[1].hierarchy, before));
+    CHECK(is_same(*keys[1].hierarchy, before));
 }

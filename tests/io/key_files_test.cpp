@@ -64,14 +64,14 @@ TEST_CASE("keys of a family and key files are put over the roots of the first, a
                 is_family ? read_family(folder.path(), &changes) : read_keys(files, &changes);
             REQUIRE(changes ==
                     std::vector<std::string>{"key b: its roots were renumbered as key a has them"});
-            REQUIRE(is_same(family.keys[0].hierarchy, keys.first));
-            REQUIRE(is_same(family.keys[1].hierarchy, keys.second));
+            REQUIRE(is_same(*family.keys[0].hierarchy, keys.first));
+            REQUIRE(is_same(*family.keys[1].hierarchy, keys.second));
 
             write_family(family, folder / "written");
             changes.clear();
             const Family again = read_family(folder / "written", &changes);
             REQUIRE(changes.empty());
-            REQUIRE(is_same(again.keys[1].hierarchy, keys.second));
+            REQUIRE(is_same(*again.keys[1].hierarchy, keys.second));
         }
     }
 }
@@ -88,7 +88,7 @@ TEST_CASE("root r of a family is the given root of the key's file") {
         REQUIRE(changes ==
                 std::vector<std::string>{
                     "key b: its roots were renumbered as key a has them, by the given permutation"});
-        REQUIRE(is_same(family.keys[1].hierarchy, keys.second));
+        REQUIRE(is_same(*family.keys[1].hierarchy, keys.second));
 
         // A wrong one is refused where it does not fit.
         std::rotate(roots.begin(), roots.begin() + 1, roots.end());
@@ -206,8 +206,8 @@ TEST_CASE("a mesh among keys is a key without bisections, and takes their markin
     CHECK(changes.size() == 2);
     CHECK(changes[0] == "key base: nothing is bisected, so its roots took the refinement edges of key a's");
     CHECK(family.keys[0].hierarchy->roots == keys.first.roots);
-    CHECK(is_same(family.keys[1].hierarchy, keys.first));
-    CHECK(is_same(family.keys[2].hierarchy, keys.second));
+    CHECK(is_same(*family.keys[1].hierarchy, keys.first));
+    CHECK(is_same(*family.keys[2].hierarchy, keys.second));
 }
 
 TEST_CASE("what is no key among several is named") {

@@ -116,7 +116,7 @@ TEST_CASE("a hostile OBJ is refused with its line and what was expected") {
         {"", "m.obj: has no faces"},
         {v, "m.obj: has no faces"},
         {std::string(1000, '\0'), "has no faces"},
-        {"v 0 0\nf 1 1 1\n", "line 1: \"\" is not a coordinate, expected three finite numbers"},
+        {"v 0 0\nf 1 1 1\n", "line 1: a vertex of 2 coordinates, expected three"},
         {"v 0 0 nan\n", "line 1: \"nan\" is not a coordinate"},
         {"v 0 -inf 0\n", "\"-inf\" is not a coordinate"},
         {"v 0 0x10 0\n", "\"0x10\" is not a coordinate"},

@@ -1,13 +1,15 @@
 #include "io/safe_write.h"
 
-#include <csignal>
-
 #include <doctest/doctest.h>
-#include <sys/resource.h>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "io/file_descriptor.h"
+#include "io/file_size_limit.h"
 #include "io/scratch_folder.h"
+#include "io/temporary_file.h"
 
 namespace interleaf {
 
@@ -18,27 +20,6 @@ namespace {
 bool contains(const std::string& text, std::string_view part) {
     return text.find(part) != std::string::npos;
 }
-
-/// While it lives, no file can be written beyond \p size bytes: what a full disk looks like.
-class FileSizeLimit {
-  public:
-    explicit FileSizeLimit(rlim_t size) {
-        ::getrlimit(RLIMIT_FSIZE, &old_limit_);
-        old_handler_ = std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{size, old_limit_.rlim_max};
-        REQUIRE(::setrlimit(RLIMIT_FSIZE, &limit) == 0);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-    ~FileSizeLimit() {
-        ::setrlimit(RLIMIT_FSIZE, &old_limit_);
-        std::signal(SIGXFSZ, old_handler_);
-    }
-
-  private:
-    rlimit old_limit_{};
-    void (*old_handler_)(int) = nullptr;
-};
 
 }  // namespace
 
@@ -112,13 +93,85 @@ TEST_CASE("the longest file name there is can be written") {
     CHECK(content(folder / name) == "new");
 }
 
-TEST_CASE("a temporary file left by another is passed over") {
+TEST_CASE("a link to what is not there yet makes it, and links that lead nowhere are an error") {
     const ScratchFolder folder;
-    const std::string stale = ".interleaf-" + std::to_string(::getpid()) + "-0";
-    put(folder / stale, "theirs");
+    fs::create_symlink("new.txt", folder / "link");
+    fs::create_symlink("link", folder / "link-to-link");
+    write_file(folder / "link-to-link", "new");
+    CHECK(fs::is_symlink(folder / "link"));
+    CHECK(fs::is_symlink(folder / "link-to-link"));
+    CHECK(content(folder / "new.txt") == "new");
+
+    fs::create_symlink("b", folder / "a");
+    fs::create_symlink("a", folder / "b");
+    CHECK(contains(machine_error_of([&] { write_file(folder / "a", "new"); }),
+                   (folder / "a").string() + ": cannot write: Too many levels of symbolic links"));
+}
+
+TEST_CASE("what a killed process left is removed by the next write, what a living one has is not") {
+    const ScratchFolder folder;
+    put(folder / ".interleaf-0", "left");
+    put(folder / ".interleaf-1", "in use");
+    put(folder / ".interleaf-2", "left");
+    {
+        const FileDescriptor living(folder / ".interleaf-1", O_RDONLY);
+        REQUIRE(::flock(living.number(), LOCK_EX) == 0);
+        fs::rename(folder / ".interleaf-2", folder / ".interleaf-7");
+        write_file(folder / "a.txt", "new");
+        CHECK_FALSE(fs::exists(folder / ".interleaf-0"));
+        put(folder / ".interleaf-0", "left again");
+        const TemporaryFile first(folder.path(), 0600);
+        const TemporaryFile second(folder.path(), 0600);
+        REQUIRE(second.is_open());
+        CHECK(content(folder / ".interleaf-0").empty());
+        CHECK(content(folder / ".interleaf-1") == "in use");
+        CHECK(content(folder / ".interleaf-2").empty());
+    }
+    CHECK(content(folder / "a.txt") == "new");
+    CHECK(folder.entry_count() == 3);  // .interleaf-7 waits until there are as many writers
+}
+
+TEST_CASE("what is no file of ours is left alone, whatever it is called") {
+    const ScratchFolder folder;
+    fs::create_directory(folder / ".interleaf-0");
+    REQUIRE(::mkfifo((folder / ".interleaf-1").c_str(), 0600) == 0);
+    put(folder / "theirs", "theirs");
+    fs::create_symlink("theirs", folder / ".interleaf-2");
     write_file(folder / "a.txt", "new");
     CHECK(content(folder / "a.txt") == "new");
-    CHECK(content(folder / stale) == "theirs");
+    CHECK(content(folder / "theirs") == "theirs");
+    CHECK(folder.entry_count() == 5);
+}
+
+TEST_CASE("a file that may not be written, and a folder that may not, say so and stay as they are") {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "locked");
+    put(folder / "locked/a.txt", "old");
+    put(folder / "a.txt", "old");
+    fs::permissions(folder.path(), fs::perms::all);
+    fs::permissions(folder / "a.txt", fs::perms::others_read | fs::perms::owner_read);
+    fs::permissions(folder / "locked", fs::perms::others_read | fs::perms::others_exec |
+                                           fs::perms::owner_read | fs::perms::owner_exec);
+    const uid_t user = ::geteuid();
+    if (user == 0) REQUIRE(::seteuid(65534) == 0);  // root may write everywhere
+    const std::string file_error = machine_error_of([&] { write_file(folder / "a.txt", "new"); });
+    const std::string folder_error = machine_error_of([&] { write_file(folder / "locked/b.txt", "new"); });
+    REQUIRE(::seteuid(user) == 0);
+    CHECK(file_error == (folder / "a.txt").string() + ": cannot write: Permission denied");
+    CHECK(folder_error == (folder / "locked/b.txt").string() + ": cannot write: Permission denied");
+    CHECK(content(folder / "a.txt") == "old");
+    CHECK(content(folder / "locked/a.txt") == "old");
+    fs::permissions(folder / "locked", fs::perms::owner_all);
+    CHECK(folder.entry_count() == 2);
+}
+
+TEST_CASE("what only its owner may read is so while it is written, too") {
+    const ScratchFolder folder;
+    const mode_t old_mask = ::umask(0);
+    const TemporaryFile temporary(folder.path(), 0600);
+    ::umask(old_mask);
+    CHECK(fs::status(folder / ".interleaf-0").permissions() ==
+          (fs::perms::owner_read | fs::perms::owner_write));
 }
 
 }  // namespace interleaf

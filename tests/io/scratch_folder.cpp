@@ -24,8 +24,8 @@ std::string error_of(const std::function<void()>& action) {
 
 }  // namespace
 
-ScratchFolder::ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "interleaf-test-XXXXXX").string();
+ScratchFolder::ScratchFolder(const std::filesystem::path& parent) {
+    std::string name = (parent / "interleaf-test-XXXXXX").string();
     REQUIRE(::mkdtemp(name.data()) != nullptr);
     path_ = std::filesystem::canonical(name);
 }
@@ -38,6 +38,11 @@ ScratchFolder::~ScratchFolder() {
 std::size_t ScratchFolder::entry_count() const {
     const std::filesystem::directory_iterator entries(path_);
     return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));
+}
+
+std::filesystem::path memory_folder() {
+    const std::filesystem::path folder = "/dev/shm";
+    return std::filesystem::is_directory(folder) ? folder : std::filesystem::temp_directory_path();
 }
 
 std::string content(const std::filesystem::path& file) {

@@ -10,7 +10,7 @@ namespace interleaf {
 
 class ScratchFolder {
   public:
-    ScratchFolder();
+    explicit ScratchFolder(const std::filesystem::path& parent = std::filesystem::temp_directory_path());
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;
     ~ScratchFolder();
@@ -24,6 +24,9 @@ class ScratchFolder {
   private:
     std::filesystem::path path_;
 };
+
+/// A folder in memory, where flushing takes no time; the one for temporary files where there is none.
+std::filesystem::path memory_folder();
 
 std::string content(const std::filesystem::path& file);
 

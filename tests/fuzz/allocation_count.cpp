@@ -1,0 +1,135 @@
+#include "fuzz/allocation_count.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+
+#include <malloc.h>
+#include <sys/mman.h>
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define INTERLEAF_ADDRESS_SANITIZER
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define INTERLEAF_ADDRESS_SANITIZER
+#endif
+#ifdef INTERLEAF_ADDRESS_SANITIZER
+#include <sanitizer/allocator_interface.h>
+#endif
+
+namespace interleaf::fuzz {
+
+namespace {
+
+std::ptrdiff_t allocated = 0;  // below zero where memory from before the program counted is given back
+std::ptrdiff_t at_begin = 0;
+std::ptrdiff_t most = 0;
+
+void count(std::ptrdiff_t bytes) {
+    allocated += bytes;
+    most = std::max(most, allocated);
+}
+
+}  // namespace
+
+void begin_count() {
+    at_begin = allocated;
+    most = allocated;
+}
+
+std::size_t most_bytes() {
+    return static_cast<std::size_t>(most - at_begin);
+}
+
+}  // namespace interleaf::fuzz
+
+// The linker's --wrap=NAME leads calls of NAME to __wrap_NAME, and calls of __real_NAME to NAME.
+extern "C" {
+
+void* __real_mmap(void* place, std::size_t bytes, int protection, int flags, int file, off_t offset);
+int __real_munmap(void* memory, std::size_t bytes);
+void* __real_mremap(void* memory, std::size_t old_bytes, std::size_t new_bytes, int flags, ...);
+
+void* __wrap_mmap(void* place, std::size_t bytes, int protection, int flags, int file, off_t offset) {
+    void* const memory = __real_mmap(place, bytes, protection, flags, file, offset);
+    if (memory != MAP_FAILED) interleaf::fuzz::count(static_cast<std::ptrdiff_t>(bytes));
+    return memory;
+}
+
+int __wrap_munmap(void* memory, std::size_t bytes) {
+    const int result = __real_munmap(memory, bytes);
+    if (result == 0) interleaf::fuzz::count(-static_cast<std::ptrdiff_t>(bytes));
+    return result;
+}
+
+// Only with MREMAP_FIXED: it takes the place of a mapping that has been counted.
+void* __wrap_mremap(void* memory, std::size_t old_bytes, std::size_t new_bytes, int flags, void* place) {
+    void* const moved = __real_mremap(memory, old_bytes, new_bytes, flags, place);
+    if (moved != MAP_FAILED) interleaf::fuzz::count(-static_cast<std::ptrdiff_t>(old_bytes));
+    return moved;
+}
+
+}  // extern "C"
+
+#ifdef INTERLEAF_ADDRESS_SANITIZER
+
+namespace {
+
+void count_allocation(const volatile void*, std::size_t bytes) {
+    interleaf::fuzz::count(static_cast<std::ptrdiff_t>(bytes));
+}
+
+void count_release(const volatile void* memory) {
+    interleaf::fuzz::count(-static_cast<std::ptrdiff_t>(__sanitizer_get_allocated_size(memory)));
+}
+
+[[maybe_unused]] const int installed =
+    __sanitizer_install_malloc_and_free_hooks(&count_allocation, &count_release);
+
+}  // namespace
+
+// Wrapped in every build, counted by the sanitizer in this one.
+extern "C" {
+void* __real_malloc(std::size_t bytes);
+void __real_free(void* memory);
+void* __wrap_malloc(std::size_t bytes) {
+    return __real_malloc(bytes);
+}
+void __wrap_free(void* memory) {
+    __real_free(memory);
+}
+}
+
+#else
+
+extern "C" {
+
+void* __real_malloc(std::size_t bytes);
+void __real_free(void* memory);
+
+void* __wrap_malloc(std::size_t bytes) {
+    void* const memory = __real_malloc(bytes);
+    interleaf::fuzz::count(static_cast<std::ptrdiff_t>(::malloc_usable_size(memory)));
+    return memory;
+}
+
+void __wrap_free(void* memory) {
+    interleaf::fuzz::count(-static_cast<std::ptrdiff_t>(::malloc_usable_size(memory)));
+    __real_free(memory);
+}
+
+}  // extern "C"
+
+void* operator new(std::size_t bytes) {
+    if (void* const memory = std::malloc(std::max<std::size_t>(bytes, 1))) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+#endif

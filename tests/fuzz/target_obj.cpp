@@ -1,0 +1,35 @@
+// Wavefront OBJ files.
+#include <string>
+
+#include "fuzz/scratch_file.h"
+#include "fuzz/target.h"
+
+#include "hierarchy/checker.h"
+#include "io/hierarchy_file.h"
+#include "io/mesh_file.h"
+
+namespace interleaf::fuzz {
+
+namespace {
+
+Hierarchy read_bytes(ByteSpan bytes) {
+    static const ScratchFile file("mesh.obj");
+    file.set_content(bytes);
+    return read_obj(file.path());
+}
+
+Inspection read(ByteSpan bytes) {
+    return [mesh = read_bytes(bytes)]() -> std::string {
+        if (!check(mesh).empty()) return "unsound: " + check(mesh).front();
+        const std::string text = obj_text(mesh.roots.triangles(), mesh.positions);
+        const Hierarchy again = read_bytes(std::as_bytes(std::span(text)));
+        return serialize_hierarchy(again) == serialize_hierarchy(mesh) ? ""
+                                                                       : "changed by writing and reading it";
+    };
+}
+
+}  // namespace
+
+const Target target{read, whole_as_part, first_part, own_size};
+
+}  // namespace interleaf::fuzz
