@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 
 #include <glm/common.hpp>
 
@@ -28,20 +27,7 @@ constexpr std::array<glm::vec3, 7> okabe_ito = {from_hex(0xe69f00), from_hex(0x0
 
 constexpr glm::vec3 shared_by_all = from_hex(0xd9d9d9);
 
-glm::vec3 encoded(glm::vec3 light) {
-    for (int c = 0; c < 3; ++c)
-        light[c] =
-            light[c] <= 0.0031308F ? 12.92F * light[c] : 1.055F * std::pow(light[c], 1 / 2.4F) - 0.055F;
-    return light;
-}
-
 }  // namespace
-
-glm::vec3 linear_light(glm::vec3 color) {
-    for (int c = 0; c < 3; ++c)
-        color[c] = color[c] <= 0.04045F ? color[c] / 12.92F : std::pow((color[c] + 0.055F) / 1.055F, 2.4F);
-    return color;
-}
 
 LevelRange level_range(const UnionMesh& mesh) {
     if (mesh.tags.empty()) return {};

@@ -11,6 +11,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "hierarchy/color.h"
 #include "hierarchy/union_mesh.h"
 
 namespace interleaf {
@@ -38,8 +39,5 @@ glm::vec3 key_color(std::size_t key);
 /// Colour of a leaf that is a node in the keys of \p origin, sRGB-encoded. \p keys has the index in the
 /// family of each active key.
 glm::vec3 origin_color(KeySet origin, std::span<const std::size_t> keys);
-
-/// An sRGB-encoded colour as linear light.
-glm::vec3 linear_light(glm::vec3 color);
 
 }  // namespace interleaf
