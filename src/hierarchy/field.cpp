@@ -40,6 +40,13 @@ bool is_field_name(std::string_view text) {
     return true;
 }
 
+std::vector<FieldName> labels(std::span<const Field> fields) {
+    std::vector<FieldName> result;
+    result.reserve(fields.size());
+    for (const Field& field : fields) result.push_back(field.label());
+    return result;
+}
+
 const Field* find_field(std::span<const Field> fields, const FieldName& label) {
     const auto found =
         std::ranges::find_if(fields, [&](const Field& field) { return field.label() == label; });

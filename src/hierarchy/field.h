@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hierarchy/buffer.h"
 #include "hierarchy/triangle.h"
@@ -49,6 +50,9 @@ inline constexpr std::size_t max_field_name = 255;
 
 /// Whether \p text can name a field: UTF-8 of 1 to max_field_name bytes, without control characters.
 bool is_field_name(std::string_view text);
+
+/// The names and kinds of \p fields.
+std::vector<FieldName> labels(std::span<const Field> fields);
 
 /// The field of that name and kind; null where there is none.
 const Field* find_field(std::span<const Field> fields, const FieldName& label);

@@ -1,4 +1,5 @@
-// The lines of a Wavefront OBJ file that make a surface: vertices (v) and faces (f), checked.
+// The lines of a Wavefront OBJ file that make a surface: vertices (v), with their colours where they have
+// some, and faces (f), checked.
 //
 // tinyobjloader takes a number it cannot read for 0, rounds others, and leaves out a polygon with a vertex
 // that does not exist. So every line is checked here, with its number, before tinyobjloader sees it;
@@ -16,12 +17,13 @@ namespace interleaf {
 
 struct ObjLines {
     std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> colors;  ///< one a vertex, white where its line has none; empty when none has
     std::string text;  ///< OBJ of the v and f lines alone, faces with vertex numbers from 1 and nothing else
     std::size_t triangle_count = 0;  ///< triangles in the faces once they are triangulated
 };
 
-/// \throw InputError naming \p name, the line and what was expected: finite numbers, vertices that exist, a
-/// face
+/// \throw InputError naming \p name, the line and what was expected: finite numbers, colours from 0 to 1,
+/// vertices that exist, a face
 ObjLines read_obj_lines(std::string_view obj, std::string_view name);
 
 }  // namespace interleaf
