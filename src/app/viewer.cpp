@@ -12,13 +12,16 @@
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <malloc.h>
 
 #include "app/commands.h"
 #include "app/family_extent.h"
 #include "app/morph_surface.h"
 #include "app/scene_picture.h"
+#include "app/shown_field.h"
 #include "app/trace.h"
+#include "hierarchy/color.h"
 #include "hierarchy/error.h"
 #include "io/mesh_file.h"
 #include "io/safe_write.h"
@@ -35,6 +38,7 @@
 #include "ui/status_line.h"
 #include "ui/style.h"
 #include "ui/timeline_panel.h"
+#include "ui/value_label.h"
 #include "ui/view_area.h"
 #include "ui/weights_panel.h"
 
@@ -51,11 +55,13 @@ struct FamilyFigures {
     std::vector<std::string> key_names;
     std::vector<KeyRow> key_rows;
     std::vector<glm::dvec2> path;  ///< of the timeline through the domain
+    std::vector<FamilyField> fields;
 };
 
 FamilyFigures figures_of(const Family& family) {
     FamilyFigures figures;
     figures.extent = extent(family);
+    figures.fields = fields_of(family.keys);
     for (const Key& key : family.keys) {
         const std::vector<Leaf> leaves = leaves_of(key.hierarchy);
         const unsigned deepest = std::ranges::max_element(leaves, {}, &Leaf::level)->level;
@@ -95,8 +101,11 @@ class Viewer {
     void show_keys_and_display();
     void show_timeline(double now);
     void move_camera(const ViewInput& input);
+    glm::vec2 device_coordinates(glm::vec2 point) const;
     void zoom(const ViewInput& input);
+    const FamilyField* shown() const { return shown_field(state_.session.display, family_figures_.fields); }
     void draw_surface();
+    void show_value();
     void save_picture();
     float aspect() const { return layout_.view.width / std::max(layout_.view.height, 1.0F); }
 
@@ -112,6 +121,7 @@ class Viewer {
     std::optional<Trace> trace_;
     Layout layout_;
     TracePlaces places_;
+    bool pointed_at_view_ = false;
     std::size_t frame_ = 0;
     double frame_milliseconds_ = 0;
     int settling_ = settling_frames;
@@ -179,8 +189,10 @@ void Viewer::frame() {
                .pointer = gui_.pointer(),
                .button_down = gui_.is_button_down()};
     show_panels(now);
-    surface_.update(state_.session.family(), state_.session.weights());
+    const FamilyField* const field = shown();
+    surface_.update(state_.session.family(), state_.session.weights(), field ? &field->label : nullptr);
     draw_surface();
+    show_value();
     gui_.end_frame();
     if (picture_file_ && settling_ == 0) save_picture();
     glfwSwapBuffers(window_.handle());
@@ -192,7 +204,9 @@ void Viewer::frame() {
 }
 
 void Viewer::run_commands(double now) {
+    if (gui_.takes_text()) pressed_.clear();
     for (const Shortcut shortcut : std::exchange(pressed_, {})) find_command(shortcut)->run(state_, now);
+    fit_display(state_.session.display, family_figures_.fields);
     if (!state_.reload_wanted) return;
     state_.reload_wanted = false;
     try {
@@ -212,7 +226,9 @@ void Viewer::show_panels(double now) {
 
     layout_ = lay_out(places_.window, menu.height, gui_.scale(), session.has_timeline());
     places_.view = layout_.view;
-    move_camera(view_area(layout_.view));
+    const ViewInput view_input = view_area(layout_.view);
+    pointed_at_view_ = view_input.pointed_at;
+    move_camera(view_input);
 
     if (layout_.left) {
         begin_panel("left", *layout_.left);
@@ -251,6 +267,8 @@ void Viewer::show_keys_and_display() {
     display_panel(state_.session.display, {.levels = figures.levels,
                                            .origins = figures.origins,
                                            .active_keys = figures.keys,
+                                           .fields = family_figures_.fields,
+                                           .key_without_field = figures.key_without_field,
                                            .key_names = family_figures_.key_names});
 }
 
@@ -276,10 +294,15 @@ void Viewer::move_camera(const ViewInput& input) {
         camera_.frame(family_figures_.extent, aspect());
 }
 
-void Viewer::zoom(const ViewInput& input) {
+/// A point of the window in the view's normalised device coordinates, -1 to 1, y up.
+glm::vec2 Viewer::device_coordinates(glm::vec2 point) const {
     const Rect& view = layout_.view;
-    const glm::vec2 part{(input.pointer.x - view.x) / view.width, (input.pointer.y - view.y) / view.height};
-    const glm::vec2 pointer{2 * part.x - 1, 1 - 2 * part.y};
+    return {2 * (point.x - view.x) / view.width - 1, 1 - 2 * (point.y - view.y) / view.height};
+}
+
+void Viewer::zoom(const ViewInput& input) {
+    const glm::vec2 pointer = device_coordinates(input.pointer);
+    const glm::vec2 part{(pointer.x + 1) / 2, (1 - pointer.y) / 2};
     const auto pixel = [](float place, int count) {
         return std::clamp(static_cast<int>(place * static_cast<float>(count)), 0, count - 1);
     };
@@ -310,6 +333,24 @@ void Viewer::draw_surface() {
     picture_.target()->blit_to_window(pixels(view.x), pixels(places_.window.y - view.bottom()));
 }
 
+/// The value of the field under the pointer, unless the surface moves.
+void Viewer::show_value() {
+    const FamilyField* const field = shown();
+    if (field == nullptr || !pointed_at_view_ || state_.session.is_playing()) return;
+    const glm::vec2 pointer = device_coordinates(places_.pointer);
+    const Ray ray{camera_.point_at(pointer, 0, aspect()), camera_.point_at(pointer, 1, aspect())};
+    const std::optional<glm::vec3> value = surface_.field_at(ray, state_.session.weights());
+    if (!value) return;
+    const bool is_scalar = field->label.kind == FieldKind::scalar;
+    const glm::vec3 color =
+        is_scalar ? state_.session.display.scale.color(value->x) : encoded(glm::clamp(*value, 0.0F, 1.0F));
+    const glm::ivec3 bytes(glm::round(255.0F * color));
+    value_label(places_.pointer, layout_.view, color,
+                is_scalar
+                    ? fmt::format("{} {:.4g}", field->label.name, value->x)
+                    : fmt::format("{} #{:02x}{:02x}{:02x}", field->label.name, bytes.r, bytes.g, bytes.b));
+}
+
 /// Once nothing changes any more.
 void Viewer::save_picture() {
     const glm::ivec2 size = window_.framebuffer_size();
@@ -321,6 +362,7 @@ void Viewer::save_picture() {
 
 void run_viewer(Family family, const ViewerOptions& options) {
     if (options.at && !family.domain) throw UsageError("--at: the family has no parameter domain");
+    require_field(options.display, fields_of(family.keys));
     if (options.time && !family.timeline) throw UsageError("--time: the family has no timeline");
     // A software renderer takes and gives back its frame's memory every time otherwise, which costs it most
     // of its speed.

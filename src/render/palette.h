@@ -1,8 +1,7 @@
 // Colours by level and by origin. The shader and the legend take them from here, so that they agree. No GL.
 //
-// Levels: viridis (Smith and van der Walt, 2015; matplotlib, public domain CC0), perceptually uniform. Keys:
-// the colour-blind safe hues of Okabe and Ito (2008); a set of keys has the mean of its keys' colours, a set
-// of all active keys is neutral.
+// Levels: viridis (color_map.h). Keys: the colour-blind safe hues of Okabe and Ito (2008); a set of keys has
+// the mean of its keys' colours, a set of all active keys is neutral.
 #pragma once
 
 #include <cstddef>
