@@ -81,10 +81,10 @@ const float cells = 8.0;  // along each edge of a root
 const vec3 light_cell = vec3(0.80, 0.77, 0.70);
 const vec3 dark_cell = vec3(0.085, 0.15, 0.22);
 
-// A wave of 1 and -1 that changes its sign at whole numbers, blurred over the width of a pixel.
+// A wave of 1 and -1 that changes its sign at the whole numbers from 1 on, blurred over the width of a pixel.
 vec3 square_wave(vec3 x, vec3 width) {
-    vec3 nearest = 0.5 - abs(fract(x) - 0.5);
-    vec3 wave = (1.0 - 2.0 * mod(floor(x), 2.0)) * clamp(nearest / (0.5 * width), 0.0, 1.0);
+    vec3 nearest = mix(0.5 - abs(fract(x) - 0.5), vec3(0.5), lessThan(x, vec3(0.5)));
+    vec3 wave = (1.0 - 2.0 * mod(floor(max(x, 0.0)), 2.0)) * clamp(nearest / (0.5 * width), 0.0, 1.0);
     return wave * clamp(2.0 - 2.0 * width, 0.0, 1.0);
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
 
 #include <glm/common.hpp>
 
@@ -105,9 +105,11 @@ ColorScale::Placing ColorScale::placing() const {
     // In double: the range may be as wide as floats go.
     const double min = range.min, max = range.max;
     if (!(max > min)) return {range.min, 0, 0.5F};
-    if (!is_diverging(map) || min >= 0 || max <= 0)
-        return {range.min, static_cast<float>(1 / (max - min)), 0};
-    return {0, static_cast<float>(0.5 / std::max(-min, max)), 0.5F};
+    const auto to_float = [](double factor) {
+        return static_cast<float>(std::min<double>(factor, std::numeric_limits<float>::max()));
+    };
+    if (!is_diverging(map) || min >= 0 || max <= 0) return {range.min, to_float(1 / (max - min)), 0};
+    return {0, to_float(0.5 / std::max(-min, max)), 0.5F};
 }
 
 glm::vec3 ColorScale::color(float value) const {

@@ -210,7 +210,7 @@ TEST_CASE("each display key changes the picture, and changes it back") {
                         [&](const State& s) { return s["display"] == start["display"]; });
         CHECK(viewer.shows(plain));
     }
-    for (const char* coloring : {"level", "origin"}) {
+    for (const char* coloring : {"level", "origin", "checker"}) {
         viewer.press(XK_c);
         viewer.wait_for(coloring, [&](const State& s) { return s["display"]["coloring"] == coloring; });
         CHECK(pictures.insert(viewer.changed_picture(plain)).second);
