@@ -189,6 +189,7 @@ void Viewer::frame() {
                .pointer = gui_.pointer(),
                .button_down = gui_.is_button_down()};
     show_panels(now);
+    fit_display(state_.session.display, family_figures_.fields);
     const FamilyField* const field = shown();
     surface_.update(state_.session.family(), state_.session.weights(), field ? &field->label : nullptr);
     draw_surface();
@@ -206,7 +207,6 @@ void Viewer::frame() {
 void Viewer::run_commands(double now) {
     if (gui_.takes_text()) pressed_.clear();
     for (const Shortcut shortcut : std::exchange(pressed_, {})) find_command(shortcut)->run(state_, now);
-    fit_display(state_.session.display, family_figures_.fields);
     if (!state_.reload_wanted) return;
     state_.reload_wanted = false;
     try {
