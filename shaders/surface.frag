@@ -1,28 +1,40 @@
 #version 330 core
-// Colour by leaf, light, and edges of constant width in pixels.
-// EDGES is defined by the renderer: 1 behind surface.geom.
+// Colour by leaf, by a field or by the place in the root, light, and edges of constant width in pixels.
+// Defined by the renderer: EDGES and CHECKER, 1 where they are drawn, behind surface.geom then; FIELD as in
+// surface.vert.
 
-#if EDGES
+#if EDGES || CHECKER
 in Surface {
-    vec3 position;
-    vec3 normal;
-    vec3 barycentric;
-} surface;
 #else
 in Corner {
+#endif
     vec3 position;
     vec3 normal;
-} surface;
+#if FIELD == 1
+    float value;
+#elif FIELD == 3
+    vec3 value;
 #endif
+#if CHECKER
+    vec3 in_root;
+#endif
+#if EDGES || CHECKER
+    vec3 barycentric;
+#endif
+} surface;
 
 uniform bool flat_shading;
-uniform int coloring;             // 0 plain, 1 by level, 2 by origin
+uniform int coloring;             // 0 plain, 1 by level, 2 by origin; FIELD and CHECKER go before
 uniform bool show_wireframe;
 uniform bool show_refinement_edges;
 uniform bool show_root_edges;
 uniform float line_width;         // pixels
 uniform usamplerBuffer leaf_data; // x the tag; y which corners touch root edges, above: its origin's place
 uniform samplerBuffer palette;    // linear light
+#if FIELD == 1
+uniform vec2 value_range;         // what has a colour of its own
+uniform vec3 placing;             // base, factor and offset of a value's place in the palette, 0 to 1
+#endif
 
 out vec4 color;
 
@@ -50,6 +62,40 @@ vec3 shading_normal() {
     vec3 smoothed = gl_FrontFacing ? surface.normal : -surface.normal;
     return direction(flat_shading || smoothed == vec3(0.0) ? face : smoothed);
 }
+
+#if FIELD == 1
+vec3 field_color() {
+    float value = clamp(surface.value, value_range.x, value_range.y);
+    float place = clamp((value - placing.x) * placing.y + placing.z, 0.0, 1.0);
+    int last = textureSize(palette) - 1;
+    float at = place * float(last);
+    int before = clamp(int(at), 0, last - 1);
+    return mix(texelFetch(palette, before).rgb, texelFetch(palette, before + 1).rgb, at - float(before));
+}
+#elif FIELD == 3
+vec3 field_color() { return clamp(surface.value, 0.0, 1.0); }
+#endif
+
+#if CHECKER
+const float cells = 8.0;  // along each edge of a root
+const vec3 light_cell = vec3(0.80, 0.77, 0.70);
+const vec3 dark_cell = vec3(0.085, 0.15, 0.22);
+
+// A wave of 1 and -1 that changes its sign at the whole numbers from 1 on, blurred over the width of a pixel.
+vec3 square_wave(vec3 x, vec3 width) {
+    vec3 nearest = mix(0.5 - abs(fract(x) - 0.5), vec3(0.5), lessThan(x, vec3(0.5)));
+    vec3 wave = (1.0 - 2.0 * mod(floor(max(x, 0.0)), 2.0)) * clamp(nearest / (0.5 * width), 0.0, 1.0);
+    return wave * clamp(2.0 - 2.0 * width, 0.0, 1.0);
+}
+
+// Triangles of two colours. Each edge of a root is lined by cells of one colour on both sides, so the pattern
+// does not show how roots are marked.
+vec3 checker_color() {
+    vec3 x = cells * surface.in_root;
+    vec3 waves = square_wave(x, max(fwidth(x), 1e-20));
+    return mix(dark_cell, light_cell, 0.5 - 0.5 * waves.x * waves.y * waves.z);
+}
+#endif
 
 vec3 leaf_color(uvec2 leaf) {
     int place = coloring == 1 ? int(leaf.x & 0x7fu) : coloring == 2 ? int(leaf.y >> 3) : 0;
@@ -135,7 +181,13 @@ vec3 with_edges(vec3 light, uvec2 leaf) {
 
 void main() {
     uvec2 leaf = texelFetch(leaf_data, gl_PrimitiveID).xy;
+#if CHECKER
+    vec3 albedo = checker_color();
+#elif FIELD
+    vec3 albedo = field_color();
+#else
     vec3 albedo = leaf_color(leaf);
+#endif
     if (!gl_FrontFacing) albedo *= vec3(0.50, 0.55, 0.65);
     vec3 light = lit(albedo, shading_normal());
 #if EDGES

@@ -1,6 +1,7 @@
 #version 330 core
 // The morph: the weighted sum of the keys' positions, and the normal as a quadratic form in the weights.
-// KEY_COUNT is defined by the renderer.
+// A field, where it is shown, is the weighted sum of the keys' values. Defined by the renderer: KEY_COUNT;
+// FIELD, the components of the field, 0 where none is shown.
 
 layout(location = 0) in vec3 position[KEY_COUNT];
 layout(location = 4) in vec3 product[KEY_COUNT * (KEY_COUNT + 1) / 2];
@@ -8,12 +9,30 @@ layout(location = 4) in vec3 product[KEY_COUNT * (KEY_COUNT + 1) / 2];
 uniform mat4 view;
 uniform mat4 projection;
 uniform float weights[KEY_COUNT];
+#if FIELD
+uniform samplerBuffer field_values;  // those of a vertex together, key after key; colours in linear light
+#endif
 
 // In the camera's coordinates; the normal is not normalised, so that it interpolates by area and may be zero.
 out Corner {
     vec3 position;
     vec3 normal;
+#if FIELD == 1
+    float value;
+#elif FIELD == 3
+    vec3 value;
+#endif
 } corner;
+
+#if FIELD
+vec3 field_value() {
+    vec3 value = vec3(0.0);
+    int next = gl_VertexID * KEY_COUNT * FIELD;
+    for (int key = 0; key < KEY_COUNT; ++key)
+        for (int c = 0; c < FIELD; ++c) value[c] += weights[key] * texelFetch(field_values, next++).r;
+    return value;
+}
+#endif
 
 void main() {
     vec3 morphed = vec3(0.0);
@@ -26,5 +45,10 @@ void main() {
     vec4 seen = view * vec4(morphed, 1.0);
     corner.position = seen.xyz;
     corner.normal = mat3(view) * normal;
+#if FIELD == 1
+    corner.value = field_value().x;
+#elif FIELD == 3
+    corner.value = field_value();
+#endif
     gl_Position = projection * seen;
 }

@@ -10,6 +10,7 @@
 #include "app/figures.h"
 #include "app/open_family.h"
 #include "app/shown_text.h"
+#include "family/family_fields.h"
 #include "io/family_file.h"
 #include "io/hierarchy_file.h"
 #include "ui/number_text.h"
@@ -82,6 +83,23 @@ Json json_of(const Figures& figures) {
     return json;
 }
 
+std::string_view name_of(FieldKind kind) {
+    return kind == FieldKind::color ? "color" : "scalar";
+}
+
+Json json_of(const FamilyField& field) {
+    return {{"name", field.label.name},
+            {"kind", name_of(field.label.kind)},
+            {"min", field.min},
+            {"max", field.max}};
+}
+
+Json json_of(const std::vector<FamilyField>& fields) {
+    Json json = Json::array();
+    for (const FamilyField& field : fields) json.push_back(json_of(field));
+    return json;
+}
+
 Json json_of(const Timeline& timeline, const Family& family) {
     Json keys = Json::array();
     for (const TimelineKey& key : timeline.keys()) {
@@ -101,11 +119,13 @@ Json json_of(const ParameterDomain& domain, const Family& family) {
 void print_json(Kind kind, const Family& family, std::span<const Figures> keys, const Figures& whole) {
     Json document = {{"kind", name_of(kind)}, {"name", family.name}};
     document.update(json_of(whole));
+    document["fields"] = json_of(fields_of(family.keys));
     if (kind == Kind::family) {
         document["keys"] = Json::array();
         for (std::size_t i = 0; i < keys.size(); ++i) {
             Json key = {{"name", family.keys[i].name}};
             key.update(json_of(keys[i]));
+            key["fields"] = json_of(fields_of(std::span(&family.keys[i], 1)));
             document["keys"].push_back(std::move(key));
         }
     }
@@ -148,6 +168,18 @@ void print_whole(Kind kind, const Family& family, const Figures& whole) {
     print_line("box", text_of(whole.box.min) + " to " + text_of(whole.box.max));
 }
 
+/// Scalars with their range over all keys that have them.
+void print_fields(const std::vector<FamilyField>& fields) {
+    if (fields.empty()) return;
+    fmt::print("\nfields\n");
+    for (const FamilyField& field : fields) {
+        const bool is_color = field.label.kind == FieldKind::color;
+        print_line(name_of(field.label.kind),
+                   is_color ? field.label.name
+                            : fmt::format("{}  {:.6g} to {:.6g}", field.label.name, field.min, field.max));
+    }
+}
+
 void print_keys(const Family& family, std::span<const Figures> keys) {
     constexpr std::string_view row = "{:<20}{:>12}{:>12}{:>12}{:>14}{:>14}{:>14}  {}\n";
     fmt::print("\n");
@@ -175,6 +207,7 @@ void print_domain(const ParameterDomain& domain, const Family& family) {
 
 void print_text(Kind kind, const Family& family, std::span<const Figures> keys, const Figures& whole) {
     print_whole(kind, family, whole);
+    print_fields(fields_of(family.keys));
     if (kind == Kind::family) print_keys(family, keys);
     if (family.timeline) print_timeline(*family.timeline, family);
     if (family.domain) print_domain(*family.domain, family);

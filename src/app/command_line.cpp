@@ -130,11 +130,25 @@ void add_display(CLI::App& command, Display& display) {
                     [&display](const std::string& text) { display.shading = parse_shading(text); })
         ->type_name("NAME")
         ->default_str("smooth");
-    add_text_option(command, "--color",
-                    "Color: plain, level (of each leaf), or origin (which keys bisect this far)",
-                    [&display](const std::string& text) { display.coloring = parse_coloring(text); })
+    CLI::Option* color =
+        add_text_option(command, "--color",
+                        "Color: plain, level (of each leaf), origin (which keys bisect this far), checker "
+                        "(over the roots), or a field of the keys",
+                        [&display](const std::string& text) { parse_coloring(text, display); });
+    color->type_name("NAME")->default_str("plain");
+    add_text_option(command, "--color-map", "Colors of a scalar field: viridis, magma or coolwarm",
+                    [&display](const std::string& text) { display.scale.map = parse_color_map(text); })
         ->type_name("NAME")
-        ->default_str("plain");
+        ->default_str("viridis")
+        ->needs(color);
+    add_text_option(command, "--range",
+                    "Values with the first and the last color; those of all keys if left out",
+                    [&display](const std::string& text) {
+                        display.scale.range = parse_range(text);
+                        display.range_locked = true;
+                    })
+        ->type_name("MIN,MAX")
+        ->needs(color);
 }
 
 void add_view(CLI::App& program) {

@@ -35,6 +35,12 @@ void cycle_coloring(ViewerState& state, double) {
             coloring = Coloring::origin;
             break;
         case Coloring::origin:
+            coloring = Coloring::checker;
+            break;
+        case Coloring::checker:
+            coloring = state.session.display.field.empty() ? Coloring::plain : Coloring::field;
+            break;
+        case Coloring::field:
             coloring = Coloring::plain;
             break;
     }
@@ -275,7 +281,11 @@ constexpr Command table[] = {
      "Show the edges of the root complex",
      toggle<&Display::root_edges>,
      is_on<&Display::root_edges>},
-    {"View", "Next colouring", {{{GLFW_KEY_C}}}, "Colour plainly, by level, by origin", cycle_coloring},
+    {"View",
+     "Next colouring",
+     {{{GLFW_KEY_C}}},
+     "Colour plainly, by level, by origin, checker, by field",
+     cycle_coloring},
     {"View",
      "Reload shaders",
      {{{GLFW_KEY_F5}}},

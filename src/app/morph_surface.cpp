@@ -4,16 +4,19 @@
 #include <chrono>
 #include <utility>
 
+#include "family/family_fields.h"
+#include "hierarchy/morph.h"
+
 namespace interleaf {
 
-void MorphSurface::update(const Family& family, const Weights& weights) {
+void MorphSurface::update(const Family& family, const Weights& weights, const FieldName* field) {
     std::vector<std::size_t> keys = active_keys(weights);
     std::vector<SharedHierarchy> hierarchies;
     for (const std::size_t key : keys) hierarchies.push_back(family.keys[key].hierarchy);
     const bool is_same = keys == figures_.keys &&
                          std::ranges::equal(hierarchies, hierarchies_,
                                             [](const auto& a, const auto& b) { return a.is_same(b); });
-    if (is_same) return;
+    if (is_same) return update_field(family, weights, field);
 
     const auto start = std::chrono::steady_clock::now();
     unite(family, weights, mesh_);
@@ -28,7 +31,41 @@ void MorphSurface::update(const Family& family, const Weights& weights) {
                 .levels = renderer_.levels(),
                 .origins = {renderer_.origins().begin(), renderer_.origins().end()},
                 .rebuilds = figures_.rebuilds + 1,
-                .rebuild_milliseconds = taken.count()};
+                .rebuild_milliseconds = taken.count(),
+                .key_without_field = {}};
+    wanted_field_.reset();
+    update_field(family, weights, field);
+}
+
+void MorphSurface::update_field(const Family& family, const Weights& weights, const FieldName* field) {
+    if (field == nullptr ? !wanted_field_ : wanted_field_ == *field) return;
+    mesh_.fields.clear();
+    wanted_field_.reset();
+    figures_.key_without_field.reset();
+    if (field != nullptr) {
+        wanted_field_ = *field;
+        figures_.key_without_field = key_without(family, weights, *field);
+        if (!figures_.key_without_field) mesh_.fields.push_back(united_field(family, weights, mesh_, *field));
+    }
+    renderer_.set_field(mesh_.fields.empty() ? nullptr : &mesh_.fields.front());
+}
+
+std::optional<glm::vec3> MorphSurface::field_at(const Ray& ray, const Weights& weights) {
+    if (mesh_.fields.empty()) return std::nullopt;
+    const std::vector<float> factors = weight_values(weights);
+    const std::optional<Hit> hit = first_hit(mesh_.triangles, morph(mesh_, factors), ray);
+    if (!hit) return std::nullopt;
+    const UnionField& field = mesh_.fields.front();
+    const std::size_t width = component_count(field.label.kind);
+    glm::vec3 value(0);
+    for (std::size_t key = 0; key < factors.size(); ++key)
+        for (int corner = 0; corner < 3; ++corner) {
+            const float* const at =
+                &field.values[key][width * mesh_.triangles[hit->triangle][static_cast<std::size_t>(corner)]];
+            for (std::size_t c = 0; c < width; ++c)
+                value[static_cast<int>(c)] += factors[key] * hit->barycentric[corner] * at[c];
+        }
+    return value;
 }
 
 }  // namespace interleaf

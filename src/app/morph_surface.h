@@ -1,10 +1,14 @@
 // The surface in the window: the union of the active keys on the GPU, made anew only when their set changes.
 #pragma once
 
+#include <optional>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "family/family.h"
 #include "render/palette.h"
+#include "render/pick.h"
 #include "render/renderer.h"
 
 namespace interleaf {
@@ -17,7 +21,8 @@ struct SurfaceFigures {
     LevelRange levels;
     std::vector<KeySet> origins;  ///< the sets of active keys that occur
     std::size_t rebuilds = 0;
-    double rebuild_milliseconds = 0;  ///< of the last one: union, normal products, upload
+    double rebuild_milliseconds = 0;               ///< of the last one: union, normal products, upload
+    std::optional<std::size_t> key_without_field;  ///< an active key that lacks the field that is shown
 };
 
 class MorphSurface {
@@ -25,17 +30,25 @@ class MorphSurface {
     /// \pre a context is current
     MorphSurface() = default;
 
-    /// Rebuilds the union if the active keys of \p weights are others than before.
-    void update(const Family& family, const Weights& weights);
+    /// Rebuilds the union if the active keys of \p weights are others than before, and unites \p field, null
+    /// for none, if it is another one than before or the union is new.
+    void update(const Family& family, const Weights& weights, const FieldName* field);
+
+    /// The field of the surface with \p weights where \p ray first meets it: one number, or the linear light
+    /// of a colour. None where it does not, and without a field.
+    std::optional<glm::vec3> field_at(const Ray& ray, const Weights& weights);
 
     const SurfaceFigures& figures() const { return figures_; }
     Renderer& renderer() { return renderer_; }
 
   private:
-    UnionMesh mesh_;
+    void update_field(const Family& family, const Weights& weights, const FieldName* field);
+
+    UnionMesh mesh_;  ///< with the field that is shown as its only one
     NormalForm form_;
     std::vector<SharedHierarchy> hierarchies_;  ///< of the active keys
     SurfaceFigures figures_;
+    std::optional<FieldName> wanted_field_;
     Renderer renderer_;
 };
 

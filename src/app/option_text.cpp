@@ -115,11 +115,38 @@ Shading parse_shading(std::string_view text) {
     expected("smooth or flat", text);
 }
 
-Coloring parse_coloring(std::string_view text) {
-    if (text == "plain") return Coloring::plain;
-    if (text == "level") return Coloring::level;
-    if (text == "origin") return Coloring::origin;
-    expected("plain, level or origin", text);
+void parse_coloring(std::string_view text, Display& display) {
+    constexpr std::pair<std::string_view, Coloring> words[] = {{"plain", Coloring::plain},
+                                                               {"level", Coloring::level},
+                                                               {"origin", Coloring::origin},
+                                                               {"checker", Coloring::checker}};
+    for (const auto& [word, coloring] : words)
+        if (text == word) {
+            display.coloring = coloring;
+            return;
+        }
+    constexpr std::string_view prefix = "field:";
+    display.coloring = Coloring::field;
+    display.field = text.starts_with(prefix) ? text.substr(prefix.size()) : text;
+}
+
+ColorMap parse_color_map(std::string_view text) {
+    if (const std::optional<ColorMap> map = color_map_named(text)) return *map;
+    std::string known;
+    for (const ColorMap map : color_maps()) {
+        if (!known.empty()) known += map == color_maps().back() ? " or " : ", ";
+        known += name_of(map);
+    }
+    expected(known, text);
+}
+
+ValueRange parse_range(std::string_view text) {
+    const auto values = numbers(text);
+    if (!values || values->size() != 2) expected("MIN,MAX", text);
+    const ValueRange range{static_cast<float>((*values)[0]), static_cast<float>((*values)[1])};
+    if (!std::isfinite(range.min) || !std::isfinite(range.max) || range.min >= range.max)
+        expected("MIN,MAX, ascending", text);
+    return range;
 }
 
 void parse_shown_edges(std::string_view text, Display& display) {

@@ -36,7 +36,16 @@ PictureSize parse_size(std::string_view text);
 Viewpoint parse_viewpoint(std::string_view text);
 
 Shading parse_shading(std::string_view text);
-Coloring parse_coloring(std::string_view text);
+
+/// "plain", "level", "origin", "checker", the name of a field, or "field:NAME" for one that is called like
+/// one of these.
+void parse_coloring(std::string_view text, Display& display);
+
+/// The name of a colour map.
+ColorMap parse_color_map(std::string_view text);
+
+/// "MIN,MAX", ascending and finite as floats.
+ValueRange parse_range(std::string_view text);
 
 /// Switches on the edges that \p text names, "wireframe,root-edges".
 void parse_shown_edges(std::string_view text, Display& display);

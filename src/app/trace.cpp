@@ -31,6 +31,10 @@ const char* name_of(Coloring coloring) {
             return "level";
         case Coloring::origin:
             return "origin";
+        case Coloring::checker:
+            return "checker";
+        case Coloring::field:
+            return "field";
     }
     return "";
 }
@@ -42,6 +46,9 @@ Json json_of(const Rect& rect) {
 Json json_of(const Display& display) {
     return {{"shading", display.shading == Shading::smooth ? "smooth" : "flat"},
             {"coloring", name_of(display.coloring)},
+            {"field", display.field},
+            {"color_map", name_of(display.scale.map)},
+            {"range", {display.scale.range.min, display.scale.range.max}},
             {"wireframe", display.wireframe},
             {"refinement_edges", display.refinement_edges},
             {"root_edges", display.root_edges}};

@@ -12,6 +12,7 @@
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <malloc.h>
 
 #include "app/commands.h"
@@ -21,7 +22,9 @@
 #include "app/key_portraits.h"
 #include "app/morph_surface.h"
 #include "app/scene_picture.h"
+#include "app/shown_field.h"
 #include "app/trace.h"
+#include "hierarchy/color.h"
 #include "hierarchy/error.h"
 #include "io/mesh_file.h"
 #include "io/safe_write.h"
@@ -36,6 +39,7 @@
 #include "ui/message_panel.h"
 #include "ui/status_line.h"
 #include "ui/style.h"
+#include "ui/value_label.h"
 #include "ui/view_area.h"
 #include "ui/weights_panel.h"
 
@@ -91,9 +95,12 @@ class Viewer {
     void show_panels(double now);
     void show_keys_and_display(double now);
     void move_camera(const ViewInput& input);
+    glm::vec2 device_coordinates(glm::vec2 point) const;
     void zoom(const ViewInput& input);
+    const FamilyField* shown() const { return shown_field(state_.session.display, fields_); }
     void draw_surface();
     void draw_portraits();
+    void show_value();
     void save_picture();
     float aspect() const { return layout_.view.width / std::max(layout_.view.height, 1.0F); }
     const Family& family() const { return state_.document.family(); }
@@ -105,6 +112,7 @@ class Viewer {
     std::shared_ptr<const Family> followed_;  ///< the document's state that all below is about
     std::string title_;
     std::vector<std::string> key_names_;
+    std::vector<FamilyField> fields_;
     Gui gui_;
     MorphSurface surface_;
     KeyPortraits portraits_;
@@ -115,6 +123,7 @@ class Viewer {
     Layout layout_;
     TracePlaces places_;
     KeysPanelResult keys_in_sight_;
+    bool pointed_at_view_ = false;
     std::size_t frame_ = 0;
     double frame_milliseconds_ = 0;
     int settling_ = settling_frames;
@@ -196,9 +205,12 @@ void Viewer::frame() {
     files_.look_after(now);
     places_.is_asking = files_.is_asking();
     follow_document();
-    surface_.update(state_.session.family(), state_.session.weights());
+    fit_display(state_.session.display, fields_);
+    const FamilyField* const field = shown();
+    surface_.update(state_.session.family(), state_.session.weights(), field ? &field->label : nullptr);
     draw_surface();
     draw_portraits();
+    show_value();
     gui_.end_frame();
     if (picture_file_ && settling_ == 0) save_picture();
     glfwSwapBuffers(window_.handle());
@@ -211,9 +223,9 @@ void Viewer::frame() {
 
 void Viewer::read_input(double now) {
     take_drop(now);
-    for (const Shortcut shortcut : std::exchange(input_.pressed, {})) {
-        if (!files_.is_asking()) run_command(*find_command(shortcut), state_, now);
-    }
+    if (gui_.takes_text() || files_.is_asking()) input_.pressed.clear();
+    for (const Shortcut shortcut : std::exchange(input_.pressed, {}))
+        run_command(*find_command(shortcut), state_, now);
     follow_document();
     if (!state_.reload_wanted) return;
     state_.reload_wanted = false;
@@ -251,6 +263,7 @@ void Viewer::follow_document() {
     followed_ = state_.document.snapshot();
     portraits_.update(family());
     key_names_ = key_names(family());
+    fields_ = fields_of(family().keys);
     settling_ = settling_frames;
 }
 
@@ -259,7 +272,9 @@ void Viewer::show_panels(double now) {
     const MenuBarResult menu = menu_bar(entries, recent_menu(files_), title_);
     layout_ = lay_out(places_.window, menu.height, gui_.scale(), state_.session.has_timeline());
     places_.view = layout_.view;
-    move_camera(view_area(layout_.view));
+    const ViewInput view_input = view_area(layout_.view);
+    pointed_at_view_ = view_input.pointed_at;
+    move_camera(view_input);
 
     if (layout_.left) {
         begin_panel("left", *layout_.left);
@@ -302,6 +317,8 @@ void Viewer::show_keys_and_display(double now) {
     display_panel(state_.session.display, {.levels = figures.levels,
                                            .origins = figures.origins,
                                            .active_keys = figures.keys,
+                                           .fields = fields_,
+                                           .key_without_field = figures.key_without_field,
                                            .key_names = key_names_});
 }
 
@@ -313,10 +330,15 @@ void Viewer::move_camera(const ViewInput& input) {
         camera_.frame(portraits_.extent(), aspect());
 }
 
-void Viewer::zoom(const ViewInput& input) {
+/// A point of the window in the view's normalised device coordinates, -1 to 1, y up.
+glm::vec2 Viewer::device_coordinates(glm::vec2 point) const {
     const Rect& view = layout_.view;
-    const glm::vec2 part{(input.pointer.x - view.x) / view.width, (input.pointer.y - view.y) / view.height};
-    const glm::vec2 pointer{2 * part.x - 1, 1 - 2 * part.y};
+    return {2 * (point.x - view.x) / view.width - 1, 1 - 2 * (point.y - view.y) / view.height};
+}
+
+void Viewer::zoom(const ViewInput& input) {
+    const glm::vec2 pointer = device_coordinates(input.pointer);
+    const glm::vec2 part{(pointer.x + 1) / 2, (1 - pointer.y) / 2};
     const auto pixel = [](float place, int count) {
         return std::clamp(static_cast<int>(place * static_cast<float>(count)), 0, count - 1);
     };
@@ -354,6 +376,24 @@ void Viewer::draw_portraits() {
         settling_ = std::max(settling_, 2);
 }
 
+/// The value of the field under the pointer, unless the surface moves.
+void Viewer::show_value() {
+    const FamilyField* const field = shown();
+    if (field == nullptr || !pointed_at_view_ || state_.session.is_playing()) return;
+    const glm::vec2 pointer = device_coordinates(places_.pointer);
+    const Ray ray{camera_.point_at(pointer, 0, aspect()), camera_.point_at(pointer, 1, aspect())};
+    const std::optional<glm::vec3> value = surface_.field_at(ray, state_.session.weights());
+    if (!value) return;
+    const bool is_scalar = field->label.kind == FieldKind::scalar;
+    const glm::vec3 color =
+        is_scalar ? state_.session.display.scale.color(value->x) : encoded(glm::clamp(*value, 0.0F, 1.0F));
+    const glm::ivec3 bytes(glm::round(255.0F * color));
+    value_label(places_.pointer, layout_.view, color,
+                is_scalar
+                    ? fmt::format("{} {:.4g}", field->label.name, value->x)
+                    : fmt::format("{} #{:02x}{:02x}{:02x}", field->label.name, bytes.r, bytes.g, bytes.b));
+}
+
 /// Once nothing changes any more.
 void Viewer::save_picture() {
     const glm::ivec2 size = window_.framebuffer_size();
@@ -365,6 +405,7 @@ void Viewer::save_picture() {
 
 void run_viewer(Family family, std::vector<std::filesystem::path> sources, const ViewerOptions& options) {
     if (options.at && !family.domain) throw UsageError("--at: the family has no parameter domain");
+    require_field(options.display, fields_of(family.keys));
     if (options.time && !family.timeline) throw UsageError("--time: the family has no timeline");
     // A software renderer takes and gives back its frame's memory every time otherwise, which costs it most
     // of its speed.

@@ -31,11 +31,11 @@ std::vector<Index> AdaptiveMesh::preorder() const {
     return order;
 }
 
-Hierarchy AdaptiveMesh::freeze() const {
+Hierarchy AdaptiveMesh::freeze(std::span<const Field> fields) const {
     std::vector<Leaf> leaves;
     leaves.reserve(leaf_count());
     for (const Index leaf : preorder()) leaves.push_back({leaves_[leaf].vertices, leaves_[leaf].level});
-    return hierarchy_from_leaves(roots_, leaves, positions());
+    return hierarchy_from_leaves(roots_, leaves, positions(), fields);
 }
 
 std::vector<std::string> AdaptiveMesh::violations() const {

@@ -118,8 +118,8 @@ class AdaptiveMesh {
     /// All leaves, root after root, in the preorder of their trees.
     std::vector<Index> preorder() const;
 
-    /// The frozen hierarchy of the present leaves.
-    Hierarchy freeze() const;
+    /// The frozen hierarchy of the present leaves, with \p fields, which have values up to vertex_bound().
+    Hierarchy freeze(std::span<const Field> fields = {}) const;
 
     /// Every violation of the mesh's own invariants (neighbours mutual and edge-matched, levels, order), one
     /// sentence each; for tests. What makes the frozen hierarchy sound is in checker.h.

@@ -67,6 +67,41 @@ void check_positions(const Hierarchy& hierarchy, Report& report) {
     }
 }
 
+/// Whether the value may be one of a field of \p kind.
+bool is_allowed(float value, FieldKind kind) {
+    return kind == FieldKind::color ? value >= 0 && value <= 1 : std::isfinite(value);
+}
+
+void check_values(const Field& field, std::size_t vertex_count, Report& report) {
+    const std::size_t width = component_count(field.kind);
+    if (field.kind != FieldKind::scalar && field.kind != FieldKind::color)
+        return report.add("field \"{}\" is of kind {}, expected 1 or 3", field.name, width);
+    if (field.values.size() != width * vertex_count)
+        return report.add("field \"{}\" has {} values, expected {} for {} vertices", field.name,
+                          field.values.size(), width * vertex_count, vertex_count);
+    if (field.kind == FieldKind::scalar && are_finite(field.values)) return;
+    for (std::size_t n = 0; n < field.values.size() && !report.full(); ++n)
+        if (!is_allowed(field.values[n], field.kind))
+            report.add("field \"{}\" is {} at vertex {}, expected {}", field.name, field.values[n], n / width,
+                       field.kind == FieldKind::color ? "parts of a colour from 0 to 1" : "finite values");
+}
+
+void check_fields(const Hierarchy& hierarchy, Report& report) {
+    const std::vector<Field>& fields = hierarchy.fields;
+    if (fields.size() > max_field_count)
+        return report.add("there are {} fields, expected at most {}", fields.size(), max_field_count);
+    for (std::size_t f = 0; f < fields.size() && !report.full(); ++f) {
+        const auto has_name = [&](const Field& other) { return other.name == fields[f].name; };
+        if (!is_field_name(fields[f].name))
+            report.add("the name of field {} is not 1 to {} bytes of UTF-8 without control characters", f,
+                       max_field_name);
+        else if (std::any_of(fields.data(), fields.data() + f, has_name))
+            report.add("two fields are called \"{}\"", fields[f].name);
+        else
+            check_values(fields[f], hierarchy.positions.size(), report);
+    }
+}
+
 /// An edge from one vertex to another as one number.
 constexpr std::uint64_t directed(Index from, Index to) {
     return from | std::uint64_t{to} << 32;
@@ -259,6 +294,7 @@ std::vector<std::string> check(const Hierarchy& hierarchy, std::size_t limit) {
     if (check_sizes(hierarchy, report)) {
         Walk(hierarchy, report).run();
         check_positions(hierarchy, report);
+        check_fields(hierarchy, report);
     }
     return report.take();
 }

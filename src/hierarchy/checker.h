@@ -7,7 +7,9 @@
 //   3. every midpoint is the midpoint of one edge: its second visit comes from the other side of the edge it
 //   was first
 //      visited on, there is no third, and only an edge on the boundary of the surface is visited once;
-//   4. its positions are finite.
+//   4. its positions are finite;
+//   5. its fields, at most max_field_count, have names that differ and is_field_name() accepts, and finite
+//   values for every vertex, those of a colour from 0 to 1.
 // Conformity is 3 (a hanging node is a midpoint visited once away from the boundary). It follows that the
 // leaves are a manifold with the orientation, Euler number and boundary of the root complex, and that leaves
 // that share an edge differ by at most two levels, by one under a compatible marking: docs/theory.md has the

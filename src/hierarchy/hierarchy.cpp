@@ -1,6 +1,7 @@
 #include "hierarchy/hierarchy.h"
 
 #include <cassert>
+#include <numeric>
 #include <utility>
 
 namespace interleaf {
@@ -46,31 +47,48 @@ void write_preorder(Hierarchy& hierarchy, const std::vector<Leaf>& leaves) {
     assert(open.empty() && bit_count == hierarchy.node_count());
 }
 
+/// \p field with the values of the vertices \p old_numbers, in that order.
+Field renumbered(const Field& field, std::span<const Index> old_numbers) {
+    Field result{field.name, field.kind, {}};
+    result.values.reserve(component_count(field.kind) * old_numbers.size());
+    for (const Index old : old_numbers) {
+        const std::span<const float> values = field.at(old);
+        result.values.insert(result.values.end(), values.begin(), values.end());
+    }
+    return result;
+}
+
 }  // namespace
 
 std::size_t Hierarchy::byte_count() const {
-    return bits.size() * sizeof(bits[0]) + midpoints.size() * sizeof(midpoints[0]) +
-           positions.size() * sizeof(positions[0]) + 2 * roots.triangles().size_bytes();
+    std::size_t bytes = bits.size() * sizeof(bits[0]) + midpoints.size() * sizeof(midpoints[0]) +
+                        positions.size() * sizeof(positions[0]) + 2 * roots.triangles().size_bytes();
+    for (const Field& field : fields) bytes += field.values.size() * sizeof(float);
+    return bytes;
 }
 
 Hierarchy hierarchy_from_leaves(const RootComplex& roots, const std::vector<Leaf>& leaves,
-                                std::span<const glm::vec3> positions) {
+                                std::span<const glm::vec3> positions, std::span<const Field> fields) {
     Hierarchy hierarchy{roots, {}, {}, {}};
     const std::size_t bisected_count = leaves.size() - roots.triangle_count();
     hierarchy.midpoints.reserve(bisected_count);
     hierarchy.bits.reserve((roots.triangle_count() + 2 * bisected_count + 63) / 64);
     write_preorder(hierarchy, leaves);
 
-    hierarchy.positions.reserve(positions.size());
-    hierarchy.positions.assign(positions.begin(), positions.begin() + roots.vertex_count());
+    std::vector<Index> old_numbers(roots.vertex_count());
+    old_numbers.reserve(positions.size());
+    std::iota(old_numbers.begin(), old_numbers.end(), Index{0});
     std::vector<Index> number(positions.size(), no_index);
     for (Index& midpoint : hierarchy.midpoints) {
         if (number[midpoint] == no_index) {
-            number[midpoint] = static_cast<Index>(hierarchy.positions.size());
-            hierarchy.positions.push_back(positions[midpoint]);
+            number[midpoint] = static_cast<Index>(old_numbers.size());
+            old_numbers.push_back(midpoint);
         }
         midpoint = number[midpoint];
     }
+    hierarchy.positions.reserve(old_numbers.size());
+    for (const Index old : old_numbers) hierarchy.positions.push_back(positions[old]);
+    for (const Field& field : fields) hierarchy.fields.push_back(renumbered(field, old_numbers));
     return hierarchy;
 }
 

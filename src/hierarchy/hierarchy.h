@@ -17,6 +17,7 @@
 #include <glm/vec3.hpp>
 
 #include "hierarchy/buffer.h"
+#include "hierarchy/field.h"
 #include "hierarchy/root_complex.h"
 #include "hierarchy/triangle.h"
 
@@ -27,6 +28,7 @@ struct Hierarchy {
     Buffer<std::uint64_t> bits;   ///< preorder bits, lowest bit of the first word first; unused bits are 0
     Buffer<Index> midpoints;      ///< vertex of each bisected node, in preorder
     Buffer<glm::vec3> positions;  ///< one a vertex
+    std::vector<Field> fields{};  ///< each with values for every vertex
 
     std::size_t vertex_count() const { return positions.size(); }
     std::size_t leaf_count() const { return roots.triangle_count() + midpoints.size(); }
@@ -48,10 +50,11 @@ struct Leaf {
 /// The hierarchy whose leaves, root after root in preorder, are \p leaves.
 ///
 /// The levels alone determine the forest and the triples its midpoints, so this freezes an adaptive mesh and
-/// a union alike. Vertices are renumbered by first visit; \p positions is indexed by the numbers used in \p
-/// leaves, root vertices first. \pre  the leaves are those of a conforming refinement of \p roots
+/// a union alike. Vertices are renumbered by first visit; \p positions and \p fields are indexed by the
+/// numbers used in \p leaves, root vertices first. \pre  the leaves are those of a conforming refinement of
+/// \p roots
 Hierarchy hierarchy_from_leaves(const RootComplex& roots, const std::vector<Leaf>& leaves,
-                                std::span<const glm::vec3> positions);
+                                std::span<const glm::vec3> positions, std::span<const Field> fields = {});
 
 /// The leaves of a hierarchy that has passed check(), in preorder.
 std::vector<Leaf> leaves_of(const Hierarchy& hierarchy);

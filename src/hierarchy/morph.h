@@ -1,5 +1,5 @@
 // The morph (paper, theorem 2, equation (3)): H(b) = sum of b_i H_i over the keys of a union, for any real
-// weights b, used as given.
+// weights b, used as given; of positions and of fields.
 #pragma once
 
 #include <span>
@@ -23,7 +23,14 @@ void morph(const UnionMesh& mesh, std::span<const float> weights, std::vector<gl
 void weighted_sum(std::span<const Buffer<glm::vec3>> streams, std::span<const float> weights,
                   std::vector<glm::vec3>& sum);
 
-/// The interpolated hierarchy H(b) as a key like any other (paper, section 3.3).
+/// The weighted sum of the streams of \p field into \p values: as in a Field, but colours as linear light.
+void morph(const UnionField& field, std::span<const float> weights, std::vector<float>& values);
+
+/// The morph of \p field, one value a union vertex. Colours are encoded again; where weights led out of 0 to
+/// 1, they stop there.
+Field morphed_field(const UnionField& field, std::span<const float> weights);
+
+/// The interpolated hierarchy H(b) as a key like any other (paper, section 3.3), with the fields of \p mesh.
 Hierarchy morphed_hierarchy(const UnionMesh& mesh, std::span<const float> weights);
 
 }  // namespace interleaf

@@ -199,6 +199,7 @@ void unite(std::span<const Hierarchy* const> keys, UnionMesh& mesh) {
     if (keys.empty()) throw InputError("a union needs at least one key");
     if (const auto violations = check_constraints(keys); !violations.empty()) throw InputError(violations[0]);
     mesh.roots = keys[0]->roots;
+    mesh.fields.clear();
     make_room(keys, mesh);
     start_with_roots(keys, mesh);
 

@@ -78,6 +78,12 @@ struct VertexOrigin {
     KeySet keys;                ///< the keys in which it is a vertex of their own, not a mean
 };
 
+/// A field of the union: a stream a key beside the positions. See union_fields.h.
+struct UnionField {
+    FieldName label;
+    std::vector<Buffer<float>> values;  ///< values[key]: as in a Field, but colours in linear light
+};
+
 struct UnionMesh {
     RootComplex roots;
     Buffer<Triangle> triangles;     ///< leaves in preorder; refinement edge opposite the first vertex
@@ -85,14 +91,16 @@ struct UnionMesh {
     Buffer<KeySet> origins;         ///< one a triangle: the keys in which it is a node, bisected this far
     Buffer<VertexOrigin> vertices;  ///< root vertices, then midpoints by first visit, after their edge's ends
     std::vector<Buffer<glm::vec3>> positions;  ///< positions[key][vertex]
-    std::vector<Buffer<Index>> own_vertices;   ///< own_vertices[key][v]: the key's vertex v in the union
+    std::vector<Buffer<Index>>
+        own_vertices;                  ///< own_vertices[key][v]: the key's vertex v in the union, ascending
+    std::vector<UnionField> fields{};  ///< as far as unite_fields() was asked for them
 
     std::size_t leaf_count() const { return triangles.size(); }
     std::size_t vertex_count() const { return vertices.size(); }
     std::size_t key_count() const { return positions.size(); }
 };
 
-/// The union of \p keys, any number from one.
+/// The union of \p keys, any number from one, without their fields (see unite_fields()).
 /// \throw InputError if their root complexes differ (constraints (B))
 /// \pre  each key passes check()
 UnionMesh unite(std::span<const Hierarchy* const> keys);

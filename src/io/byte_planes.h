@@ -20,9 +20,6 @@ class BytePlanes {
 
     std::size_t rows() const { return rows_; }
 
-    /// Plane \p n, from 0 to bytes_a_row - 1.
-    std::span<std::byte> plane(std::size_t n) const { return bytes_.subspan(n * rows_, rows_); }
-
     /// Differences are taken modulo 2^32.
     void set_difference(std::size_t row, std::size_t column, std::uint32_t difference) const {
         const std::uint32_t number = difference << 1 ^ (0U - (difference >> 31));

@@ -10,6 +10,7 @@
 #include "io/bisection_decisions.h"
 #include "io/byte_planes.h"
 #include "io/coordinate_grid.h"
+#include "io/field_planes.h"
 #include "io/position_planes.h"
 #include "io/zstd_frame.h"
 
@@ -24,7 +25,8 @@ using Parts = std::vector<Bytes>;
 
 constexpr std::int32_t no_grid = 0x7fffffff;
 
-/// What follows the header; then come the two frames and the checksum of all that.
+/// What follows the header. Then come, where there are fields, the size of their frame and their table; then
+/// the frames, and the checksum of all that.
 struct Extension {
     std::uint64_t decisions = 0;
     std::uint64_t connectivity_size = 0;  ///< bytes of the first frame
@@ -33,6 +35,13 @@ struct Extension {
     std::uint32_t plain_checksum = 0;
 };
 static_assert(sizeof(Extension) == 32);
+
+/// All that stands before the frames.
+struct Preamble {
+    Extension extension;
+    std::uint64_t fields_size = 0;  ///< bytes of the third frame; none without fields
+    std::vector<FieldName> fields;
+};
 
 constexpr std::uint64_t smallest_file = sizeof(Header) + sizeof(Extension) + sizeof(std::uint32_t);
 
@@ -49,19 +58,41 @@ bool has_countable_edges(const Header& header) {
            no_index - 1;
 }
 
-Extension read_extension(const Header& header, hierarchy_format::SummedInput& input, std::uint64_t size,
-                         std::string_view name) {
+/// The sizes of the frames together.
+/// \throw InputError where that leaves 64 bits
+std::uint64_t frames_size(const Preamble& preamble, std::string_view name) {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t size :
+         {preamble.extension.connectivity_size, preamble.extension.positions_size, preamble.fields_size}) {
+        if (size > (~std::uint64_t{0} >> 1) - sum) fail(name, "size", "the sizes of its parts are too large");
+        sum += size;
+    }
+    return sum;
+}
+
+/// Reads the size of the fields' frame and their table.
+void read_labels(const Header& header, hierarchy_format::SummedInput& input, std::uint64_t size,
+                 std::string_view name, Preamble& preamble) {
+    if (header.fields == 0) return;
+    if (size - input.position() < sizeof(std::uint64_t))
+        fail(name, "size", fmt::format("{} bytes: it is cut off", size));
+    preamble.fields_size = input.read_value<std::uint64_t>();
+    preamble.fields = hierarchy_format::read_field_table(header, input, size, name);
+}
+
+Preamble read_preamble(const Header& header, hierarchy_format::SummedInput& input, std::uint64_t size,
+                       std::string_view name) {
     if (size < smallest_file)
         fail(name, "size", fmt::format("{} bytes, expected at least {}: it is cut off", size, smallest_file));
-    const auto extension = input.read_value<Extension>();
-    const std::uint64_t room = ~std::uint64_t{0} - smallest_file;
-    if (extension.connectivity_size > room || extension.positions_size > room - extension.connectivity_size)
-        fail(name, "size", "the sizes of its parts are too large");
-    hierarchy_format::require_size(
-        size, smallest_file + extension.connectivity_size + extension.positions_size, name);
+    Preamble preamble;
+    preamble.extension = input.read_value<Extension>();
+    read_labels(header, input, size, name, preamble);
+    const Extension& extension = preamble.extension;
+    const std::uint64_t frames = frames_size(preamble, name);
+    hierarchy_format::require_size(size, input.position() + frames + sizeof(std::uint32_t), name);
     hierarchy_format::require_counts(header, name);
 
-    const std::uint64_t content = hierarchy_format::plain_size(header);
+    const std::uint64_t content = hierarchy_format::plain_size(header, preamble.fields);
     if (content > most_content(size))
         fail(name, "counts",
              fmt::format("stand for {} bytes, expected at most {} in a file of {}", content,
@@ -76,7 +107,7 @@ Extension read_extension(const Header& header, hierarchy_format::SummedInput& in
         fail(name, "grid exponent",
              fmt::format("is {}, expected {} to {}, or none", extension.grid_exponent,
                          CoordinateGrid::smallest_exponent, CoordinateGrid::largest_exponent));
-    return extension;
+    return preamble;
 }
 
 std::optional<CoordinateGrid> grid_at(std::int32_t exponent) {
@@ -118,8 +149,12 @@ auto made_at(std::string_view name, std::string_view place, Make make) {
     }
 }
 
-void append_planes(Parts& parts, const BytePlanes& planes) {
-    for (std::size_t n = 0; n < BytePlanes::bytes_a_row; ++n) parts.push_back(planes.plane(n));
+/// The planes of \p bytes, each of \p rows bytes.
+Parts plane_parts(Bytes bytes, std::size_t rows) {
+    Parts parts;
+    for (std::size_t begin = 0; begin < bytes.size(); begin += rows)
+        parts.push_back(bytes.subspan(begin, rows));
+    return parts;
 }
 
 /// Appends the frame of \p parts. \return its size
@@ -133,13 +168,15 @@ std::uint64_t append_sized_frame(std::vector<std::byte>& bytes, const Parts& par
 
 Hierarchy read_compressed(const Header& header, hierarchy_format::SummedInput& input, std::uint64_t size,
                           std::string_view name) {
-    const Extension extension = read_extension(header, input, size, name);
+    const Preamble preamble = read_preamble(header, input, size, name);
+    const Extension& extension = preamble.extension;
     Buffer<std::byte> frames;
-    frames.resize(extension.connectivity_size + extension.positions_size);
+    frames.resize(frames_size(preamble, name));
     input.read(frames);
     input.read_checksum(name);
     const Bytes first = Bytes(frames).first(extension.connectivity_size);
-    const Bytes second = Bytes(frames).subspan(first.size());
+    const Bytes second = Bytes(frames).subspan(first.size(), extension.positions_size);
+    const Bytes third = Bytes(frames).last(preamble.fields_size);
 
     const std::size_t roots_size = BytePlanes::bytes_a_row * std::size_t{header.root_triangles};
     Buffer<std::byte> content =
@@ -159,6 +196,12 @@ Hierarchy read_compressed(const Header& header, hierarchy_format::SummedInput& i
             frame_content(second, BytePlanes::bytes_a_row * std::size_t{header.vertices});
         return positions_of(planes, connectivity, grid_at(extension.grid_exponent));
     });
+    if (header.fields > 0)
+        hierarchy.fields = made_at(name, "fields", [&] {
+            Buffer<std::byte> planes =
+                frame_content(third, field_planes_size(preamble.fields, header.vertices));
+            return fields_of(planes, preamble.fields, connectivity);
+        });
     if (const std::uint32_t computed = hierarchy_format::plain_checksum(hierarchy, hierarchy.positions);
         computed != extension.plain_checksum)
         fail(name, "checksum of the content",
@@ -170,7 +213,7 @@ std::optional<std::vector<std::byte>> compressed_bytes(const Hierarchy& hierarch
                                                        std::span<const glm::vec3> positions) {
     Header header = hierarchy_format::header_of(hierarchy);
     if (!has_countable_edges(header)) return std::nullopt;
-    const std::uint64_t content = hierarchy_format::plain_size(header);
+    const std::uint64_t content = hierarchy_format::plain_size(header, labels(hierarchy.fields));
     header.version = hierarchy_format::compressed_version;
     const DecidedConnectivity decided = open_decisions(hierarchy);
     const std::optional<CoordinateGrid> grid = grid_of(positions);
@@ -180,17 +223,25 @@ std::optional<std::vector<std::byte>> compressed_bytes(const Hierarchy& hierarch
     if (grid) extension.grid_exponent = grid->exponent();
     extension.plain_checksum = hierarchy_format::plain_checksum(hierarchy, positions);
 
-    std::vector<std::byte> bytes(sizeof(Header) + sizeof(Extension));
-    Buffer<std::byte> roots = root_planes(hierarchy.roots.triangles());
-    Parts connectivity;
-    append_planes(connectivity, BytePlanes(roots));
+    // The header, the extension and the size of the fields' frame are written when they are known.
+    const std::size_t extension_end = sizeof(Header) + sizeof(Extension);
+    const bool has_fields = !hierarchy.fields.empty();
+    std::vector<std::byte> bytes(extension_end + (has_fields ? sizeof(std::uint64_t) : 0));
+    const std::vector<std::byte> table = hierarchy_format::field_table(hierarchy.fields);
+    bytes.insert(bytes.end(), table.begin(), table.end());
+    const Buffer<std::byte> roots = root_planes(hierarchy.roots.triangles());
+    Parts connectivity = plane_parts(roots, header.root_triangles);
     connectivity.push_back(decided.decisions);
     extension.connectivity_size = append_sized_frame(bytes, connectivity);
 
-    Buffer<std::byte> differences = position_planes(positions, decided.connectivity, grid);
-    Parts planes;
-    append_planes(planes, BytePlanes(differences));
-    extension.positions_size = append_sized_frame(bytes, planes);
+    const Buffer<std::byte> differences = position_planes(positions, decided.connectivity, grid);
+    extension.positions_size = append_sized_frame(bytes, plane_parts(differences, header.vertices));
+
+    if (has_fields) {
+        const Buffer<std::byte> values = field_planes(hierarchy.fields, decided.connectivity);
+        const std::uint64_t size = append_sized_frame(bytes, plane_parts(values, header.vertices));
+        std::memcpy(bytes.data() + extension_end, &size, sizeof(size));
+    }
 
     std::memcpy(bytes.data(), &header, sizeof(Header));
     std::memcpy(bytes.data() + sizeof(Header), &extension, sizeof(Extension));

@@ -1,8 +1,9 @@
 // The compressed form of a hierarchy file: the content of the plain form, to the last bit, in a third of its
 // bytes or less where the surface is smooth.
 //
-// Connectivity is kept as open decisions (bisection_decisions.h), positions as differences from what
-// earlier vertices let expect (position_prediction.h, position_planes.h); both are compressed by Zstandard.
+// Connectivity is kept as open decisions (bisection_decisions.h), positions and fields as differences
+// from what earlier vertices let expect (position_prediction.h, position_planes.h, field_planes.h); all are
+// compressed by Zstandard.
 #pragma once
 
 #include <cstddef>

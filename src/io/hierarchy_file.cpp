@@ -52,14 +52,14 @@ Header read_header(SummedInput& input, std::uint64_t size, std::string_view name
     if (header.version != hierarchy_format::plain_version &&
         header.version != hierarchy_format::compressed_version)
         fail(name, "version", fmt::format("is {}, expected 1 or 2", header.version));
-    if (header.fields != 0)
-        fail(name, "field count",
-             fmt::format("is {}, expected 0 in version {}", header.fields, header.version));
+    if (header.fields > max_field_count)
+        fail(name, "field count", fmt::format("is {}, expected at most {}", header.fields, max_field_count));
     return header;
 }
 
 Hierarchy read_plain(const Header& header, SummedInput& input, std::uint64_t size, std::string_view name) {
-    hierarchy_format::require_size(size, hierarchy_format::plain_size(header), name);
+    const std::vector<FieldName> fields = hierarchy_format::read_field_table(header, input, size, name);
+    hierarchy_format::require_size(size, hierarchy_format::plain_size(header, fields), name);
     hierarchy_format::require_counts(header, name);
 
     std::vector<Triangle> roots(header.root_triangles);
@@ -71,6 +71,11 @@ Hierarchy read_plain(const Header& header, SummedInput& input, std::uint64_t siz
     input.read_values(hierarchy.bits);
     input.read_values(hierarchy.midpoints);
     input.read_values(hierarchy.positions);
+    for (const FieldName& field : fields) {
+        hierarchy.fields.push_back({field.name, field.kind, {}});
+        hierarchy.fields.back().values.resize(component_count(field.kind) * std::size_t{header.vertices});
+        input.read_values(hierarchy.fields.back().values);
+    }
     input.read_checksum(name);
     hierarchy.roots = hierarchy_format::root_complex(header.root_vertices, std::move(roots), name);
     return hierarchy;
@@ -93,13 +98,16 @@ void append(std::vector<std::byte>& bytes, std::span<const Value> values) {
 
 std::vector<std::byte> plain_bytes(const Hierarchy& hierarchy, std::span<const glm::vec3> positions) {
     const Header header = hierarchy_format::header_of(hierarchy);
+    const std::vector<FieldName> fields = labels(hierarchy.fields);
     std::vector<std::byte> bytes;
-    bytes.reserve(hierarchy_format::plain_size(header));
+    bytes.reserve(hierarchy_format::plain_size(header, fields));
     append(bytes, std::span<const Header>(&header, 1));
+    append(bytes, Bytes(hierarchy_format::field_table(hierarchy.fields)));
     append(bytes, hierarchy.roots.triangles());
     append(bytes, std::span<const std::uint64_t>(hierarchy.bits));
     append(bytes, std::span<const Index>(hierarchy.midpoints));
     append(bytes, positions);
+    for (const Field& field : hierarchy.fields) append(bytes, std::span<const float>(field.values));
     hierarchy_format::append_checksum(bytes);
     return bytes;
 }

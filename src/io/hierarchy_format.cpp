@@ -1,6 +1,7 @@
 #include "io/hierarchy_format.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include <fmt/format.h>
 #include <libdeflate.h>
@@ -22,6 +23,7 @@ std::uint32_t continued(std::uint32_t checksum, const Values& values) {
 
 Header header_of(const Hierarchy& hierarchy) {
     Header header;
+    header.fields = static_cast<std::uint32_t>(hierarchy.fields.size());
     header.root_vertices = hierarchy.roots.vertex_count();
     header.root_triangles = hierarchy.roots.triangle_count();
     header.midpoints = static_cast<std::uint32_t>(hierarchy.midpoints.size());
@@ -33,19 +35,43 @@ std::uint64_t word_count(const Header& header) {
     return (std::uint64_t{header.root_triangles} + 2 * std::uint64_t{header.midpoints} + 63) / 64;
 }
 
-// Counts have 32 bits, so 64 bits cannot overflow.
-std::uint64_t plain_size(const Header& header) {
-    return sizeof(Header) + sizeof(Triangle) * std::uint64_t{header.root_triangles} + 8 * word_count(header) +
+std::vector<std::byte> field_table(std::span<const Field> fields) {
+    std::vector<std::byte> table;
+    for (const Field& field : fields) {
+        assert(field.name.size() <= max_field_name);
+        table.push_back(static_cast<std::byte>(field.kind));
+        table.push_back(static_cast<std::byte>(field.name.size()));
+        const auto name = std::as_bytes(std::span(field.name));
+        table.insert(table.end(), name.begin(), name.end());
+    }
+    return table;
+}
+
+std::uint64_t table_size(std::span<const FieldName> fields) {
+    std::uint64_t size = 0;
+    for (const FieldName& field : fields) size += 2 + field.name.size();
+    return size;
+}
+
+// Counts have 32 bits, and there are few fields, so 64 bits cannot overflow.
+std::uint64_t plain_size(const Header& header, std::span<const FieldName> fields) {
+    std::uint64_t components = 0;
+    for (const FieldName& field : fields) components += component_count(field.kind);
+    return sizeof(Header) + table_size(fields) + sizeof(float) * components * header.vertices +
+           sizeof(Triangle) * std::uint64_t{header.root_triangles} + 8 * word_count(header) +
            sizeof(Index) * std::uint64_t{header.midpoints} +
            sizeof(glm::vec3) * std::uint64_t{header.vertices} + sizeof(std::uint32_t);
 }
 
 std::uint32_t plain_checksum(const Hierarchy& hierarchy, std::span<const glm::vec3> positions) {
     std::uint32_t checksum = continued(0, std::array{header_of(hierarchy)});
+    checksum = continued(checksum, field_table(hierarchy.fields));
     checksum = continued(checksum, hierarchy.roots.triangles());
     checksum = continued(checksum, hierarchy.bits);
     checksum = continued(checksum, hierarchy.midpoints);
-    return continued(checksum, positions);
+    checksum = continued(checksum, positions);
+    for (const Field& field : hierarchy.fields) checksum = continued(checksum, field.values);
+    return checksum;
 }
 
 void append_checksum(std::vector<std::byte>& bytes) {
@@ -87,6 +113,7 @@ void require_size(std::uint64_t size, std::uint64_t expected, std::string_view n
 
 // Blocks that stay in the cache until they are summed: so memory is passed over once, not twice.
 void SummedInput::read(std::span<std::byte> bytes) {
+    position_ += bytes.size();
     constexpr std::size_t block_size = 256 << 10;
     while (!bytes.empty()) {
         const auto block = bytes.first(std::min(bytes.size(), block_size));
@@ -102,6 +129,29 @@ void SummedInput::read_checksum(std::string_view name) {
     if (stored != computed)
         fail(name, "checksum",
              fmt::format("is {:08x}, expected {:08x} by the content: it is damaged", stored, computed));
+}
+
+std::vector<FieldName> read_field_table(const Header& header, SummedInput& input, std::uint64_t size,
+                                        std::string_view name) {
+    const auto fail_at = [name](std::uint32_t field, std::string_view what) {
+        fail(name, fmt::format("field {}", field), what);
+    };
+    std::vector<FieldName> fields;
+    for (std::uint32_t n = 0; n < header.fields; ++n) {
+        const auto require = [&](std::uint64_t bytes) {
+            if (size - input.position() < bytes) fail_at(n, "the file is cut off in the table of fields");
+        };
+        require(2);
+        const auto [kind, length] = input.read_value<std::array<std::uint8_t, 2>>();
+        if (kind != component_count(FieldKind::scalar) && kind != component_count(FieldKind::color))
+            fail_at(n, fmt::format("the kind is {}, expected 1 (scalar) or 3 (colour)", kind));
+        if (length == 0) fail_at(n, "the name is empty");
+        require(length);
+        FieldName field{std::string(length, ' '), static_cast<FieldKind>(kind)};
+        input.read_values(field.name);
+        fields.push_back(std::move(field));
+    }
+    return fields;
 }
 
 }  // namespace interleaf::hierarchy_format

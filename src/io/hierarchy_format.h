@@ -1,5 +1,5 @@
-// What the two forms of a hierarchy file have in common: the first 32 bytes, the checksum over what was read,
-// and how a fault is told. docs/file-formats.md gives both layouts byte by byte.
+// What the two forms of a hierarchy file have in common: the first 32 bytes, the table of fields, the
+// checksum over what was read, and how a fault is told. docs/file-formats.md gives both layouts byte by byte.
 #pragma once
 
 #include <array>
@@ -41,8 +41,15 @@ Header header_of(const Hierarchy& hierarchy);
 /// Words of preorder bits.
 std::uint64_t word_count(const Header& header);
 
-/// Bytes of the plain file with the counts of \p header.
-std::uint64_t plain_size(const Header& header);
+/// The field table as it stands in the file: for each field a byte for its kind, one for the length of its
+/// name, the name. \pre each at most max_field_name bytes
+std::vector<std::byte> field_table(std::span<const Field> fields);
+
+/// Bytes of the table of \p fields.
+std::uint64_t table_size(std::span<const FieldName> fields);
+
+/// Bytes of the plain file with the counts of \p header and \p fields.
+std::uint64_t plain_size(const Header& header, std::span<const FieldName> fields);
 
 /// CRC-32 of the plain file of \p hierarchy: what its last four bytes hold.
 std::uint32_t plain_checksum(const Hierarchy& hierarchy, std::span<const glm::vec3> positions);
@@ -70,6 +77,9 @@ class SummedInput {
 
     void read(std::span<std::byte> bytes);
 
+    /// Bytes that were read.
+    std::uint64_t position() const { return position_; }
+
     template <typename Values>
     void read_values(Values& values) {
         read(std::as_writable_bytes(std::span(values)));
@@ -88,7 +98,13 @@ class SummedInput {
 
   private:
     std::function<void(std::span<std::byte>)> fill_;
+    std::uint64_t position_ = 0;
     std::uint32_t checksum_ = 0;
 };
+
+/// Reads the table of the fields that \p header counts, from a file of \p size bytes.
+/// \throw InputError if the file ends within, a kind is none or a name is empty
+std::vector<FieldName> read_field_table(const Header& header, SummedInput& input, std::uint64_t size,
+                                        std::string_view name);
 
 }  // namespace interleaf::hierarchy_format

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "hierarchy/error.h"
 #include "io/input_file.h"
 #include "io/obj_lines.h"
+#include "io/ply_properties.h"
 #include "io/polygon_divider.h"
 
 namespace interleaf {
@@ -68,9 +70,21 @@ std::vector<glm::vec3> picked(const std::vector<glm::vec3>& values, const std::v
     return result;
 }
 
+constexpr std::string_view color_name = "color";
+
+Field color_field(std::span<const glm::vec3> colors) {
+    Field field{std::string(color_name), FieldKind::color, {}};
+    field.values.reserve(3 * colors.size());
+    for (const glm::vec3& color : colors)
+        field.values.insert(field.values.end(), {color.r, color.g, color.b});
+    return field;
+}
+
 /// The vertices of \p lines that are \p used, over \p roots.
 Hierarchy key_of(const RootComplex& roots, const ObjLines& lines, const std::vector<Index>& used) {
-    return unrefined(roots, picked(lines.positions, used));
+    Hierarchy key = unrefined(roots, picked(lines.positions, used));
+    if (!lines.colors.empty()) key.fields.push_back(color_field(picked(lines.colors, used)));
+    return key;
 }
 
 /// The roots that the faces of \p lines are; \p used gets the vertices that they use.
@@ -116,6 +130,13 @@ std::string face_difference(const ObjLines& lines, const ObjLines& first, std::s
     return "";
 }
 
+/// The colours that formats with one colour a vertex get; null when there are none.
+const Field* vertex_colors(std::span<const Field> fields) {
+    if (const Field* named = find_field(fields, {std::string(color_name), FieldKind::color})) return named;
+    const auto found = std::ranges::find(fields, FieldKind::color, &Field::kind);
+    return found == fields.end() ? nullptr : &*found;
+}
+
 void append_bytes(std::string& bytes, const void* data, std::size_t size) {
     bytes.append(static_cast<const char*>(data), size);
 }
@@ -147,23 +168,46 @@ std::vector<Hierarchy> read_obj_series(std::span<const std::filesystem::path> fi
     return series;
 }
 
-std::string obj_text(std::span<const Triangle> triangles, std::span<const glm::vec3> positions) {
+std::string obj_text(std::span<const Triangle> triangles, std::span<const glm::vec3> positions,
+                     std::span<const Field> fields) {
     std::string text;
-    for (const glm::vec3& p : positions)
-        fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x, p.y, p.z);
+    const Field* const colors = vertex_colors(fields);
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        const glm::vec3& p = positions[v];
+        fmt::format_to(std::back_inserter(text), "v {} {} {}", p.x, p.y, p.z);
+        if (colors != nullptr)
+            for (const float part : colors->at(static_cast<Index>(v)))
+                fmt::format_to(std::back_inserter(text), " {}", part);
+        text += '\n';
+    }
     for (const auto& [i, j, k] : triangles)
         fmt::format_to(std::back_inserter(text), "f {} {} {}\n", i + 1, j + 1, k + 1);
     return text;
 }
 
-std::string ply_bytes(std::span<const Triangle> triangles, std::span<const glm::vec3> positions) {
+std::string ply_bytes(std::span<const Triangle> triangles, std::span<const glm::vec3> positions,
+                      std::span<const Field> fields) {
+    const std::vector<PlyProperty> properties = ply_properties(fields, vertex_colors(fields));
     std::string bytes = fmt::format(
         "ply\nformat binary_little_endian 1.0\n"
-        "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
-        "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-        positions.size(), triangles.size());
-    bytes.reserve(bytes.size() + positions.size_bytes() + triangles.size_bytes() + triangles.size());
-    append_bytes(bytes, positions.data(), positions.size_bytes());
+        "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n",
+        positions.size());
+    for (const PlyProperty& property : properties)
+        bytes += fmt::format("property {} {}\n", property.is_byte ? "uchar" : "float", property.name);
+    bytes += fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+                         triangles.size());
+    bytes.reserve(bytes.size() + positions.size() * (sizeof(glm::vec3) + sizeof(float) * properties.size()) +
+                  triangles.size_bytes() + triangles.size());
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        append_bytes(bytes, &positions[v], sizeof(glm::vec3));
+        for (const PlyProperty& property : properties) {
+            const float value = property.field->at(static_cast<Index>(v))[property.component];
+            if (property.is_byte)
+                bytes += static_cast<char>(std::lround(255 * value));
+            else
+                append_bytes(bytes, &value, sizeof(value));
+        }
+    }
     for (const Triangle& triangle : triangles) {
         bytes += '\x03';
         append_bytes(bytes, triangle.data(), sizeof(Triangle));

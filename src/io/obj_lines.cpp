@@ -1,6 +1,7 @@
 #include "io/obj_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -92,7 +93,27 @@ class Reader {
                 fail(fmt::format("{} is not a coordinate, expected three finite numbers", in_quotes(word)));
             position[axis] = *number;
         }
+        read_color(line.substr(0, line.find('#')));
         lines_.positions.push_back(position);
+    }
+
+    /// What follows the coordinates: nothing, a weight, or a colour, and what may follow that.
+    void read_color(std::string_view line) {
+        std::array<std::string_view, 3> words;
+        for (std::string_view& word : words) word = take_word(line);
+        const bool has_color = !words[2].empty();
+        if (has_color) lines_.colors.resize(lines_.positions.size(), glm::vec3(1));
+        if (!has_color && lines_.colors.empty()) return;
+        glm::vec3 color(1);
+        for (int c = 0; has_color && c < 3; ++c) {
+            const std::string_view word = words[static_cast<std::size_t>(c)];
+            const std::optional<float> part = parse_float(word);
+            if (!part || *part < 0 || *part > 1)
+                fail(fmt::format("{} is not a part of a colour, expected three numbers from 0 to 1",
+                                 in_quotes(word)));
+            color[c] = *part;
+        }
+        lines_.colors.push_back(color);
     }
 
     void read_face(std::string_view line) {

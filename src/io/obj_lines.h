@@ -1,4 +1,5 @@
-// The lines of a Wavefront OBJ file that make a surface: vertices (v) and faces (f), checked.
+// The lines of a Wavefront OBJ file that make a surface: vertices (v), with their colours where they have
+// some, and faces (f), checked.
 //
 // tinyobjloader takes a number it cannot read for 0, rounds others, leaves out a polygon with a vertex that
 // does not exist, and takes 25 times the memory of a file. So every line is read and checked here, with its
@@ -21,13 +22,14 @@ inline constexpr std::size_t most_corners = 1000;
 
 struct ObjLines {
     std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> colors;          ///< one a vertex, white where its line has none; empty when none has
     std::vector<Index> corners;             ///< vertices of the faces, one face after the other
     std::vector<std::uint16_t> face_sizes;  ///< corners of each face, 3 to most_corners
     std::size_t triangle_count = 0;         ///< triangles in the faces once they are triangulated
 };
 
-/// \throw InputError naming \p name, the line and what was expected: finite numbers, vertices that exist, a
-/// face
+/// \throw InputError naming \p name, the line and what was expected: finite numbers, colours from 0 to 1,
+/// vertices that exist, a face
 ObjLines read_obj_lines(std::string_view obj, std::string_view name);
 
 }  // namespace interleaf

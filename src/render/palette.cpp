@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
-#include <cmath>
 
-#include <glm/common.hpp>
+#include "render/color_map.h"
 
 namespace interleaf {
 namespace {
@@ -16,11 +14,6 @@ constexpr glm::vec3 from_hex(unsigned rgb) {
             static_cast<float>(rgb & 0xff) / 255.0F};
 }
 
-/// Viridis at 0, 1/9, ..., 1.
-constexpr std::array<glm::vec3, 10> viridis = {
-    from_hex(0x440154), from_hex(0x482878), from_hex(0x3e4989), from_hex(0x31688e), from_hex(0x26828e),
-    from_hex(0x1f9e89), from_hex(0x35b779), from_hex(0x6ece58), from_hex(0xb5de2b), from_hex(0xfde725)};
-
 /// Orange, blue, green, purple, yellow, sky blue, vermilion: neighbours far apart.
 constexpr std::array<glm::vec3, 7> okabe_ito = {from_hex(0xe69f00), from_hex(0x0072b2), from_hex(0x009e73),
                                                 from_hex(0xcc79a7), from_hex(0xf0e442), from_hex(0x56b4e9),
@@ -28,20 +21,7 @@ constexpr std::array<glm::vec3, 7> okabe_ito = {from_hex(0xe69f00), from_hex(0x0
 
 constexpr glm::vec3 shared_by_all = from_hex(0xd9d9d9);
 
-glm::vec3 encoded(glm::vec3 light) {
-    for (int c = 0; c < 3; ++c)
-        light[c] =
-            light[c] <= 0.0031308F ? 12.92F * light[c] : 1.055F * std::pow(light[c], 1 / 2.4F) - 0.055F;
-    return light;
-}
-
 }  // namespace
-
-glm::vec3 linear_light(glm::vec3 color) {
-    for (int c = 0; c < 3; ++c)
-        color[c] = color[c] <= 0.04045F ? color[c] / 12.92F : std::pow((color[c] + 0.055F) / 1.055F, 2.4F);
-    return color;
-}
 
 LevelRange level_range(const UnionMesh& mesh) {
     if (mesh.tags.empty()) return {};
@@ -62,12 +42,9 @@ std::vector<KeySet> origins_of(const UnionMesh& mesh) {
 }
 
 glm::vec3 level_color(unsigned level, LevelRange range) {
-    if (range.max <= range.min) return viridis.back();
-    const float last = static_cast<float>(viridis.size() - 1);
+    if (range.max <= range.min) return color_at(ColorMap::viridis, 1);
     const unsigned above = std::clamp(level, range.min, range.max) - range.min;
-    const float at = last * static_cast<float>(above) / static_cast<float>(range.max - range.min);
-    const auto before = std::min(static_cast<std::size_t>(at), viridis.size() - 2);
-    return glm::mix(viridis[before], viridis[before + 1], at - static_cast<float>(before));
+    return color_at(ColorMap::viridis, static_cast<float>(above) / static_cast<float>(range.max - range.min));
 }
 
 glm::vec3 key_color(std::size_t key) {

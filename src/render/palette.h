@@ -1,8 +1,7 @@
 // Colours by level and by origin. The shader and the legend take them from here, so that they agree. No GL.
 //
-// Levels: viridis (Smith and van der Walt, 2015; matplotlib, public domain CC0), perceptually uniform. Keys:
-// the colour-blind safe hues of Okabe and Ito (2008); a set of keys has the mean of its keys' colours, a set
-// of all active keys is neutral.
+// Levels: viridis (color_map.h). Keys: the colour-blind safe hues of Okabe and Ito (2008); a set of keys has
+// the mean of its keys' colours, a set of all active keys is neutral.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +10,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "hierarchy/color.h"
 #include "hierarchy/union_mesh.h"
 
 namespace interleaf {
@@ -38,8 +38,5 @@ glm::vec3 key_color(std::size_t key);
 /// Colour of a leaf that is a node in the keys of \p origin, sRGB-encoded. \p keys has the index in the
 /// family of each active key.
 glm::vec3 origin_color(KeySet origin, std::span<const std::size_t> keys);
-
-/// An sRGB-encoded colour as linear light.
-glm::vec3 linear_light(glm::vec3 color);
 
 }  // namespace interleaf

@@ -11,11 +11,15 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "hierarchy/error.h"
+#include "hierarchy/leaf_path.h"
 #include "hierarchy/morph.h"
 #include "render/shader.h"
 
 namespace interleaf {
 namespace {
+
+/// Texels of a colour map; linear light between them.
+constexpr std::size_t scale_texels = 256;
 
 /// Attribute of the first normal product; as in surface.vert.
 constexpr GLuint first_product = max_gpu_keys;
@@ -23,14 +27,6 @@ constexpr GLuint first_product = max_gpu_keys;
 GlProgram make_background_program() {
     constexpr std::string_view files[] = {"background.vert", "background.frag"};
     return link_program(files);
-}
-
-GlProgram make_surface_program(std::size_t key_count, bool edges) {
-    constexpr std::string_view files[] = {"surface.vert", "surface.geom", "surface.frag"};
-    constexpr std::string_view files_without_edges[] = {"surface.vert", "surface.frag"};
-    const std::string definitions =
-        fmt::format("#define KEY_COUNT {}\n#define EDGES {}", key_count, edges ? 1 : 0);
-    return edges ? link_program(files, definitions) : link_program(files_without_edges, definitions);
 }
 
 GLint uniform(const GlProgram& program, const char* name) {
@@ -76,11 +72,11 @@ void bind_buffer_texture(GLuint unit, const GlTexture& texture) {
     glBindTexture(GL_TEXTURE_BUFFER, texture.name());
 }
 
-void check_limit(std::size_t leaf_count) {
+void check_limit(std::size_t count, std::string_view what) {
     GLint most_texels = 0;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels);
-    if (leaf_count > static_cast<std::size_t>(most_texels))
-        throw MachineError(fmt::format("cannot draw {} leaves: at most {} here", leaf_count, most_texels));
+    if (count > static_cast<std::size_t>(most_texels))
+        throw MachineError(fmt::format("cannot draw {} {}: at most {} here", count, what, most_texels));
 }
 
 /// For each vertex whether it lies on an edge of the root complex.
@@ -115,6 +111,16 @@ std::vector<LeafTexel> leaf_texels(const UnionMesh& mesh, std::span<const KeySet
     return texels;
 }
 
+/// The path of each leaf as surface.geom reads it: bits 0-31, bits 32-63.
+std::vector<std::array<std::uint32_t, 2>> path_texels(std::span<const LeafTag> tags) {
+    std::vector<std::array<std::uint32_t, 2>> texels;
+    texels.reserve(tags.size());
+    for (const LeafPath& leaf : leaf_paths(tags))
+        texels.push_back(
+            {static_cast<std::uint32_t>(leaf.path), static_cast<std::uint32_t>(leaf.path >> 32)});
+    return texels;
+}
+
 }  // namespace
 
 Renderer::Renderer()
@@ -125,27 +131,39 @@ Renderer::Renderer()
       leaf_data_(GlBuffer::create()),
       leaf_texture_(GlTexture::create()),
       palette_data_(GlBuffer::create()),
-      palette_texture_(GlTexture::create()) {}
+      palette_texture_(GlTexture::create()),
+      path_data_(GlBuffer::create()),
+      path_texture_(GlTexture::create()),
+      field_data_(GlBuffer::create()),
+      field_texture_(GlTexture::create()) {}
+
+GlProgram Renderer::make_surface_program(const SurfaceKind& kind) {
+    constexpr std::string_view files[] = {"surface.vert", "surface.geom", "surface.frag"};
+    constexpr std::string_view files_without_geometry[] = {"surface.vert", "surface.frag"};
+    const std::string definitions =
+        fmt::format("#define KEY_COUNT {}\n#define FIELD {}\n#define CHECKER {:d}\n#define EDGES {:d}",
+                    kind.key_count, kind.field_components, kind.checker, kind.edges);
+    return kind.checker || kind.edges ? link_program(files, definitions)
+                                      : link_program(files_without_geometry, definitions);
+}
 
 void Renderer::reload_shaders() {
     GlProgram background = make_background_program();
     SurfacePrograms surface;
-    for (std::size_t keys = 0; keys < max_gpu_keys; ++keys)
-        for (const bool edges : {false, true})
-            if (surface_programs_[keys][edges]) surface[keys][edges] = make_surface_program(keys + 1, edges);
+    for (const auto& [kind, program] : surface_programs_) surface[kind] = make_surface_program(kind);
     background_program_ = std::move(background);
     surface_programs_ = std::move(surface);
 }
 
-const GlProgram& Renderer::surface_program(bool edges) {
-    GlProgram& program = surface_programs_[gpu_key_count_ - 1][edges];
-    if (!program) program = make_surface_program(gpu_key_count_, edges);
+const GlProgram& Renderer::surface_program(const SurfaceKind& kind) {
+    GlProgram& program = surface_programs_[kind];
+    if (!program) program = make_surface_program(kind);
     return program;
 }
 
 void Renderer::upload(const UnionMesh& mesh, const NormalForm& form, std::span<const std::size_t> keys) {
     assert(mesh.key_count() > 0 && form.product_count == product_count(mesh.key_count()));
-    check_limit(mesh.leaf_count());
+    check_limit(mesh.leaf_count(), "leaves");
     std::vector<std::size_t> family_keys(keys.begin(), keys.end());
     if (family_keys.empty()) {
         family_keys.resize(mesh.key_count());
@@ -159,19 +177,21 @@ void Renderer::upload(const UnionMesh& mesh, const NormalForm& form, std::span<c
         origin_colors_.push_back(linear_light(origin_color(origin, family_keys)));
     levels_ = level_range(mesh);
     upload_leaves(mesh);
+    field_components_ = 0;
 
     if (mesh.key_count() <= max_gpu_keys) {
         processor_blend_.reset();
         gpu_key_count_ = mesh.key_count();
         upload_streams(std::vector<Stream>(mesh.positions.begin(), mesh.positions.end()), form.products);
     } else {
-        processor_blend_ = ProcessorBlend{mesh, form, {}};
+        processor_blend_ = ProcessorBlend{mesh, form, {}, {}};
         gpu_key_count_ = 1;
     }
 }
 
 void Renderer::upload_leaves(const UnionMesh& mesh) {
     fill_buffer_texture<LeafTexel>(leaf_data_, leaf_texture_, GL_RG32UI, leaf_texels(mesh, origins_));
+    tags_.assign(mesh.tags.begin(), mesh.tags.end());
 
     leaf_count_ = mesh.leaf_count();
     glBindVertexArray(attributes_.name());
@@ -179,6 +199,13 @@ void Renderer::upload_leaves(const UnionMesh& mesh) {
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(leaf_count_ * sizeof(Triangle)),
                  mesh.triangles.data(), GL_STATIC_DRAW);
     glBindVertexArray(0);
+}
+
+void Renderer::upload_paths() {
+    if (tags_.empty()) return;
+    fill_buffer_texture<std::array<std::uint32_t, 2>>(path_data_, path_texture_, GL_RG32UI,
+                                                      path_texels(tags_));
+    tags_ = {};
 }
 
 void Renderer::upload_streams(std::span<const Stream> positions, Stream products) {
@@ -201,18 +228,49 @@ void Renderer::upload_streams(std::span<const Stream> positions, Stream products
     glBindVertexArray(0);
 }
 
+void Renderer::set_field(const UnionField* field) {
+    field_components_ = field != nullptr ? component_count(field->label.kind) : 0;
+    if (processor_blend_) {
+        processor_blend_->field.reset();
+        if (field != nullptr) processor_blend_->field = *field;
+        processor_blend_->weights.clear();  // so that the next picture blends it
+    } else if (field != nullptr) {
+        upload_field(std::vector<std::span<const float>>(field->values.begin(), field->values.end()));
+    }
+}
+
+/// \p values has the values of each key, as in a UnionField. Those of a vertex go together.
+void Renderer::upload_field(std::span<const std::span<const float>> values) {
+    const std::size_t components = field_components_;
+    std::vector<float> together;
+    together.reserve(values.size() * values[0].size());
+    for (std::size_t begin = 0; begin < values[0].size(); begin += components)
+        for (const std::span<const float> stream : values) {
+            const auto of_vertex = stream.subspan(begin, components);
+            together.insert(together.end(), of_vertex.begin(), of_vertex.end());
+        }
+    check_limit(together.size(), "values");
+    fill_buffer_texture<float>(field_data_, field_texture_, GL_R32F, together);
+}
+
 void Renderer::blend_on_processor(ProcessorBlend& blend, std::span<const float> weights) {
     if (std::equal(weights.begin(), weights.end(), blend.weights.begin(), blend.weights.end())) return;
     const std::vector<glm::vec3> positions = morph(blend.mesh, weights);
     const std::vector<glm::vec3> normals = morph_normals(blend.form, weights);
     const Stream position_stream = positions;
     upload_streams({&position_stream, 1}, normals);
+    if (blend.field) {
+        std::vector<float> values;
+        morph(*blend.field, weights, values);
+        const std::span<const float> stream = values;
+        upload_field({&stream, 1});
+    }
     blend.weights.assign(weights.begin(), weights.end());
 }
 
-void Renderer::upload_palette(const Display& display) {
+void Renderer::upload_palette(Coloring coloring, ColorMap map) {
     std::vector<glm::vec4> palette;
-    switch (display.coloring) {
+    switch (coloring) {
         case Coloring::plain:
             palette.emplace_back(linear_light(plain_color), 1);
             break;
@@ -222,6 +280,13 @@ void Renderer::upload_palette(const Display& display) {
             break;
         case Coloring::origin:
             for (const glm::vec3 color : origin_colors_) palette.emplace_back(color, 1);
+            break;
+        case Coloring::checker:
+            break;
+        case Coloring::field:
+            for (std::size_t n = 0; n < scale_texels; ++n)
+                palette.emplace_back(linear_light(color_at(map, static_cast<float>(n) / (scale_texels - 1))),
+                                     1);
             break;
     }
     fill_buffer_texture<glm::vec4>(palette_data_, palette_texture_, GL_RGBA32F, palette);
@@ -268,10 +333,17 @@ void Renderer::draw_surface(const OffscreenTarget& target, const Camera& camera,
         weights = {&one, 1};
     }
     assert(weights.size() == gpu_key_count_);
-    upload_palette(display);
+    const bool shows_field = display.coloring == Coloring::field && field_components_ > 0;
+    const Coloring coloring =
+        display.coloring == Coloring::field && !shows_field ? Coloring::plain : display.coloring;
+    upload_palette(coloring, display.scale.map);
+    if (coloring == Coloring::checker) upload_paths();
 
-    const bool edges = display.wireframe || display.refinement_edges || display.root_edges;
-    const GlProgram& program = surface_program(edges);
+    const GlProgram& program =
+        surface_program({.key_count = gpu_key_count_,
+                         .field_components = shows_field ? field_components_ : 0,
+                         .checker = coloring == Coloring::checker,
+                         .edges = display.wireframe || display.refinement_edges || display.root_edges});
     const float aspect = static_cast<float>(target.width()) / static_cast<float>(target.height());
     glUseProgram(program.name());
     glUniformMatrix4fv(uniform(program, "view"), 1, GL_FALSE, glm::value_ptr(camera.view()));
@@ -279,13 +351,20 @@ void Renderer::draw_surface(const OffscreenTarget& target, const Camera& camera,
                        glm::value_ptr(camera.projection(aspect)));
     glUniform1fv(uniform(program, "weights"), static_cast<GLsizei>(weights.size()), weights.data());
     glUniform1i(uniform(program, "flat_shading"), display.shading == Shading::flat);
-    glUniform1i(uniform(program, "coloring"), static_cast<GLint>(display.coloring));
+    glUniform1i(uniform(program, "coloring"), static_cast<GLint>(coloring));
     glUniform1i(uniform(program, "show_wireframe"), display.wireframe);
     glUniform1i(uniform(program, "show_refinement_edges"), display.refinement_edges);
     glUniform1i(uniform(program, "show_root_edges"), display.root_edges);
     glUniform1f(uniform(program, "line_width"), display.line_width);
     glUniform1i(uniform(program, "leaf_data"), 0);
     glUniform1i(uniform(program, "palette"), 1);
+    glUniform1i(uniform(program, "leaf_paths"), 2);
+    glUniform1i(uniform(program, "field_values"), 3);
+    const auto [base, factor, offset] = display.scale.placing();
+    glUniform2f(uniform(program, "value_range"), display.scale.range.min, display.scale.range.max);
+    glUniform3f(uniform(program, "placing"), base, factor, offset);
+    bind_buffer_texture(3, field_texture_);
+    bind_buffer_texture(2, path_texture_);
     bind_buffer_texture(1, palette_texture_);
     bind_buffer_texture(0, leaf_texture_);
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -36,6 +37,11 @@ class Renderer {
     /// \throw MachineError if there are more leaves than a buffer texture holds here; the old surface stays
     void upload(const UnionMesh& mesh, const NormalForm& form, std::span<const std::size_t> keys = {});
 
+    /// Makes \p field, of the uploaded mesh, what Coloring::field shows; null for none. Where there is none,
+    /// it shows what Coloring::plain does.
+    /// \throw MachineError if it has more values than a buffer texture holds here
+    void set_field(const UnionField* field);
+
     /// Draws the background and the surface with \p weights, one a key of the uploaded mesh, into \p target.
     void draw(const OffscreenTarget& target, const Camera& camera, std::span<const float> weights,
               const Display& display);
@@ -49,9 +55,16 @@ class Renderer {
     void reload_shaders();
 
   private:
-    /// Programs for the surface, by number of keys on the GPU and by whether edges are drawn; made when first
-    /// needed.
-    using SurfacePrograms = std::array<std::array<GlProgram, 2>, max_gpu_keys>;
+    /// What a program for the surface is made for.
+    struct SurfaceKind {
+        std::size_t key_count;         ///< on the GPU
+        std::size_t field_components;  ///< of the field that is shown; 0 for none
+        bool checker;
+        bool edges;
+        auto operator<=>(const SurfaceKind&) const = default;
+    };
+    /// Made when first needed.
+    using SurfacePrograms = std::map<SurfaceKind, GlProgram>;
 
     using Stream = std::span<const glm::vec3>;  ///< one vector a vertex
 
@@ -59,14 +72,18 @@ class Renderer {
     struct ProcessorBlend {
         UnionMesh mesh;
         NormalForm form;
+        std::optional<UnionField> field;
         std::vector<float> weights;  ///< of what the streams hold now
     };
 
-    const GlProgram& surface_program(bool edges);
+    static GlProgram make_surface_program(const SurfaceKind& kind);
+    const GlProgram& surface_program(const SurfaceKind& kind);
+    void upload_paths();
     void upload_leaves(const UnionMesh& mesh);
     void upload_streams(std::span<const Stream> positions, Stream products);
+    void upload_field(std::span<const std::span<const float>> values);
     void blend_on_processor(ProcessorBlend& blend, std::span<const float> weights);
-    void upload_palette(const Display& display);
+    void upload_palette(Coloring coloring, ColorMap map);
     void draw_background() const;
     void draw_surface(const OffscreenTarget& target, const Camera& camera, std::span<const float> weights,
                       const Display& display);
@@ -82,9 +99,15 @@ class Renderer {
     GlTexture leaf_texture_;                        ///< leaf_data_ as a buffer texture
     GlBuffer palette_data_;
     GlTexture palette_texture_;
+    GlBuffer path_data_;  ///< the way from the root to each leaf, once a checker is drawn
+    GlTexture path_texture_;
+    GlBuffer field_data_;
+    GlTexture field_texture_;
 
     std::size_t gpu_key_count_ = 0;  ///< 0 before the first upload
     std::size_t leaf_count_ = 0;
+    std::vector<LeafTag> tags_;         ///< of the leaves, until path_data_ is made of them
+    std::size_t field_components_ = 0;  ///< of the uploaded field; 0 for none
     LevelRange levels_;
     std::vector<KeySet> origins_;
     std::vector<glm::vec3> origin_colors_;  ///< of the origins that occur, in linear light

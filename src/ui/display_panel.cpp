@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "ui/field_panel.h"
 #include "ui/style.h"
 
 namespace interleaf {
@@ -89,8 +90,15 @@ void display_panel(Display& display, const Legend& legend) {
     heading("Colour");
     choice("color", display.coloring,
            {{"Plain", Coloring::plain}, {"Level", Coloring::level}, {"Origin", Coloring::origin}});
+    if (legend.fields.empty())
+        choice("more color", display.coloring, {{"Checker", Coloring::checker}});
+    else
+        choice("more color", display.coloring, {{"Checker", Coloring::checker}, {"Field", Coloring::field}});
     if (display.coloring == Coloring::level) level_legend(legend.levels);
     if (display.coloring == Coloring::origin) origin_legend(legend);
+    if (display.coloring == Coloring::field)
+        field_panel(display, legend.fields,
+                    legend.key_without_field ? legend.key_names[*legend.key_without_field] : "");
 }
 
 }  // namespace interleaf

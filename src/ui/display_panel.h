@@ -1,10 +1,12 @@
 // What the picture shows: shading, lines, colouring with its legend.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "family/family_fields.h"
 #include "render/display.h"
 #include "render/palette.h"
 
@@ -16,7 +18,9 @@ struct Legend {
     std::span<const KeySet> origins;  ///< that occur
     std::span<const std::size_t>
         active_keys;  ///< the keys that the bits of origins mean, as indices of the family
-    std::span<const std::string> key_names;  ///< of the whole family
+    std::span<const FamilyField> fields;           ///< of the family
+    std::optional<std::size_t> key_without_field;  ///< an active key that lacks the one that is shown
+    std::span<const std::string> key_names;        ///< of the whole family
 };
 
 void display_panel(Display& display, const Legend& legend);

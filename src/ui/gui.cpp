@@ -66,6 +66,10 @@ bool Gui::is_button_down() const {
     return ImGui::IsAnyMouseDown();
 }
 
+bool Gui::takes_text() const {
+    return ImGui::GetIO().WantTextInput;
+}
+
 void Gui::follow_display() {
     int window_width = 0;
     int framebuffer_width = 0;

@@ -32,6 +32,9 @@ class Gui {
     /// Whether this frame has any button of the mouse down.
     bool is_button_down() const;
 
+    /// Whether a text is being typed, so that keys are no commands.
+    bool takes_text() const;
+
     /// Framebuffer pixels a screen coordinate.
     float density() const { return density_; }
 

@@ -25,6 +25,7 @@ ViewInput view_area(const Rect& rect) {
             const bool pans = !ImGui::IsMouseDown(ImGuiMouseButton_Left) || io.KeyShift;
             (pans ? input.pan : input.orbit) = from_imgui(io.MouseDelta) / rect.height;
         }
+        input.pointed_at = ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown();
         if (ImGui::IsItemHovered()) {
             input.zoom = std::pow(1.12F, io.MouseWheel);
             input.frame = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);

@@ -112,15 +112,18 @@ TEST_CASE("each line key switches its own lines") {
     CHECK(state.session.display == expected);
 }
 
-TEST_CASE("colourings come round") {
-    ViewerState state = sample_state();
-    std::set<Coloring> seen;
-    for (int i = 0; i < 3; ++i) {
-        seen.insert(state.session.display.coloring);
-        press(state, {GLFW_KEY_C});
+TEST_CASE("colourings come round, that by a field where there is one") {
+    for (const std::size_t count : {4u, 5u}) {
+        ViewerState state = sample_state();
+        if (count == 5) state.session.display.field = "height";
+        std::set<Coloring> seen;
+        for (std::size_t i = 0; i < count; ++i) {
+            seen.insert(state.session.display.coloring);
+            press(state, {GLFW_KEY_C});
+        }
+        CHECK(seen.size() == count);
+        CHECK(state.session.display.coloring == Coloring::plain);
     }
-    CHECK(seen.size() == 3);
-    CHECK(state.session.display.coloring == Coloring::plain);
 }
 
 TEST_CASE("the arrows step by a hundredth of the timeline, Home and End go to its ends") {

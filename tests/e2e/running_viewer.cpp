@@ -32,13 +32,14 @@ std::filesystem::path user_folder(const std::filesystem::path& trace) {
     return trace.string() + "-user";
 }
 
-pid_t start(const std::filesystem::path& trace) {
+pid_t start(const std::filesystem::path& trace, const std::filesystem::path& family) {
     const pid_t process = fork();
     if (process == 0) {
         // Settings and recoveries of the person who runs the tests are none of theirs.
         setenv("XDG_CONFIG_HOME", user_folder(trace).c_str(), 1);
         setenv("XDG_STATE_HOME", user_folder(trace).c_str(), 1);
-        execl(INTERLEAF_PROGRAM, INTERLEAF_PROGRAM, "view", "--trace", trace.c_str(), nullptr);
+        const char* const argument = family.empty() ? nullptr : family.c_str();
+        execl(INTERLEAF_PROGRAM, INTERLEAF_PROGRAM, "view", "--trace", trace.c_str(), argument, nullptr);
         _exit(127);
     }
     return process;
@@ -50,11 +51,11 @@ glm::vec2 vector_of(const nlohmann::json& json) {
 
 }  // namespace
 
-RunningViewer::RunningViewer()
+RunningViewer::RunningViewer(const std::filesystem::path& family)
     : trace_(std::filesystem::temp_directory_path() / fmt::format("interleaf-e2e-{}.trace", getpid())) {
     std::filesystem::remove(trace_);
     std::filesystem::remove_all(user_folder(trace_));
-    process_ = start(trace_);
+    process_ = start(trace_, family);
     if (!comes([&] { return (window_ = desktop_.window_of(process_)) != 0; })) {
         throw std::runtime_error("no window has come");
     }

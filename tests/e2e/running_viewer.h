@@ -13,8 +13,8 @@ namespace interleaf {
 
 class RunningViewer {
   public:
-    /// Starts it on the built-in family and waits for the first frame.
-    RunningViewer();
+    /// Starts it on \p family, the built-in one if that is empty, and waits for the first frame.
+    explicit RunningViewer(const std::filesystem::path& family = {});
     ~RunningViewer();
     RunningViewer(const RunningViewer&) = delete;
     RunningViewer& operator=(const RunningViewer&) = delete;

@@ -210,13 +210,40 @@ TEST_CASE("each display key changes the picture, and changes it back") {
                         [&](const State& s) { return s["display"] == start["display"]; });
         CHECK(viewer.shows(plain));
     }
-    for (const char* coloring : {"level", "origin"}) {
+    for (const char* coloring : {"level", "origin", "checker"}) {
         viewer.press(XK_c);
         viewer.wait_for(coloring, [&](const State& s) { return s["display"]["coloring"] == coloring; });
         CHECK(pictures.insert(viewer.changed_picture(plain)).second);
     }
     viewer.press(XK_c);
     CHECK(viewer.shows(plain));
+}
+
+TEST_CASE("colours of an OBJ are shown as a field, with the value under the pointer") {
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() / fmt::format("interleaf-e2e-{}.obj", getpid());
+    std::ofstream(file) << "v 1 1 1 1 0 0\nv -1 -1 1 0 1 0\nv -1 1 -1 0 0 1\nv 1 -1 -1 1 1 1\n"
+                           "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    const RunningViewer viewer(file);
+    const State start = viewer.state();
+    CHECK(start["display"]["field"] == "color");
+    viewer.point_at(view_pixel(start));
+    std::set<Picture> pictures = {viewer.settled_picture()};
+    for (const char* coloring : {"level", "origin", "checker", "field"}) {
+        viewer.press(XK_c);
+        viewer.wait_for(coloring, [&](const State& s) { return s["display"]["coloring"] == coloring; });
+        pictures.insert(viewer.settled_picture());
+    }
+    // The value goes where the pointer goes, and away with it.
+    const Picture with_value = viewer.settled_picture();
+    viewer.point_at(view_pixel(start, {20, 10}));
+    const Picture beside = viewer.changed_picture(with_value);
+    viewer.point_at({4, view_pixel(start).y});
+    const Picture without = viewer.changed_picture(beside);
+    CHECK(pictures.insert(without).second);
+    viewer.point_at(view_pixel(start));
+    CHECK(viewer.shows(with_value));
+    std::filesystem::remove(file);
 }
 
 TEST_CASE("the mouse in the view moves the camera alone, and F sees the whole model again") {

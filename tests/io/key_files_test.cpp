@@ -107,7 +107,7 @@ TEST_CASE("a hostile permutation is refused with its place") {
     std::vector<Index> twice(count);
     twice[0] = 1;
     std::string huge = "0";
-    for (int n = 0; n < 2'000'000; ++n) huge += ",0";
+    for (int n = 0; n < 400'000; ++n) huge += ",0";
     std::string rest = "0";
     for (Index r = 2; r < count; ++r) rest += ", 0";
     struct Case {
@@ -117,7 +117,7 @@ TEST_CASE("a hostile permutation is refused with its place") {
     const std::vector<Case> cases{
         {"[]", fmt::format("keys[1].roots: has 0 numbers, expected one for each of the {} roots", count)},
         {"[0]", "keys[1].roots: has 1 numbers, expected one for each"},
-        {"[" + huge + "]", "keys[1].roots: has 2000001 numbers, expected one for each"},
+        {"[" + huge + "]", "keys[1].roots: has 400001 numbers, expected one for each"},
         {"{}", "keys[1].roots: is an object, expected an array"},
         {"null", "keys[1].roots: is null, expected an array"},
         {nlohmann::json(twice).dump(), "keys[1].roots[2]: is 0, as roots[1]; expected each root once"},

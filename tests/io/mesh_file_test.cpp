@@ -11,6 +11,7 @@
 #include <stb_image.h>
 
 #include "hierarchy/checker.h"
+#include "io/samples.h"
 #include "io/scratch_folder.h"
 
 namespace interleaf {
@@ -179,6 +180,74 @@ TEST_CASE("a PLY has its header and its bytes") {
     CHECK(ply.substr(header.size(), 36) == std::string(reinterpret_cast<const char*>(positions.data()), 36));
     CHECK(ply[header.size() + 36] == 3);
     CHECK(std::memcmp(ply.data() + header.size() + 37, triangles.data(), 12) == 0);
+}
+
+TEST_CASE("colours of vertices become a colour field, white where there are none") {
+    const ScratchFolder folder;
+    const Hierarchy triangle =
+        obj_hierarchy(folder, "v 9 9 9 0 0 0\nv 0 0 0\nv 1 0 0 1 0.5 0.25\nv 0 1 0 0 1e-3 1 0.5\nf 2 3 4\n");
+    REQUIRE(triangle.fields.size() == 1);
+    CHECK(triangle.fields[0].label() == FieldName{"color", FieldKind::color});
+    CHECK(triangle.fields[0].values == Buffer<float>{1, 1, 1, 1, 0.5F, 0.25F, 0, 1e-3F, 1});
+    CHECK(check(triangle).empty());
+    CHECK(obj_hierarchy(folder, "v 0 0 0 1\nv 1 0 0 # a red one\nv 0 1 0 1 1\nf 1 2 3\n").fields.empty());
+    for (const std::string wrong : {"255 0 0", "0 -1 0", "0 0 nan", "0 x 0", "0 0 1.0001"}) {
+        CAPTURE(wrong);
+        const std::string error = obj_error(folder, "v 0 0 0\nv 1 0 0 " + wrong + "\nv 0 1 0\nf 1 2 3\n");
+        CHECK(error.find("line 2: ") != std::string::npos);
+        CHECK(error.find("is not a part of a colour, expected three numbers from 0 to 1") !=
+              std::string::npos);
+    }
+}
+
+TEST_CASE("an OBJ gives back the same colours") {
+    const ScratchFolder folder;
+    for (unsigned seed = 0; seed < 50; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        const Hierarchy key = with_fields(random_hierarchy(random, false, 0), random, 4);
+        const auto first_color = std::ranges::find(key.fields, FieldKind::color, &Field::kind);
+        put(folder / "m.obj", obj_text(key.roots.triangles(), key.positions, key.fields));
+        const Hierarchy read = read_obj(folder / "m.obj");
+        REQUIRE(read.fields.size() == (first_color == key.fields.end() ? 0 : 1));
+        if (!read.fields.empty()) CHECK(read.fields[0].values == first_color->values);
+    }
+    std::mt19937 random(2);
+    Hierarchy key = random_hierarchy(random, false, 0);
+    const Buffer<float> zeros(3 * key.vertex_count(), 0);
+    const Buffer<float> halves(3 * key.vertex_count(), 0.5F);
+    key.fields = {{"other", FieldKind::color, zeros}, {"color", FieldKind::color, halves}};
+    put(folder / "m.obj", obj_text(key.roots.triangles(), key.positions, key.fields));
+    CHECK(read_obj(folder / "m.obj").fields.at(0).values == halves);
+}
+
+TEST_CASE("a PLY has the fields as properties with names of their own") {
+    const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::vector<Triangle> triangles{{0, 1, 2}};
+    const Buffer<float> scalar{1.5F, -2, 3};
+    const Buffer<float> color{0, 0.5F, 1, 0.25F, 0.001F, 0.999F, 1, 1, 1};
+    const std::vector<Field> fields{{"x", FieldKind::scalar, scalar},
+                                    {"a b", FieldKind::scalar, scalar},
+                                    {"a_b", FieldKind::scalar, scalar},
+                                    {"tint", FieldKind::color, color},
+                                    {"color", FieldKind::color, color}};
+    const std::string ply = ply_bytes(triangles, positions, fields);
+    const std::string_view header =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float x_2\nproperty float a_b\nproperty float a_b_2\n"
+        "property uchar tint_red\nproperty uchar tint_green\nproperty uchar tint_blue\n"
+        "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    REQUIRE(ply.starts_with(header));
+    constexpr std::size_t row = 12 + 12 + 6;
+    REQUIRE(ply.size() == header.size() + 3 * row + 13);
+    for (std::size_t v = 0; v < 3; ++v) {
+        const char* const at = ply.data() + header.size() + v * row;
+        CHECK(std::memcmp(at, &positions[v], 12) == 0);
+        for (std::size_t f = 0; f < 3; ++f) CHECK(std::memcmp(at + 12 + 4 * f, &scalar[v], 4) == 0);
+        for (std::size_t c = 0; c < 6; ++c)
+            CHECK(static_cast<unsigned char>(at[24 + c]) == std::lround(255 * color[3 * v + c % 3]));
+    }
 }
 
 TEST_CASE("a PNG decodes to the same pixels, top row first") {

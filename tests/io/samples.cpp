@@ -1,6 +1,9 @@
 #include "io/samples.h"
 
+#include <algorithm>
 #include <cstring>
+#include <string>
+#include <utility>
 
 #include "hierarchy/adaptive_mesh.h"
 
@@ -37,10 +40,29 @@ Family sample_family(std::mt19937& random) {
     return family;
 }
 
+Hierarchy with_fields(Hierarchy hierarchy, std::mt19937& random, std::size_t count) {
+    std::uniform_real_distribution<float> part(0, 1);
+    for (std::size_t n = 0; n < count; ++n) {
+        const bool is_color = random() % 2 == 0;
+        Field field{"Größe " + std::to_string(n), is_color ? FieldKind::color : FieldKind::scalar, {}};
+        for (std::size_t v = 0; v < component_count(field.kind) * hierarchy.vertex_count(); ++v)
+            field.values.push_back(is_color ? part(random) : -1e3f * part(random) * part(random) + 100);
+        hierarchy.fields.push_back(std::move(field));
+    }
+    return hierarchy;
+}
+
+bool is_same(const Field& a, const Field& b) {
+    return a.label() == b.label() && a.values.size() == b.values.size() &&
+           std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(float)) == 0;
+}
+
 bool is_same(const Hierarchy& a, const Hierarchy& b) {
     return a.roots == b.roots && a.bits == b.bits && a.midpoints == b.midpoints &&
            a.positions.size() == b.positions.size() &&
-           std::memcmp(a.positions.data(), b.positions.data(), a.positions.size() * sizeof(glm::vec3)) == 0;
+           std::memcmp(a.positions.data(), b.positions.data(), a.positions.size() * sizeof(glm::vec3)) == 0 &&
+           std::ranges::equal(a.fields, b.fields,
+                              [](const Field& f, const Field& g) { return is_same(f, g); });
 }
 
 }  // namespace interleaf

@@ -1,0 +1,60 @@
+// Per-vertex fields: what a key carries beside its positions, a temperature, say, or a colour. They follow
+// the vertices through every operation: freezing, renumbering, the union, the morph (docs/theory.md).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hierarchy/buffer.h"
+#include "hierarchy/triangle.h"
+
+namespace interleaf {
+
+/// What a field has at a vertex. The number is that of floats, and stands for the kind in files.
+enum class FieldKind : std::uint8_t {
+    scalar = 1,
+    color = 3,  ///< red, green, blue, sRGB-encoded, each from 0 to 1
+};
+
+constexpr std::size_t component_count(FieldKind kind) {
+    return static_cast<std::size_t>(kind);
+}
+
+/// What is known of a field without its values.
+struct FieldName {
+    std::string name;
+    FieldKind kind = FieldKind::scalar;
+    bool operator==(const FieldName&) const = default;
+};
+
+struct Field {
+    std::string name;  ///< unique in its key, and is_field_name()
+    FieldKind kind = FieldKind::scalar;
+    Buffer<float> values;  ///< those of a vertex together, vertex after vertex; finite
+
+    FieldName label() const { return {name, kind}; }
+
+    /// The values of \p vertex.
+    std::span<const float> at(Index vertex) const {
+        return std::span(values).subspan(component_count(kind) * vertex, component_count(kind));
+    }
+};
+
+/// Most fields of a key, and most bytes of a name.
+inline constexpr std::size_t max_field_count = 64;
+inline constexpr std::size_t max_field_name = 255;
+
+/// Whether \p text can name a field: UTF-8 of 1 to max_field_name bytes, without control characters.
+bool is_field_name(std::string_view text);
+
+/// The names and kinds of \p fields.
+std::vector<FieldName> labels(std::span<const Field> fields);
+
+/// The field of that name and kind; null where there is none.
+const Field* find_field(std::span<const Field> fields, const FieldName& label);
+
+}  // namespace interleaf
