@@ -229,19 +229,20 @@ void Renderer::upload_streams(std::span<const Stream> positions, Stream products
 }
 
 void Renderer::set_field(const UnionField* field) {
-    field_components_ = field != nullptr ? component_count(field->label.kind) : 0;
+    field_components_ = 0;
     if (processor_blend_) {
         processor_blend_->field.reset();
         if (field != nullptr) processor_blend_->field = *field;
         processor_blend_->weights.clear();  // so that the next picture blends it
     } else if (field != nullptr) {
-        upload_field(std::vector<std::span<const float>>(field->values.begin(), field->values.end()));
+        upload_field(std::vector<std::span<const float>>(field->values.begin(), field->values.end()),
+                     component_count(field->label.kind));
     }
+    if (field != nullptr) field_components_ = component_count(field->label.kind);
 }
 
 /// \p values has the values of each key, as in a UnionField. Those of a vertex go together.
-void Renderer::upload_field(std::span<const std::span<const float>> values) {
-    const std::size_t components = field_components_;
+void Renderer::upload_field(std::span<const std::span<const float>> values, std::size_t components) {
     std::vector<float> together;
     together.reserve(values.size() * values[0].size());
     for (std::size_t begin = 0; begin < values[0].size(); begin += components)
@@ -263,7 +264,7 @@ void Renderer::blend_on_processor(ProcessorBlend& blend, std::span<const float> 
         std::vector<float> values;
         morph(*blend.field, weights, values);
         const std::span<const float> stream = values;
-        upload_field({&stream, 1});
+        upload_field({&stream, 1}, component_count(blend.field->label.kind));
     }
     blend.weights.assign(weights.begin(), weights.end());
 }

@@ -81,7 +81,7 @@ class Renderer {
     void upload_paths();
     void upload_leaves(const UnionMesh& mesh);
     void upload_streams(std::span<const Stream> positions, Stream products);
-    void upload_field(std::span<const std::span<const float>> values);
+    void upload_field(std::span<const std::span<const float>> values, std::size_t components);
     void blend_on_processor(ProcessorBlend& blend, std::span<const float> weights);
     void upload_palette(Coloring coloring, ColorMap map);
     void draw_background() const;
