@@ -21,7 +21,7 @@ class FileStamps {
   private:
     struct Stamp {
         std::filesystem::path file;
-        std::filesystem::file_time_type written{};  ///< the earliest time for none
+        std::filesystem::file_time_type written{};  ///< the default for none
         std::uintmax_t size = 0;
         bool operator==(const Stamp&) const = default;
     };
