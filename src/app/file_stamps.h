@@ -13,7 +13,7 @@ class FileStamps {
     FileStamps() = default;
 
     /// Remembers \p files as they are now.
-    explicit FileStamps(std::vector<std::filesystem::path> files);
+    explicit FileStamps(const std::vector<std::filesystem::path>& files);
 
     /// The first file that is other than remembered, or has gone; each change is reported once.
     std::optional<std::filesystem::path> take_changed();
