@@ -223,13 +223,12 @@ void ask_for_time(ViewerState& state, std::size_t place) {
                      .entry = fmt::format("{}", entry.time),
                      .button = "Set",
                      .fault = fault_of_time,
-                     .answer = [place, name](ViewerState& changed, const std::string& text, double now) {
+                     .answer = [=](ViewerState& changed, const std::string& text, double now) {
+                         const double time = number_in(text).value_or(entry.time);
+                         if (time == entry.time) return;
                          edit(
                              changed, fmt::format("Set the time of {}", name),
-                             [&](const Family& family) {
-                                 return with_time_moved(family, place, number_in(text).value_or(0));
-                             },
-                             now);
+                             [&](const Family& family) { return with_time_moved(family, place, time); }, now);
                      }};
 }
 

@@ -5,7 +5,7 @@
 
 namespace interleaf {
 
-FileStamps::FileStamps(std::vector<std::filesystem::path> files) {
+FileStamps::FileStamps(const std::vector<std::filesystem::path>& files) {
     for (const std::filesystem::path& file : files) stamps_.push_back(stamp_of(file));
 }
 

@@ -13,7 +13,7 @@ class FileStamps {
     FileStamps() = default;
 
     /// Remembers \p files as they are now.
-    explicit FileStamps(std::vector<std::filesystem::path> files);
+    explicit FileStamps(const std::vector<std::filesystem::path>& files);
 
     /// The first file that is other than remembered, or has gone; each change is reported once.
     std::optional<std::filesystem::path> take_changed();
@@ -21,7 +21,7 @@ class FileStamps {
   private:
     struct Stamp {
         std::filesystem::path file;
-        std::filesystem::file_time_type written{};  ///< the earliest time for none
+        std::filesystem::file_time_type written{};  ///< the default for none
         std::uintmax_t size = 0;
         bool operator==(const Stamp&) const = default;
     };

@@ -12,12 +12,11 @@ Session::Session(std::shared_ptr<const Family> family) : family_(std::move(famil
 }
 
 void Session::drive_with_what_there_is() {
-    point_.reset();
     if (family_->timeline) {
         driver_ = Driver::timeline;
     } else if (family_->domain) {
         driver_ = Driver::point;
-        point_ = family_->domain->locate(family_->domain->vertices().front().at);
+        if (!point_) point_ = family_->domain->locate(family_->domain->vertices().front().at);
     } else {
         driver_ = Driver::key;
         key_ = 0;

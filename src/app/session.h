@@ -29,8 +29,9 @@ class Session {
 
     const Family& family() const { return *family_; }
 
-    /// Goes on with \p family, an edited one: at the same time and point, or where they lie in it. A single
-    /// key stays the one with the same hierarchy.
+    /// Goes on with \p family, an edited one: at the same time and point, or the nearest there are. A single
+    /// key stays the one with the same hierarchy, or becomes the first. Without what drove, the timeline
+    /// drives, else the point, else the first key. \pre  check(*family) finds nothing
     void replace_family(std::shared_ptr<const Family> family, double now);
 
     /// Brings time, point and weights up to wall time \p now, in seconds. The other functions that take \p
@@ -69,6 +70,7 @@ class Session {
     Display display;
 
   private:
+    /// The timeline, else the point, where it is or at the first vertex, else the first key.
     void drive_with_what_there_is();
 
     std::shared_ptr<const Family> family_;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "hierarchy/error.h"
@@ -82,42 +82,68 @@ std::vector<Link> links_of(const Vertices& vertices, const Triangles& triangles,
     return links;
 }
 
-/// How good an ear (a, b, c) is: its area over the square of its longest edge; not positive where it turns
-/// clockwise.
-double quality(const Vertices& vertices, const Triangle& ear) {
+double longest_edge(const Vertices& vertices, const Triangle& triangle) {
     double longest = 0;
-    for (unsigned i = 0; i < 3; ++i)
-        longest = std::max(longest, glm::distance(vertices[ear[i]].at, vertices[ear[(i + 1) % 3]].at));
-    return double_area(vertices, ear[0], ear[1], ear[2]) / (longest * longest);
+    for (unsigned i = 0; i < 3; ++i) {
+        const glm::dvec2 from = vertices[triangle[i]].at;
+        longest = std::max(longest, glm::distance(from, vertices[triangle[(i + 1) % 3]].at));
+    }
+    return longest;
 }
 
-bool holds(const Vertices& vertices, const Triangle& ear, Index vertex) {
-    for (unsigned i = 0; i < 3; ++i)
-        if (double_area(vertices, ear[i], ear[(i + 1) % 3], vertex) < 0) return false;
+/// What counts as flat: a height that ParameterDomain takes for none in a domain of these vertices.
+double flat_height(const Vertices& vertices) {
+    glm::dvec2 low = vertices.front().at;
+    glm::dvec2 high = low;
+    for (const DomainVertex& vertex : vertices) {
+        low = glm::min(low, vertex.at);
+        high = glm::max(high, vertex.at);
+    }
+    return 1e-9 * glm::distance(low, high);
+}
+
+/// Whether \p vertex is inside \p ear, counter-clockwise, or outside by less than \p margin; with a negative
+/// one, whether it is inside by more than that.
+bool holds(const Vertices& vertices, const Triangle& ear, Index vertex, double margin) {
+    for (unsigned i = 0; i < 3; ++i) {
+        const Index a = ear[i];
+        const Index b = ear[(i + 1) % 3];
+        const double length = glm::distance(vertices[a].at, vertices[b].at);
+        if (double_area(vertices, a, b, vertex) < -margin * length) return false;
+    }
     return true;
 }
 
-/// Cuts ears, the best one first, off the polygon or the row of vertices that \p link is, until no more are
-/// left; an open row keeps its ends. Ears hold neither others of its vertices nor \p removed.
+/// Cuts ears, the roundest first, off the polygon or the row of vertices that \p link is, until no more are
+/// left; an open row keeps its ends. Ears hold neither others of its vertices nor, in an open row, \p
+/// removed. Rounding bends rows of vertices on a straight line: what is out of line by less than a flat
+/// triangle's height is in it.
 Triangles cut_ears(const Vertices& vertices, Link link, Index removed) {
-    Triangles ears;
+    const double flat = flat_height(vertices);
     std::vector<Index>& row = link.vertices;
+    const auto ear_at = [&](std::size_t i) {
+        return Triangle{row[(i + row.size() - 1) % row.size()], row[i], row[(i + 1) % row.size()]};
+    };
+    const auto is_ear = [&](const Triangle& ear) {
+        if (double_area(vertices, ear[0], ear[1], ear[2]) <= flat * longest_edge(vertices, ear)) return false;
+        // On a straight boundary it lies in the last ear's edge between the row's ends.
+        const double margin = row.size() == 3 ? -flat : flat;
+        if (!link.is_closed && holds(vertices, ear, removed, margin)) return false;
+        return std::ranges::none_of(
+            row, [&](Index other) { return !has_corner(ear, other) && holds(vertices, ear, other, flat); });
+    };
+    const auto roundness = [&](const Triangle& ear) {
+        const double longest = longest_edge(vertices, ear);
+        return double_area(vertices, ear[0], ear[1], ear[2]) / (longest * longest);
+    };
+    Triangles ears;
     while (row.size() >= 3) {
+        const std::size_t ends = link.is_closed ? 0 : 1;
         std::optional<std::size_t> best;
-        double best_quality = 1e-9;
-        for (std::size_t i = link.is_closed ? 0 : 1; i < row.size() - (link.is_closed ? 0 : 1); ++i) {
-            const Triangle ear{row[(i + row.size() - 1) % row.size()], row[i], row[(i + 1) % row.size()]};
-            const double ear_quality = quality(vertices, ear);
-            const bool is_empty = std::ranges::none_of(
-                row, [&](Index other) { return !has_corner(ear, other) && holds(vertices, ear, other); });
-            if (!is_empty || ear_quality <= best_quality) continue;
-            if (!link.is_closed && holds(vertices, ear, removed)) continue;
-            best = i;
-            best_quality = ear_quality;
-        }
+        for (std::size_t i = ends; i < row.size() - ends; ++i)
+            if (is_ear(ear_at(i)) && (!best || roundness(ear_at(i)) > roundness(ear_at(*best)))) best = i;
         if (!best) break;
-        ears.push_back(
-            {row[(*best + row.size() - 1) % row.size()], row[*best], row[(*best + 1) % row.size()]});
+        ears.push_back(ear_at(*best));
         row.erase(row.begin() + static_cast<std::ptrdiff_t>(*best));
     }
     if (link.is_closed && row.size() >= 3)
@@ -190,6 +216,16 @@ void split_triangle(Triangles& triangles, Index triangle, Index added) {
     triangles.push_back({c, a, added});
 }
 
+/// Whether a triangle of \p domain turns the other way, or none, where its vertices are those of \p moved.
+bool turns_over(const ParameterDomain& domain, const Vertices& moved) {
+    const Vertices vertices = vertices_of(domain);
+    return std::ranges::any_of(domain.triangles(), [&](const Triangle& t) {
+        const bool was_left = double_area(vertices, t[0], t[1], t[2]) > 0;
+        const double area = double_area(moved, t[0], t[1], t[2]);
+        return was_left ? !(area > 0) : !(area < 0);
+    });
+}
+
 /// The domain with a triangle more, over the nearest boundary edge where that is valid.
 ParameterDomain extended(const Vertices& vertices, const Triangles& triangles,
                          const std::vector<NearEdge>& edges, Index added) {
@@ -213,6 +249,7 @@ ParameterDomain with_vertex_moved(const ParameterDomain& domain, Index vertex, g
     const auto moved = [&](double part) -> std::optional<ParameterDomain> {
         Vertices vertices = vertices_of(domain);
         vertices[vertex].at = from + part * (to - from);
+        if (turns_over(domain, vertices)) return std::nullopt;
         try {
             return ParameterDomain(std::move(vertices), triangles_of(domain));
         } catch (const InputError&) {

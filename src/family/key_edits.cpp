@@ -16,6 +16,7 @@ namespace interleaf {
 
 namespace {
 
+/// Of two at one time the one that is later in \p keys is the one refused.
 void set_times(Family& family, std::vector<TimelineKey> keys) {
     std::ranges::stable_sort(keys, {}, &TimelineKey::time);
     const auto same = std::ranges::adjacent_find(keys, {}, &TimelineKey::time);
@@ -133,10 +134,8 @@ Family with_time_added(Family family, std::size_t key, double time) {
 }
 
 Family with_time_moved(Family family, std::size_t place, double time) {
-    std::vector<TimelineKey> times = times_of(family);
-    times[place].time = time;
-    set_times(family, std::move(times));
-    return family;
+    const std::size_t key = family.timeline->keys()[place].key;
+    return with_time_added(with_time_removed(std::move(family), place), key, time);
 }
 
 Family with_time_removed(Family family, std::size_t place) {

@@ -17,11 +17,12 @@ std::string unused_name(const Family& family, std::string_view wanted);
 /// \throw InputError if its roots are not the family's
 Family with_key_added(Family family, Key key);
 
-/// With a second key of the same hierarchy just after \p key; neither on the timeline nor in the domain.
+/// With a second key of the same hierarchy, under a name of its own, just after \p key; neither on the
+/// timeline nor in the domain.
 Family with_key_duplicated(Family family, std::size_t key);
 
 /// Without \p key, its times and its domain vertices; timeline and domain go with the last of them.
-/// \throw InputError if it is the only key
+/// \throw InputError if it is the only key, or as without_vertex()
 Family with_key_removed(Family family, std::size_t key);
 
 /// \throw InputError if \p name is empty, taken, or holds control characters

@@ -3,11 +3,14 @@
 
 #include <memory>
 #include <random>
+#include <utility>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
 #include "app/sample_family.h"
+#include "family/domain_edits.h"
+#include "family/key_edits.h"
 
 using namespace interleaf;
 
@@ -205,4 +208,152 @@ TEST_CASE("with neither, the first key is shown as it is") {
     CHECK(session.driver() == Driver::key);
     CHECK(session.weights() == Weights{{0, 1}});
     CHECK_FALSE(session.point());
+}
+
+namespace {
+
+std::shared_ptr<const Family> shared(Family family) {
+    return std::make_shared<const Family>(std::move(family));
+}
+
+}  // namespace
+
+TEST_CASE(
+    "with an edited family the timeline goes on from the same time, paused, playing or looping as before") {
+    const Family before = sample_family();
+    for (const bool playing : {false, true}) {
+        for (const bool loops : {false, true}) {
+            CAPTURE(playing);
+            CAPTURE(loops);
+            Session session(shared(before));
+            session.seek(2, 10);
+            if (!loops) session.toggle_loop(10);
+            if (playing) session.toggle_playing(10);
+            session.advance(10.5);
+            session.replace_family(shared(with_time_added(before, 3, 6)), 11);
+            CHECK(session.time() == (playing ? 3 : 2));
+            CHECK(session.is_playing() == playing);
+            CHECK(session.loops() == loops);
+            CHECK(session.driver() == Driver::timeline);
+            CHECK(session.weights() == session.family().timeline->at(session.time()));
+            session.advance(11.25);
+            CHECK(session.time() == (playing ? 3.25 : 2));
+            session.advance(100);
+            CHECK(session.is_playing() == (playing && loops));
+        }
+    }
+}
+
+TEST_CASE("a time that the edited timeline does not have becomes the nearest that it has") {
+    const Family before = sample_family();
+    Session session(shared(before));
+    session.seek(4.75, 0);
+    session.replace_family(shared(with_time_removed(before, 4)), 0);
+    CHECK(session.time() == 4);
+    session.seek(0.5, 0);
+    session.replace_family(shared(with_time_removed(before, 0)), 0);
+    CHECK(session.time() == 1);
+    session.replace_family(shared(before), 0);
+    CHECK(session.time() == 1);
+}
+
+TEST_CASE("the point stays where it is, and is the nearest of an edited domain that it is not in") {
+    const Family before = sample_family();
+    Session session(shared(before));
+    session.move_point({0.5, 0.25}, 0);
+    Family after = before;
+    after.domain = with_vertex_moved(*before.domain, 4, {0.1, 0.3});
+    session.replace_family(shared(after), 0);
+    CHECK(session.driver() == Driver::point);
+    CHECK(point_of(session) == glm::dvec2(0.5, 0.25));
+    CHECK(session.weights() == after.domain->weights(*session.point()));
+
+    after.domain = without_vertex(*before.domain, 1);
+    REQUIRE(after.domain);
+    session.replace_family(shared(after), 0);
+    CHECK(point_of(session) == glm::dvec2(0.375, 0.375));
+    CHECK(session.time() == 0);
+}
+
+TEST_CASE("a key shown alone is shown on, wherever it goes") {
+    const Family before = sample_family();
+    Session session(shared(before));
+    session.show_key(3, 0);
+    session.replace_family(shared(with_key_moved(before, 3, 0)), 0);
+    CHECK(session.weights() == Weights{{0, 1}});
+    session.replace_family(shared(with_key_removed(before, 0)), 0);
+    CHECK(session.weights() == Weights{{2, 1}});
+    session.replace_family(shared(with_key_renamed(before, 3, "x")), 0);
+    CHECK(session.weights() == Weights{{3, 1}});
+    session.replace_family(shared(with_key_removed(before, 3)), 0);
+    CHECK(session.driver() == Driver::key);
+    CHECK(session.weights() == Weights{{0, 1}});
+}
+
+TEST_CASE("the key shown alone is shown, whatever index it gets while something else drives") {
+    const Family before = sample_family();
+    Session session(shared(before));
+    session.show_key(4, 0);
+    session.seek(1, 0);
+    Family one{"one", {before.keys[0]}, {}, {}};
+    session.replace_family(shared(one), 0);
+    CHECK(session.driver() == Driver::key);
+    CHECK(session.weights() == Weights{{0, 1}});
+    CHECK_FALSE(session.point());
+    CHECK(session.time() == 0);
+    CHECK_FALSE(session.is_playing());
+}
+
+TEST_CASE("where the timeline goes, the point drives on from where it had come to") {
+    Family after = sample_family();
+    Session session(shared(after));
+    session.seek(2, 0);
+    const glm::dvec2 at = point_of(session);
+    const Weights weights = session.weights();
+    after.timeline.reset();
+    session.replace_family(shared(after), 0);
+    CHECK(session.driver() == Driver::point);
+    CHECK(point_of(session) == at);
+    CHECK(weights.size() == 2);
+
+    // Where it had no point, it starts at the first vertex.
+    Session without(shared(sample_family()));
+    without.seek(4.5, 0);
+    without.replace_family(shared(after), 0);
+    CHECK(without.driver() == Driver::point);
+    CHECK(point_of(without) == after.domain->vertices().front().at);
+}
+
+TEST_CASE("where the domain goes, the timeline drives from its time, and without it the first key") {
+    Family after = sample_family();
+    Session session(shared(after));
+    session.seek(2.5, 0);
+    session.move_point({0, 0.5}, 0);
+    after.domain.reset();
+    session.replace_family(shared(after), 0);
+    CHECK(session.driver() == Driver::timeline);
+    CHECK(session.time() == 2.5);
+    CHECK_FALSE(session.point());
+    after.timeline.reset();
+    session.replace_family(shared(after), 0);
+    CHECK(session.driver() == Driver::key);
+    CHECK_FALSE(session.has_timeline());
+}
+
+TEST_CASE("a key shown alone is shown whether or not the domain has it, paused at its time") {
+    Session session(shared(sample_family()));
+    session.toggle_playing(0);
+    session.show_key(4, 1.5);
+    CHECK(session.driver() == Driver::key);
+    CHECK(session.weights() == Weights{{4, 1}});
+    CHECK_FALSE(session.is_playing());
+    CHECK(session.time() == 1.5);
+    REQUIRE(session.point());
+    CHECK(point_of(session) == glm::dvec2(0, 0));
+    Family without = sample_family();
+    without.domain.reset();
+    Session bare(shared(without));
+    bare.show_key(2, 0);
+    CHECK(bare.weights() == Weights{{2, 1}});
+    CHECK_FALSE(bare.point());
 }

@@ -1,0 +1,177 @@
+// Tests of the document's files, as far as they need no window: what is opened, saved and asked.
+#include "app/document_files.h"
+
+#include <chrono>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "app/edit_commands.h"
+#include "app/sample_family.h"
+#include "io/family_file.h"
+#include "io/scratch_folder.h"
+
+using namespace interleaf;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Family named(const std::string& name) {
+    Family family = sample_family();
+    family.name = name;
+    return family;
+}
+
+void change(ViewerState& state) {
+    edit(
+        state, "Rename", [](const Family&) { return named("changed"); }, 0);
+}
+
+}  // namespace
+
+TEST_CASE("a document is saved where it was read from only if it is one family in a folder") {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "torus");
+    CHECK(family_folder({folder / "torus"}) == folder / "torus");
+    CHECK(family_folder({folder / "torus" / "family.json"}) == folder / "torus");
+    CHECK_FALSE(family_folder({}));
+    CHECK_FALSE(family_folder({folder / "a.obj"}));
+    CHECK_FALSE(family_folder({folder / "a.ilh", folder / "b.ilh"}));
+    CHECK_FALSE(family_folder({folder / "torus", folder / "torus"}));
+    CHECK(family_folder({"family.json"}) == fs::current_path());
+}
+
+TEST_CASE("opening replaces a document without changes, and what the window shows of it stays") {
+    const ScratchFolder folder;
+    write_family(named("second"), folder / "second");
+    ViewerState state(named("first"));
+    state.session.display.wireframe = !state.session.display.wireframe;
+    state.help_shown = true;
+    const Display display = state.session.display;
+    DocumentFiles files(state, {}, true);
+    files.open({folder / "second"});
+    CHECK_FALSE(files.is_asking());
+    CHECK(state.document.family().name == "second");
+    CHECK(state.document.folder() == folder / "second");
+    CHECK_FALSE(state.document.is_changed());
+    CHECK(state.document.undo_step() == nullptr);
+    CHECK(state.session.display == display);
+    CHECK(state.help_shown);
+    CHECK(files.recent_files().front() == folder / "second");
+}
+
+TEST_CASE("before changes are lost by opening, reading again or quitting, it asks, and nothing happens yet") {
+    const ScratchFolder folder;
+    write_family(named("second"), folder / "second");
+    for (const FileWish wish : {FileWish::open, FileWish::reopen, FileWish::quit, FileWish::none}) {
+        ViewerState state(named("first"));
+        DocumentFiles files(state, {}, true);
+        change(state);
+        if (wish == FileWish::none) {
+            files.open({folder / "second"});
+        } else {
+            files.grant(wish);
+        }
+        CHECK(files.is_asking());
+        CHECK(state.document.family().name == "changed");
+        CHECK(state.document.is_changed());
+        CHECK_FALSE(state.quit_wanted);
+    }
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, true);
+    files.grant(FileWish::quit);
+    CHECK_FALSE(files.is_asking());
+    CHECK(state.quit_wanted);
+}
+
+TEST_CASE("a document with a folder is saved there at once, one without asks where") {
+    const ScratchFolder folder;
+    ViewerState state(named("first"), folder / "first");
+    DocumentFiles files(state, {}, true);
+    change(state);
+    files.grant(FileWish::save);
+    CHECK_FALSE(files.is_asking());
+    CHECK(state.message.empty());
+    CHECK_FALSE(state.document.is_changed());
+    CHECK(read_family(folder / "first").name == "changed");
+    undo(state, 0);
+    CHECK(state.document.is_changed());
+
+    ViewerState homeless(named("first"));
+    DocumentFiles its_files(homeless, {}, true);
+    its_files.grant(FileWish::save);
+    CHECK(its_files.is_asking());
+}
+
+TEST_CASE("where it cannot be saved the document stays changed, and it says so") {
+    const ScratchFolder folder;
+    put(folder / "file", "in the way");
+    ViewerState state(named("first"), folder / "file");
+    DocumentFiles files(state, {}, true);
+    change(state);
+    files.grant(FileWish::save);
+    CHECK_FALSE(state.message.empty());
+    CHECK(state.document.is_changed());
+    CHECK(content(folder / "file") == "in the way");
+}
+
+TEST_CASE("what cannot be opened or added leaves the document as it is, and it says why") {
+    const ScratchFolder folder;
+    put(folder / "bad.ilh", "not a hierarchy");
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, true);
+    const auto before = state.document.snapshot();
+    for (const fs::path& file : {folder / "bad.ilh", folder / "none.ilh"}) {
+        CAPTURE(file.string());
+        files.open({file});
+        CHECK(state.message.find(file.filename().string()) != std::string::npos);
+        state.message.clear();
+        files.add_keys({file}, 0);
+        CHECK(state.message.find(file.filename().string()) != std::string::npos);
+        state.message.clear();
+        CHECK(state.document.snapshot() == before);
+        CHECK(files.recent_files().empty());
+    }
+}
+
+TEST_CASE("keys of a family are added to the document as a step of it") {
+    const ScratchFolder folder;
+    write_family(named("second"), folder / "second");
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, true);
+    files.add_keys({folder / "second"}, 0);
+    CHECK(state.message.empty());
+    CHECK(state.document.family().keys.size() == 10);
+    CHECK(state.document.family().name == "first");
+    CHECK(state.document.family().timeline == sample_family().timeline);
+    REQUIRE(state.document.undo_step());
+    CHECK(*state.document.undo_step() == "Add 5 keys");
+}
+
+TEST_CASE(
+    "a file changed by others is reported once, in a while, and read again on demand; own saving is not") {
+    const ScratchFolder folder;
+    write_family(named("first"), folder / "first");
+    ViewerState state(read_family(folder / "first"), folder / "first");
+    DocumentFiles files(state, {folder / "first"}, true);
+    change(state);
+    files.grant(FileWish::save);
+    files.look_after(10);
+    CHECK(state.message.empty());
+
+    write_family(named("other"), folder / "first");
+    const fs::path file = folder / "first" / "family.json";
+    fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(5));
+    files.look_after(11);
+    CHECK(state.message.empty());
+    files.look_after(13);
+    CHECK(state.message.find(file.string()) != std::string::npos);
+    state.message.clear();
+    files.look_after(20);
+    CHECK(state.message.empty());
+    files.grant(FileWish::reopen);
+    CHECK(state.document.family().name == "other");
+    CHECK(state.document.folder() == folder / "first");
+    CHECK_FALSE(state.document.is_changed());
+}
