@@ -1,12 +1,12 @@
 #include "hierarchy/root_isomorphism.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
 
 #include "hierarchy/assignment.h"
+#include "hierarchy/point_tree.h"
 
 namespace interleaf {
 
@@ -19,9 +19,6 @@ constexpr unsigned signature_radius = 4;
 /// found.
 constexpr std::size_t most_assigned = 100;
 constexpr std::size_t most_assignment_steps = std::size_t{1} << 26;
-
-/// Components that are looked at for the nearest one.
-constexpr int most_looks = 1000;
 
 /// Sums of squares that differ by less than this part of them are the same.
 constexpr double rounding = 1e-9;
@@ -85,38 +82,17 @@ Index seed_of(const Searched& searched, Index component) {
     return rarest.second / 3;
 }
 
-/// The partner of each of \p centres among as many \p others: each in turn takes the nearest that is left,
-/// of the thousand that are nearest along the x axis. Both are seen from their own mean.
+/// The partner of each of \p centres among as many \p others: each in turn takes the nearest that is left.
+/// Both are seen from their own mean.
 std::vector<std::size_t> nearest_left(const std::vector<glm::dvec3>& centres,
                                       const std::vector<glm::dvec3>& others) {
     glm::dvec3 shift(0);
     for (std::size_t i = 0; i < centres.size(); ++i)
         shift += (others[i] - centres[i]) / static_cast<double>(centres.size());
-    std::multimap<double, std::size_t> left;
-    for (std::size_t i = 0; i < others.size(); ++i) left.emplace(others[i].x, i);
-
+    PointTree left(others);
     std::vector<std::size_t> partners;
     partners.reserve(centres.size());
-    for (const glm::dvec3& centre : centres) {
-        const glm::dvec3 at = centre + shift;
-        auto above = left.lower_bound(at.x), below = above, nearest = left.end();
-        double least = infinity;
-        for (int look = 0; look < most_looks && (below != left.begin() || above != left.end()); ++look) {
-            const bool is_above =
-                below == left.begin() ||
-                (above != left.end() && above->first - at.x <= at.x - std::prev(below)->first);
-            const auto looked_at = is_above ? above++ : --below;
-            const double along_x = looked_at->first - at.x;
-            if (along_x * along_x >= least) break;
-            const double distance = square(others[looked_at->second] - at);
-            if (distance < least) {
-                least = distance;
-                nearest = looked_at;
-            }
-        }
-        partners.push_back(nearest->second);
-        left.erase(nearest);
-    }
+    for (const glm::dvec3& centre : centres) partners.push_back(left.take_nearest(centre + shift));
     return partners;
 }
 
