@@ -43,9 +43,9 @@ std::uint64_t own_size(ByteSpan file);
 
 struct Outcome {
     bool accepted;      ///< rather than refused
-    std::string fault;  ///< an exception that is no InputError, more than a second of the processor's time,
-                        ///< more than ten times the size of the content and 64 MB of memory, something
-                        ///< unsound; empty if nothing
+    std::string fault;  ///< an exception that is no InputError, more than a second (ten under sanitizers) of
+                        ///< the processor's time, more than ten times the size of the content and 64 MB of
+                        ///< memory, something unsound; empty if nothing
 };
 
 /// How the target takes \p file.

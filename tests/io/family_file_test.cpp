@@ -226,6 +226,8 @@ TEST_CASE("a hostile family file is refused with its place and what was expected
         {R"({"format": "interleaf-family", "version": 1, "keys": []})", "has no \"name\""},
         {R"({"format": "interleaf-family", "version": 1, "name": "\u001b[2J", "keys": []})",
          R"(name: is "\u001b[2J", expected a name without control characters)"},
+        {R"({"format": "interleaf-family", "version": 1, "name": "a\u009b2J", "keys": []})",
+         R"(name: is "a\u009b2J", expected a name without control characters)"},
         {with_keys("{}"), "keys: is an object, expected an array"},
         {with_keys("[]"), "keys: the family has no key"},
         {with_keys("[7]"), "keys[0]: is 7, expected an object"},

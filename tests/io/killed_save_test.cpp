@@ -79,6 +79,12 @@ bool is_same(const Family& a, const Family& b) {
            });
 }
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr unsigned random_kills = 60;  // a process takes many times as long to begin and to end
+#else
+constexpr unsigned random_kills = 500;
+#endif
+
 /// Two families to save over one another: one key stays, one changes, one comes or goes.
 struct Families {
     Families() {
@@ -176,7 +182,7 @@ TEST_CASE("saves that are killed at random, one on the wreck of the other, leave
     const auto longest =
         static_cast<useconds_t>(500 + 1.5 * duration.count());  // a process takes time to begin
     std::array<unsigned, 2> times{};
-    for (unsigned kills = 0; kills < 500; ++kills) {
+    for (unsigned kills = 0; kills < random_kills; ++kills) {
         CAPTURE(kills);
         kill_at_random(save_both, longest, random);
         const Family family = read_family(folder / "f");
@@ -188,8 +194,8 @@ TEST_CASE("saves that are killed at random, one on the wreck of the other, leave
         REQUIRE(folder.entry_count() <= 3);
         ++times[is_second];
     }
-    CHECK(times[0] > 10);
-    CHECK(times[1] > 10);
+    CHECK(times[0] > 2);
+    CHECK(times[1] > 2);
     MESSAGE(times[0], " times the first family, ", times[1], " times the second");
     save_both();
     CHECK(folder.entry_count() == 2);
