@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 #include <stb_image_write.h>
-#include <tiny_obj_loader.h>
 
 #include "hierarchy/error.h"
 #include "io/input_file.h"
@@ -17,28 +16,6 @@ namespace interleaf {
 namespace {
 
 constexpr std::uint64_t largest_obj = std::uint64_t{1} << 30;
-
-/// The faces as triangles, polygons divided by tinyobjloader.
-std::vector<Triangle> triangulated(const ObjLines& lines, std::string_view name) {
-    tinyobj::ObjReader reader;
-    tinyobj::ObjReaderConfig options;
-    options.vertex_color = false;
-    if (!reader.ParseFromString(lines.text, "", options))
-        throw InputError(fmt::format("{}: {}", name, reader.Error()));
-
-    std::vector<Triangle> triangles;
-    triangles.reserve(lines.triangle_count);
-    for (const tinyobj::shape_t& shape : reader.GetShapes())
-        for (std::size_t i = 0; i < shape.mesh.indices.size(); i += 3) {
-            const auto vertex = [&](std::size_t corner) {
-                return static_cast<Index>(shape.mesh.indices[i + corner].vertex_index);
-            };
-            triangles.push_back({vertex(0), vertex(1), vertex(2)});
-        }
-    if (triangles.size() != lines.triangle_count)
-        throw InputError(fmt::format("{}: faces: a polygon cannot be divided into triangles", name));
-    return triangles;
-}
 
 /// Drops the vertices that no triangle uses; the others keep their order.
 void drop_unused(std::vector<Triangle>& triangles, std::vector<glm::vec3>& positions) {
@@ -67,7 +44,7 @@ void append_bytes(std::string& bytes, const void* data, std::size_t size) {
 Hierarchy read_obj(const std::filesystem::path& file) {
     const std::string name = file.string();
     ObjLines lines = read_obj_lines(read_text(file, largest_obj), name);
-    std::vector<Triangle> triangles = triangulated(lines, name);
+    std::vector<Triangle> triangles = triangles_of(lines, name);
     drop_unused(triangles, lines.positions);
     try {
         const auto vertex_count = static_cast<Index>(lines.positions.size());

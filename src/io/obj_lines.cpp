@@ -1,17 +1,16 @@
 #include "io/obj_lines.h"
 
-#include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
+#include <tiny_obj_loader.h>
 
 #include "hierarchy/error.h"
 #include "io/json_place.h"
+#include "io/words.h"
 
 namespace interleaf {
 
@@ -22,40 +21,6 @@ constexpr std::size_t most_corners = 1000;
 
 /// tinyobjloader counts vertices in an int, and coordinates in an int as well.
 constexpr std::size_t most_vertices = std::numeric_limits<int>::max() / 3;
-
-constexpr std::string_view blanks = " \t\r";
-
-/// The next word of \p line, taken off its front; empty at its end.
-std::string_view take_word(std::string_view& line) {
-    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-    const std::string_view word = line.substr(0, line.find_first_of(blanks));
-    line.remove_prefix(word.size());
-    return word;
-}
-
-template <typename Number>
-std::errc parse(std::string_view word, Number& number) {
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    return end == word.data() + word.size() ? error : std::errc::invalid_argument;
-}
-
-/// The float nearest to \p word; none unless that is a finite number.
-std::optional<float> parse_float(std::string_view word) {
-    if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
-    float number = 0;
-    std::errc error = parse(word, number);
-    if (error == std::errc::result_out_of_range) {
-        // Too small for a float is as good as 0; only too large is wrong.
-        double wide = 0;
-        error = parse(word, wide);
-        if (std::abs(wide) < 1)
-            number = static_cast<float>(wide);
-        else
-            error = std::errc::result_out_of_range;
-    }
-    if (error != std::errc() || !std::isfinite(number)) return std::nullopt;
-    return number;
-}
 
 class Reader {
   public:
@@ -73,6 +38,7 @@ class Reader {
             line_number_ = greatest_line_;
             fail(fmt::format("vertex {} does not exist, there are {}", greatest_, lines_.positions.size()));
         }
+        if (lines_.colors.size() != lines_.positions.size()) lines_.colors.clear();
         if (lines_.triangle_count == 0)
             throw InputError(fmt::format("{}: has no faces, expected some", name_));
         return std::move(lines_);
@@ -95,7 +61,20 @@ class Reader {
             position[axis] = *number;
         }
         lines_.positions.push_back(position);
+        read_color(line);
         fmt::format_to(std::back_inserter(lines_.text), "v {} {} {}\n", position.x, position.y, position.z);
+    }
+
+    /// Three more numbers on a vertex line are its colour, as many programs write it; anything else is not.
+    void read_color(std::string_view rest) {
+        glm::vec3 color{};
+        for (int channel = 0; channel < 3; ++channel) {
+            const std::optional<float> number = parse_float(take_word(rest));
+            if (!number || *number < 0 || *number > 1) return;
+            color[channel] = *number;
+        }
+        if (take_word(rest).empty() && lines_.colors.size() + 1 == lines_.positions.size())
+            lines_.colors.push_back(color);
     }
 
     void read_face(std::string_view line) {
@@ -115,7 +94,7 @@ class Reader {
     /// back from the last.
     std::size_t vertex_number(std::string_view word) {
         std::int64_t number = 0;
-        if (parse(word.substr(0, word.find('/')), number) != std::errc())
+        if (parse_word(word.substr(0, word.find('/')), number) != std::errc())
             fail(fmt::format("{} is not a corner, expected the number of a vertex", in_quotes(word)));
         const std::int64_t before = static_cast<std::int64_t>(lines_.positions.size());
         if (number == 0 || number < -before || number > static_cast<std::int64_t>(most_vertices))
@@ -139,12 +118,29 @@ class Reader {
 
 ObjLines read_obj_lines(std::string_view obj, std::string_view name) {
     Reader reader(name);
-    while (!obj.empty()) {
-        const std::string_view line = obj.substr(0, obj.find('\n'));
-        obj.remove_prefix(std::min(line.size() + 1, obj.size()));
-        reader.read(line);
-    }
+    while (!obj.empty()) reader.read(take_line(obj));
     return reader.finish();
+}
+
+std::vector<Triangle> triangles_of(const ObjLines& lines, std::string_view name) {
+    tinyobj::ObjReader reader;
+    tinyobj::ObjReaderConfig options;
+    options.vertex_color = false;
+    if (!reader.ParseFromString(lines.text, "", options))
+        throw InputError(fmt::format("{}: {}", name, reader.Error()));
+
+    std::vector<Triangle> triangles;
+    triangles.reserve(lines.triangle_count);
+    for (const tinyobj::shape_t& shape : reader.GetShapes())
+        for (std::size_t i = 0; i < shape.mesh.indices.size(); i += 3) {
+            const auto vertex = [&](std::size_t corner) {
+                return static_cast<Index>(shape.mesh.indices[i + corner].vertex_index);
+            };
+            triangles.push_back({vertex(0), vertex(1), vertex(2)});
+        }
+    if (triangles.size() != lines.triangle_count)
+        throw InputError(fmt::format("{}: faces: a polygon cannot be divided into triangles", name));
+    return triangles;
 }
 
 }  // namespace interleaf
