@@ -1,7 +1,9 @@
 #include "fit/fit.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -162,6 +164,11 @@ FittedKey fit_mapped(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, co
     return key;
 }
 
+std::string_view name_of(MapMethod method) {
+    constexpr std::array<std::string_view, 3> names = {"progressive", "careful progressive", "curvature flow"};
+    return names[static_cast<std::size_t>(method)];
+}
+
 FittedKey fit(SurfaceMesh mesh, const FitOptions& options, const Progress& progress) {
     check_options(options);
     std::vector<StageTime> times;
@@ -176,6 +183,7 @@ FittedKey fit(SurfaceMesh mesh, const FitOptions& options, const Progress& progr
     stopwatch.lap("centring");
 
     FittedKey key = fit_mapped(clean.mesh, std::move(map.points), options, part_of(progress, mapped_begins, 1));
+    key.report.map_method = map.method;
     key.report.clean_up = std::move(clean.report);
     key.report.times.insert(key.report.times.begin(), times.begin(), times.end());
     return key;

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -13,6 +14,7 @@
 #include "fit/fit_quality.h"
 #include "fit/progress.h"
 #include "fit/sphere_roots.h"
+#include "fit/spherical_map.h"
 #include "fit/surface_mesh.h"
 #include "hierarchy/hierarchy.h"
 
@@ -44,7 +46,7 @@ struct FitReport {
     CleanUpReport clean_up;
     std::size_t mesh_vertices = 0;  ///< of the surface once clean
     std::size_t mesh_triangles = 0;
-    std::string map_method;
+    MapMethod map_method = MapMethod::progressive;
     double mean_cosine = 0;  ///< of directions on the sphere against directions in space (alignment.h)
     FitQuality at_20000_leaves;  ///< what acceptance was judged by
     FitQuality quality;          ///< of the key
@@ -56,6 +58,9 @@ struct FittedKey {
     std::vector<glm::vec3> colors;  ///< one a vertex of the hierarchy; empty when the mesh has none
     FitReport report;
 };
+
+/// The way to map, in words for people and reports.
+std::string_view name_of(MapMethod method);
 
 /// \throw InputError  saying what is wrong with the mesh, or why no key stands for it well enough
 /// \throw UsageError  when leaves and tolerance are both named, or one is out of its range
