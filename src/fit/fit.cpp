@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "fit/alignment.h"
-#include "fit/progress_meter.h"
 #include "fit/sphere_location.h"
 #include "fit/spherical_map.h"
 #include "fit/surface_sampling.h"

@@ -21,9 +21,6 @@ constexpr double places = 100000;
 /// Parts an edge of a grid over one triangle, at most.
 constexpr double most_parts = 64;
 
-/// Places between two reports of progress.
-constexpr std::size_t places_a_report = 4096;
-
 struct Flat {
     std::span<const Triangle> triangles;
     std::span<const glm::dvec3> positions;
@@ -48,13 +45,13 @@ Distances distances(const Flat& from, const Flat& to, const Progress& progress, 
     const double spacing = std::sqrt(area / places);
 
     Distances found;
+    ProgressMeter meter(progress);
+    meter.enter("measuring", begin);
     std::size_t count = 0;
     Index nearest = no_index;
     const auto measure = [&](const glm::dvec3& place) {
-        if (count++ % places_a_report == 0) {
-            const double part = std::min(1.0, double(count) / (places + double(from.positions.size())));
-            report(progress, "measuring", begin + part / 2);
-        }
+        meter.set_part(begin + std::min(0.5, double(++count) / (places + double(from.positions.size())) / 2));
+        meter.step();
         const double here = distance(place, nearest);
         found.largest = std::max(found.largest, here);
         return here * here;

@@ -17,13 +17,10 @@ namespace interleaf {
 namespace {
 
 /// What the turn of the normal adds to a leaf's error, as a fraction of its size.
-constexpr double turn_share = 0.02;
+constexpr double turn_share = 0.1;
 
 /// A deeper leaf is not bisected on its own account. Closure may add two levels, and max_level is the end.
 constexpr unsigned deepest_level = max_level - 4;
-
-/// Steps of refinement between two reports of progress.
-constexpr unsigned steps_a_report = 256;
 
 /// Three corners in space or on the sphere.
 using Corners = std::array<glm::dvec3, 3>;
@@ -184,11 +181,12 @@ SampledSurface sample_surface(const SurfaceMesh& mesh, std::span<const glm::dvec
         return sampler.place_midpoint(a, b, midpoint);
     });
 
-    unsigned steps = 0;
+    ProgressMeter meter(progress);
+    meter.enter("sampling", 0);
     const auto after_step = [&](const AdaptiveMesh& refined, std::span<const Index> changed) {
         sampler.divide_vertices(changed);
-        if (steps++ % steps_a_report == 0)
-            report(progress, "sampling", double(refined.leaf_count()) / options.leaves);
+        meter.set_part(double(refined.leaf_count()) / options.leaves);
+        meter.step();
     };
     const bool distance_alone = options.tolerance > 0;
     refine_greedily(
