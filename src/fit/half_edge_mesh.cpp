@@ -1,6 +1,8 @@
 #include "fit/half_edge_mesh.h"
 
-#include <cassert>
+#include <fmt/format.h>
+
+#include "hierarchy/error.h"
 
 namespace interleaf {
 namespace {
@@ -20,6 +22,13 @@ struct HalfEdgesByOrigin {
     }
 };
 
+[[noreturn]] void throw_bad_edge(Index from, Index to) {
+    throw InputError(fmt::format(
+        "the edge between vertices {} and {} does not belong to two triangles that run along it in opposite "
+        "directions",
+        from, to));
+}
+
 }  // namespace
 
 HalfEdgeMesh::HalfEdgeMesh(Index vertex_count, std::span<const Triangle> triangles)
@@ -28,26 +37,64 @@ HalfEdgeMesh::HalfEdgeMesh(Index vertex_count, std::span<const Triangle> triangl
       degree_(vertex_count),
       has_triangle_(triangles.size(), 1) {
     origin_.reserve(3 * triangles.size());
-    for (const Triangle& triangle : triangles) origin_.insert(origin_.end(), triangle.begin(), triangle.end());
-
-    // From each vertex, its half-edges are found by their targets; a vertex's targets differ.
+    for (const Triangle& triangle : triangles) {
+        for (const Index vertex : triangle)
+            if (vertex >= vertex_count)
+                throw InputError(fmt::format("a triangle names vertex {}, but there are {}", vertex, vertex_count));
+        origin_.insert(origin_.end(), triangle.begin(), triangle.end());
+    }
     const HalfEdgesByOrigin sorted(vertex_count, origin_);
-    std::vector<Index> to_target(vertex_count, no_index);
+    std::vector<Index> to_target(vertex_count, no_index);  // from the vertex at hand
     for (Index vertex = 0; vertex < vertex_count; ++vertex) {
         const std::span<const Index> from_vertex(sorted.half_edges.data() + sorted.first[vertex],
                                                  sorted.half_edges.data() + sorted.first[vertex + 1]);
-        for (const Index half_edge : from_vertex) to_target[target(half_edge)] = half_edge;
+        if (from_vertex.empty()) throw InputError(fmt::format("no triangle uses vertex {}", vertex));
+        for (const Index half_edge : from_vertex) {
+            Index& known = to_target[target(half_edge)];
+            if (known != no_index && origin_[known] == vertex) throw_bad_edge(vertex, target(half_edge));
+            known = half_edge;
+        }
         for (const Index half_edge : from_vertex) {
             const Index inward = previous(half_edge);
             const Index outward = to_target[origin_[inward]];
-            assert(outward != no_index && origin_[outward] == vertex);
+            if (outward == no_index || origin_[outward] != vertex) throw_bad_edge(vertex, origin_[inward]);
             twin_[inward] = outward;
             twin_[outward] = inward;
         }
-        assert(!from_vertex.empty());
         outgoing_[vertex] = from_vertex.front();
         degree_[vertex] = static_cast<Index>(from_vertex.size());
     }
+    for (Index vertex = 0; vertex < vertex_count; ++vertex) check_fan(vertex);
+}
+
+void HalfEdgeMesh::check_fan(Index vertex) const {
+    Index count = 0;
+    Index half_edge = outgoing_[vertex];
+    do {
+        ++count;
+        half_edge = rotated(half_edge);
+    } while (half_edge != outgoing_[vertex]);
+    if (count != degree_[vertex])
+        throw InputError(fmt::format("the surface touches itself at vertex {}", vertex));
+}
+
+bool HalfEdgeMesh::is_connected() const {
+    std::vector<char> is_reached(triangle_capacity());
+    std::vector<Index> waiting = {0};
+    is_reached[0] = 1;
+    Index count = 0;
+    while (!waiting.empty()) {
+        const Index triangle = waiting.back();
+        waiting.pop_back();
+        ++count;
+        for (Index k = 0; k < 3; ++k) {
+            const Index neighbour = twin_[3 * triangle + k] / 3;
+            if (is_reached[neighbour]) continue;
+            is_reached[neighbour] = 1;
+            waiting.push_back(neighbour);
+        }
+    }
+    return count == triangle_capacity();
 }
 
 void HalfEdgeMesh::collapse(Index half_edge) {

@@ -15,7 +15,9 @@ namespace interleaf {
 
 class HalfEdgeMesh {
   public:
-    /// \param triangles  a closed, oriented, simplicial manifold that uses each of \p vertex_count vertices
+    /// \param triangles  a closed, oriented manifold that uses each of \p vertex_count vertices and joins no two of
+    ///                   them twice
+    /// \throw InputError naming the edge or vertex where it is none
     HalfEdgeMesh(Index vertex_count, std::span<const Triangle> triangles);
 
     static Index next(Index half_edge) { return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1; }
@@ -26,6 +28,9 @@ class HalfEdgeMesh {
 
     bool has_vertex(Index vertex) const { return outgoing_[vertex] != no_index; }
     bool has_triangle(Index triangle) const { return has_triangle_[triangle]; }
+
+    /// Whether the surface is in one piece. \pre nothing is collapsed
+    bool is_connected() const;
 
     Index origin(Index half_edge) const { return origin_[half_edge]; }
     Index target(Index half_edge) const { return origin_[next(half_edge)]; }
@@ -48,6 +53,8 @@ class HalfEdgeMesh {
     void undo_collapse(Index half_edge);
 
   private:
+    void check_fan(Index vertex) const;
+
     std::vector<Index> origin_;
     std::vector<Index> twin_;
     std::vector<Index> outgoing_;

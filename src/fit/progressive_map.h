@@ -21,6 +21,9 @@ struct ProgressiveOptions {
     int last_sweeps = 40;  ///< at most, when all vertices are back
 };
 
+/// For when the default fails: slower, and the shapes are kept less exactly.
+inline constexpr ProgressiveOptions careful_options = {.growth = 1.15, .blend = 0.2};
+
 struct ProgressiveMap {
     std::vector<glm::dvec3> points;  ///< unit, one a vertex; empty when it failed
     std::string failure;             ///< in words

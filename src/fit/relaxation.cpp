@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "fit/rest_shape.h"
+
 namespace interleaf {
 
 Relaxation::Relaxation(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
@@ -19,23 +21,16 @@ Relaxation::Relaxation(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> pos
       is_active_(mesh.vertex_capacity()) {}
 
 void Relaxation::update_shape(Index triangle, double blend) {
-    std::array<double, 3> squared{};  // length of half-edge 3 t + k
-    double mean = 0;
+    std::array<glm::dvec3, 3> corners{};
     double area = 0;
     for (Index k = 0; k < 3; ++k) {
-        const Index from = mesh_.origin(3 * triangle + k);
-        const glm::dvec3 side = positions_[mesh_.target(3 * triangle + k)] - positions_[from];
-        squared[k] = glm::dot(side, side);
-        mean += squared[k] / 3;
-        area += vertex_area_[from] / mesh_.degree(from);
+        const Index vertex = mesh_.origin(3 * triangle + k);
+        corners[k] = positions_[vertex];
+        area += vertex_area_[vertex] / mesh_.degree(vertex);
     }
     area_[triangle] = area;
-    if (!(mean > 0)) mean = blend = 1;
-    for (double& length : squared) length = (1 - blend) * length + blend * mean;
-    const auto [a, b, c] = squared;
-    const double four_areas = std::sqrt(2 * (a * b + b * c + c * a) - (a * a + b * b + c * c));
-    for (Index k = 0; k < 3; ++k)
-        cotangent_[3 * triangle + k] = (3 * mean - 2 * squared[k]) / four_areas;
+    const auto cotangents = rest_cotangents(corners[0], corners[1], corners[2], blend);
+    for (Index k = 0; k < 3; ++k) cotangent_[3 * triangle + k] = cotangents[k];
 }
 
 void Relaxation::update_shapes(double blend) {
@@ -93,6 +88,22 @@ void Relaxation::sweep(int sweeps, ProgressMeter& meter) {
             activate_star(vertex);
         }
     }
+}
+
+bool Relaxation::untangle(int sweeps, ProgressMeter& meter) {
+    for (int i = 0; i < sweeps; ++i) {
+        bool is_sound = true;
+        for (Index vertex = 0; vertex < mesh_.vertex_capacity(); ++vertex) {
+            meter.step();
+            if (!mesh_.has_vertex(vertex)) continue;
+            gather(vertex, points_[vertex]);
+            if (star_.has_center_in_kernel()) continue;
+            is_sound = false;
+            put_into_kernel(vertex, points_[vertex]);
+        }
+        if (is_sound) return true;
+    }
+    return false;
 }
 
 void Relaxation::activate_star(Index vertex) {

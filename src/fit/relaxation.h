@@ -38,6 +38,10 @@ class Relaxation {
     /// One step of \p meter a vertex and sweep.
     void sweep(int sweeps, ProgressMeter& meter);
 
+    /// Puts vertices that are outside of their stars' kernels into them, where there are any, at most \p sweeps
+    /// times; whether none is left. One step of \p meter a vertex and sweep.
+    bool untangle(int sweeps, ProgressMeter& meter);
+
   private:
     void activate_star(Index vertex);
     void update_shape(Index triangle, double blend);

@@ -126,6 +126,10 @@ double SphericalStar::squared_size() const {
     return size;
 }
 
+bool SphericalStar::has_center_in_kernel() const {
+    return energy(glm::dvec2(0)) < infinity;
+}
+
 std::optional<glm::dvec2> SphericalStar::middle_of_kernel() const {
     const double size = squared_size();
     constexpr double farthest = 10;  // tangent of 84 degrees

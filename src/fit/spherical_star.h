@@ -79,6 +79,8 @@ class SphericalStar {
     /// At the centre, with its derivatives.
     StarEnergy energy_at_center() const;
 
+    bool has_center_in_kernel() const;
+
     /// The kernel's middle (the mean of its corners) when the kernel has one that doubles can tell from its
     /// edge. Only the part of the kernel within about 84 degrees of the centre is seen.
     std::optional<glm::dvec2> middle_of_kernel() const;
