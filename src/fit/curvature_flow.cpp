@@ -5,6 +5,8 @@
 #include <Eigen/Sparse>
 #include <glm/geometric.hpp>
 
+#include "fit/progressive_map.h"
+#include "fit/relaxation.h"
 #include "fit/rest_shape.h"
 
 namespace interleaf {
@@ -56,7 +58,7 @@ Eigen::VectorXd lumped_masses(const HalfEdgeMesh& mesh, const Points& points) {
 /// Solves (masses + step * stiffness) x = masses * x by conjugate gradients, from x, all coordinates at once.
 void flow_once(Points& x, const Eigen::VectorXd& masses, const Stiffness& stiffness, double step,
                const auto& report) {
-    constexpr double tolerance = 1e-9;
+    constexpr double tolerance = 1e-7;
     constexpr int most_iterations = 1000;
     const auto apply = [&](const Points& p) -> Points { return masses.asDiagonal() * p + step * (stiffness * p); };
     const Eigen::VectorXd inverse_diagonal = (masses + step * stiffness.diagonal()).cwiseInverse();
@@ -101,6 +103,17 @@ std::vector<glm::dvec3> flow_to_sphere(const HalfEdgeMesh& mesh, std::span<const
     center(lumped_masses(mesh, x));
     std::vector<glm::dvec3> points;
     for (Index i = 0; i < mesh.vertex_capacity(); ++i) points.push_back(glm::normalize(row(x, i)));
+    return points;
+}
+
+std::vector<glm::dvec3> map_by_curvature_flow(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
+                                              const CurvatureFlowOptions& options, ProgressMeter& meter) {
+    constexpr int most_sweeps = 100;
+    std::vector<glm::dvec3> points = flow_to_sphere(mesh, positions, options, meter);
+    const std::vector<double> areas = solid_angles_wanted(mesh, positions);
+    Relaxation relaxation(mesh, positions, areas, points);
+    relaxation.update_shapes(options.blend);
+    if (relaxation.untangle(most_sweeps, meter)) relaxation.sweep(most_sweeps, meter);
     return points;
 }
 

@@ -24,4 +24,9 @@ struct CurvatureFlowOptions {
 std::vector<glm::dvec3> flow_to_sphere(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
                                        const CurvatureFlowOptions& options, ProgressMeter& meter);
 
+/// The same, then untangled where it is flipped, and relaxed, which gives room to limbs that the flow has shrunk
+/// to almost nothing. Still not certain to be one to one: see fault_of_map().
+std::vector<glm::dvec3> map_by_curvature_flow(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
+                                              const CurvatureFlowOptions& options, ProgressMeter& meter);
+
 }  // namespace interleaf

@@ -12,8 +12,6 @@
 #include "fit/relaxation.h"
 
 namespace interleaf {
-bool use_area_accumulation = true;
-double coarse_blend = 10;
 namespace {
 
 /// How much of the whole time the collapses take.
@@ -42,7 +40,7 @@ class ProgressiveMapping {
         std::size_t next_relaxation = 4;
         while (!collapses_.empty()) {
             if (restored >= next_relaxation) {
-                relax_all(restored, options_.sweeps);
+                relax_all(restored);
                 next_relaxation = std::size_t(std::ceil(options_.growth * double(restored)));
             }
             const Index vertex = undo_last_collapse();
@@ -55,7 +53,7 @@ class ProgressiveMapping {
             meter_.set_part(collapse_part + (0.9 - collapse_part) * double(restored) / double(count));
             meter_.step();
         }
-        relax_all(count, options_.last_sweeps);
+        relax_all(count);
         return {std::move(points_), {}};
     }
 
@@ -66,7 +64,7 @@ class ProgressiveMapping {
         for (const Index half_edge : collapses_) {
             double& kept = vertex_area_[mesh_.origin(mesh_.twin(half_edge))];
             area_before_.push_back(kept);
-            if (use_area_accumulation) kept += vertex_area_[mesh_.origin(half_edge)];
+            kept += vertex_area_[mesh_.origin(half_edge)];
         }
     }
 
@@ -92,25 +90,24 @@ class ProgressiveMapping {
         return mesh_.origin(half_edge);
     }
 
-    /// Places the restored \p vertex, whose first neighbour is the one that it had moved onto.
+    /// Places the restored \p vertex, whose first neighbour is the one that it had moved onto. That one is in
+    /// the closure of the kernel, since the triangles that were in the star's place were all its own.
     bool place(Index vertex) {
-        constexpr int most_attempts = 20;
+        constexpr int first_steps = 3;
         relaxation_.update_shapes_at(vertex, blend_);
         const Index kept = mesh_.target(mesh_.outgoing(vertex));
-        for (int attempt = 0; attempt < most_attempts; ++attempt) {
-            if (relaxation_.put_into_kernel(vertex, points_[kept])) {
-                for (int step = 0; step < 3; ++step) relaxation_.relax(vertex);
-                return true;
-            }
-            return false;
-        }
-        return false;
+        if (!relaxation_.put_into_kernel(vertex, points_[kept])) return false;
+        for (int step = 0; step < first_steps; ++step) relaxation_.relax(vertex);
+        return true;
     }
 
-    void relax_all(std::size_t count, int sweeps) {
-        blend_ = std::min(0.5, options_.blend + coarse_blend / double(count));
+    /// Coarse meshes are only likenesses of the surface, so their shapes bind less.
+    void relax_all(std::size_t count) {
+        constexpr double coarse_blend = 10;
+        constexpr double largest_blend = 0.5;
+        blend_ = std::min(largest_blend, options_.blend + coarse_blend / double(count));
         relaxation_.update_shapes(blend_);
-        relaxation_.sweep(sweeps, meter_);
+        relaxation_.sweep(options_.sweeps, meter_);
     }
 
     HalfEdgeMesh& mesh_;

@@ -15,10 +15,9 @@
 namespace interleaf {
 
 struct ProgressiveOptions {
-    double growth = 1.3;   ///< the vertices grow by this factor between relaxations
-    double blend = 0.05;   ///< rest shapes go this far towards equilateral, 0 to 1
-    int sweeps = 10;       ///< at most, each time
-    int last_sweeps = 40;  ///< at most, when all vertices are back
+    double growth = 1.3;  ///< the vertices grow by this factor between relaxations
+    double blend = 0.05;  ///< rest shapes go this far towards equilateral, 0 to 1
+    int sweeps = 100;     ///< at most, each time
 };
 
 /// For when the default fails: slower, and the shapes are kept less exactly.

@@ -60,10 +60,9 @@ void Relaxation::gather(Index vertex, const glm::dvec3& center) {
 
 double Relaxation::relax(Index vertex) {
     gather(vertex, points_[vertex]);
-    const glm::dvec2 step = star_.newton_step();
-    if (step == glm::dvec2(0)) return 0;
-    points_[vertex] = star_.frame().point_at(step);
-    return std::sqrt(glm::dot(step, step) / star_.squared_size());
+    const NewtonStep step = star_.newton_step();
+    if (step.gain > 0) points_[vertex] = star_.frame().point_at(step.place);
+    return step.gain;
 }
 
 bool Relaxation::put_into_kernel(Index vertex, const glm::dvec3& seed) {
@@ -75,7 +74,7 @@ bool Relaxation::put_into_kernel(Index vertex, const glm::dvec3& seed) {
 }
 
 void Relaxation::sweep(int sweeps, ProgressMeter& meter) {
-    constexpr double still = 1e-3;
+    constexpr double still = 1e-3;  // of its energy; steps are no measure in stars much longer than wide
     is_active_.assign(mesh_.vertex_capacity(), 1);
     bool moved = true;
     for (int i = 0; i < sweeps && moved; ++i) {

@@ -27,7 +27,7 @@ class Relaxation {
     /// The same for the triangles at \p vertex.
     void update_shapes_at(Index vertex, double blend);
 
-    /// Moves \p vertex by one Newton step and gives the step's length relative to the size of its star.
+    /// Moves \p vertex by one Newton step and gives by how much of it the energy of its star falls.
     double relax(Index vertex);
 
     /// Puts \p vertex into the middle of its star's kernel, seen from the point \p seed of the kernel's closure;

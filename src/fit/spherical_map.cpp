@@ -7,7 +7,6 @@
 #include "fit/curvature_flow.h"
 #include "fit/half_edge_mesh.h"
 #include "fit/progressive_map.h"
-#include "fit/relaxation.h"
 #include "fit/unit_box.h"
 #include "hierarchy/error.h"
 
@@ -26,20 +25,7 @@ void check_sphere(const SurfaceMesh& mesh, const HalfEdgeMesh& half_edges) {
     }
 }
 
-/// The flow need not come out one to one: what is flipped is untangled, and limbs that the flow has shrunk to
-/// almost nothing are given room.
-}
-std::vector<glm::dvec3> map_by_flow(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
-                                    ProgressMeter& meter) {
-    constexpr int most_sweeps = 100;
-    const CurvatureFlowOptions options;
-    std::vector<glm::dvec3> points = flow_to_sphere(mesh, positions, options, meter);
-    const std::vector<double> areas = solid_angles_wanted(mesh, positions);
-    Relaxation relaxation(mesh, positions, areas, points);
-    relaxation.update_shapes(options.blend);
-    if (relaxation.untangle(most_sweeps, meter)) relaxation.sweep(most_sweeps, meter);
-    return points;
-}
+}  // namespace
 
 SphericalMap map_to_sphere(const SurfaceMesh& mesh, const Progress& progress) {
     ProgressMeter meter(progress);
@@ -59,7 +45,7 @@ SphericalMap map_to_sphere(const SurfaceMesh& mesh, const Progress& progress) {
     map = map_progressively(half_edges, positions, careful_options, meter);
     if (is_good("careful progressive", map.points, map.failure))
         return {std::move(map.points), MapMethod::careful_progressive};
-    std::vector<glm::dvec3> points = map_by_flow(half_edges, positions, meter);
+    std::vector<glm::dvec3> points = map_by_curvature_flow(half_edges, positions, {}, meter);
     if (is_good("curvature flow", points, {})) return {std::move(points), MapMethod::curvature_flow};
     throw InputError(fmt::format("the surface could not be mapped to a sphere one to one ({})", faults));
 }

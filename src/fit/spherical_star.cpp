@@ -7,8 +7,6 @@
 #include <glm/geometric.hpp>
 
 namespace interleaf {
-double theta = 0.25;
-int power_p = 3;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -21,11 +19,36 @@ double squared_length(const glm::dvec3& vector) {
     return glm::dot(vector, vector);
 }
 
-double area_term(double ratio) {
-    if (theta == 0.25) return std::sqrt(std::sqrt((ratio + 1 / ratio) / 2));
-    if (theta == 0.5) return std::sqrt((ratio + 1 / ratio) / 2);
-    if (theta == 1) return ((ratio + 1 / ratio) / 2);
-    return std::pow((ratio + 1 / ratio) / 2, theta);
+/// The stretch and the determinant of a triangle whose first corner is somewhere, and the two distortions that
+/// they make.
+struct Distortion {
+    double mips;   ///< stretch / (2 determinant)
+    double ratio;  ///< of the area to the one wanted
+
+    Distortion(const StarTriangle& triangle, double stretch, double determinant)
+        : mips(stretch / (2 * determinant)), ratio(determinant / (2 * triangle.area)) {}
+
+    double energy(const StarTriangle& triangle) const {
+        return triangle.area * mips * mips * (ratio + 1 / ratio) / 2;
+    }
+};
+
+double stretch_of(const StarTriangle& triangle, double squared_to_a, double squared_to_b) {
+    return triangle.fixed_stretch + triangle.cotangent_to_a * squared_to_a + triangle.cotangent_to_b * squared_to_b;
+}
+
+/// Where the second derivatives do not make a bowl, they are raised until they do.
+glm::dvec2 newton_direction(const StarEnergy& here) {
+    const double mean = (here.ss + here.tt) / 2;
+    const double spread = std::hypot((here.ss - here.tt) / 2, here.st);
+    const double floor = 0.05 * (std::abs(mean) + spread);
+    const double raise = std::max(0.0, floor - (mean - spread));
+    const double ss = here.ss + raise;
+    const double tt = here.tt + raise;
+    const double determinant = ss * tt - here.st * here.st;
+    return glm::dvec2(here.st * here.gradient.y - tt * here.gradient.x,
+                      here.st * here.gradient.x - ss * here.gradient.y) /
+           determinant;
 }
 
 }  // namespace
@@ -71,11 +94,7 @@ double SphericalStar::energy(const glm::dvec2& place) const {
         const double to_b = squared_length(moved - triangle.b);
         if (!(determinant > 0) || determinant * determinant < least_height * least_height * (to_a + to_b))
             return infinity;
-        const double stretch =
-            triangle.fixed_stretch + triangle.cotangent_to_a * to_a + triangle.cotangent_to_b * to_b;
-        const double mips = stretch / (2 * determinant);
-        const double ratio = determinant / (2 * triangle.area);
-        sum += triangle.area * (power_p==3?mips*mips*mips:power_p==2?mips*mips:mips) * area_term(ratio);
+        sum += Distortion(triangle, stretch_of(triangle, to_a, to_b), determinant).energy(triangle);
     }
     return sum < infinity ? sum : infinity;
 }
@@ -83,39 +102,38 @@ double SphericalStar::energy(const glm::dvec2& place) const {
 StarEnergy SphericalStar::energy_at_center() const {
     StarEnergy energy;
     for (const StarTriangle& triangle : triangles_) {
+        const glm::dvec3& a = triangle.a;
+        const glm::dvec3& b = triangle.b;
         const double determinant = triangle.normal.z;
-        const double to_a = squared_length(triangle.a);
-        const double to_b = squared_length(triangle.b);
-        const double stretch =
-            triangle.fixed_stretch + triangle.cotangent_to_a * to_a + triangle.cotangent_to_b * to_b;
-        const double mips = stretch / (2 * determinant);
-        const double ratio = determinant / (2 * triangle.area);
-        const double value = triangle.area * (power_p==3?mips*mips*mips:power_p==2?mips*mips:mips) * area_term(ratio);
+        const double stretch = stretch_of(triangle, squared_length(a), squared_length(b));
+        const Distortion distortion(triangle, stretch, determinant);
+        const double value = distortion.energy(triangle);
 
-        // The logarithm of the triangle's term is p log(stretch) - p log(determinant) + theta log(r + 1/r).
-        // On the sphere the stretch and the determinant are linear in the point, so their second derivatives
-        // are multiples of the identity.
+        // The logarithm of the triangle's energy is 2 log(stretch) - 2 log(determinant) + log(r + 1/r). On the
+        // sphere the stretch and the determinant are linear in the point, so the second derivatives of each
+        // are the same in all directions.
         const glm::dvec2 stretch_rise =
-            -2.0 / stretch * glm::dvec2(triangle.cotangent_to_a * triangle.a.x + triangle.cotangent_to_b * triangle.b.x,
-                                        triangle.cotangent_to_a * triangle.a.y + triangle.cotangent_to_b * triangle.b.y);
-        const double stretch_bend = (triangle.cotangent_to_a * (2 - to_a) + triangle.cotangent_to_b * (2 - to_b)) / stretch;
-        const glm::dvec2 rise = glm::dvec2(triangle.normal) / determinant;
+            -2 / stretch * (triangle.cotangent_to_a * glm::dvec2(a) + triangle.cotangent_to_b * glm::dvec2(b));
+        const double stretch_bend = (triangle.cotangent_to_a * (2 - squared_length(a)) +
+                                     triangle.cotangent_to_b * (2 - squared_length(b))) /
+                                    stretch;
+        const glm::dvec2 determinant_rise = glm::dvec2(triangle.normal) / determinant;
+        const double squared_ratio = distortion.ratio * distortion.ratio;
+        const double area_slope = (squared_ratio - 1) / (squared_ratio + 1);  // of log(r + 1/r) over log r
+        const double area_bend = 4 * squared_ratio / ((squared_ratio + 1) * (squared_ratio + 1));
 
-        const double squared_ratio = ratio * ratio;
-        const double area_slope = theta * (squared_ratio - 1) / (squared_ratio + 1);
-        const double area_bend = theta * 4 * squared_ratio / ((squared_ratio + 1) * (squared_ratio + 1));
-        const double log_slope = area_slope - power_p;
-        const glm::dvec2 gradient = double(power_p) * stretch_rise + log_slope * rise;
-        const double on_diagonal = power_p * stretch_bend - log_slope;
-        const double outer_rise = area_bend - log_slope;
+        const double determinant_slope = area_slope - 2;
+        const glm::dvec2 rise = 2.0 * stretch_rise + determinant_slope * determinant_rise;
+        const double in_all_directions = 2 * stretch_bend - determinant_slope;
         const auto second = [&](int i, int j) {
-            return gradient[i] * gradient[j] - power_p * stretch_rise[i] * stretch_rise[j] + outer_rise * rise[i] * rise[j];
+            return rise[i] * rise[j] - 2 * stretch_rise[i] * stretch_rise[j] +
+                   (area_bend - determinant_slope) * determinant_rise[i] * determinant_rise[j];
         };
         energy.value += value;
-        energy.gradient += value * gradient;
-        energy.ss += value * (second(0, 0) + on_diagonal);
+        energy.gradient += value * rise;
+        energy.ss += value * (second(0, 0) + in_all_directions);
         energy.st += value * second(0, 1);
-        energy.tt += value * (second(1, 1) + on_diagonal);
+        energy.tt += value * (second(1, 1) + in_all_directions);
     }
     return energy;
 }
@@ -161,33 +179,25 @@ std::optional<glm::dvec2> SphericalStar::middle_of_kernel() const {
     return middle;
 }
 
-glm::dvec2 SphericalStar::newton_step() const {
+NewtonStep SphericalStar::newton_step() const {
     const StarEnergy here = energy_at_center();
-    // Where the second derivatives do not make a bowl, they are raised until they do.
-    const double mean = (here.ss + here.tt) / 2;
-    const double spread = std::hypot((here.ss - here.tt) / 2, here.st);
-    const double least = mean - spread;
-    const double floor = 0.05 * (std::abs(mean) + spread);
-    const double raise = least < floor ? floor - least : 0;
-    const double ss = here.ss + raise;
-    const double tt = here.tt + raise;
-    const double determinant = ss * tt - here.st * here.st;
-    const glm::dvec2 step = {(here.st * here.gradient.y - tt * here.gradient.x) / determinant,
-                             (here.st * here.gradient.x - ss * here.gradient.y) / determinant};
+    const glm::dvec2 step = newton_direction(here);
     const double slope = glm::dot(step, here.gradient);
-    if (!(slope < 0) || !(slope > -infinity)) return glm::dvec2(0);
+    if (!(slope < 0) || !(slope > -infinity)) return {};
 
+    constexpr double most_of_the_way = 0.8;  // to the edge of the kernel
     double part = 1;
     for (const StarTriangle& triangle : triangles_) {
-        const double fall = -(step.x * triangle.normal.x + step.y * triangle.normal.y);
-        if (fall * part > 0.8 * triangle.normal.z) part = 0.8 * triangle.normal.z / fall;
+        const double fall = -glm::dot(step, glm::dvec2(triangle.normal));
+        if (fall * part > most_of_the_way * triangle.normal.z) part = most_of_the_way * triangle.normal.z / fall;
     }
     constexpr int most_halvings = 12;
     constexpr double least_decrease = 1e-4;
     for (int halving = 0; halving < most_halvings; ++halving, part /= 2) {
-        if (energy(part * step) < here.value + least_decrease * part * slope) return part * step;
+        const double there = energy(part * step);
+        if (there < here.value + least_decrease * part * slope) return {part * step, 1 - there / here.value};
     }
-    return glm::dvec2(0);
+    return {};
 }
 
 }  // namespace interleaf

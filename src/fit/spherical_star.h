@@ -39,9 +39,9 @@ struct StarTriangle {
     double area;             ///< that it is to take, of 4 pi
 };
 
-/// The distortion that a vertex's place costs, over its triangles: area MIPS^3 ((r + 1/r) / 2)^theta, where
-/// MIPS is the conformal distortion (Hormann and Greiner 2000), 1 for a similar triangle, and r is the ratio
-/// of the spherical area to the one wanted (Degener et al. 2003).
+/// The distortion that a vertex's place costs, over its triangles: area MIPS^2 (r + 1/r) / 2, where MIPS is the
+/// conformal distortion (Hormann and Greiner 2000), 1 for a similar triangle, and r is the ratio of the
+/// spherical area to the one wanted (Degener et al. 2003).
 ///
 /// Both are taken of the determinant of the corners, which is twice the area of a small triangle and 0 where
 /// the spherical triangle flips, so that the energy is infinite at the edge of the kernel, also for triangles
@@ -52,6 +52,11 @@ struct StarEnergy {
     double ss = 0;  ///< second derivatives
     double st = 0;
     double tt = 0;
+};
+
+struct NewtonStep {
+    glm::dvec2 place{0};  ///< that it comes to; the centre when no better one was found
+    double gain = 0;      ///< by how much of it the energy falls, 0 to 1
 };
 
 class SphericalStar {
@@ -85,9 +90,8 @@ class SphericalStar {
     /// edge. Only the part of the kernel within about 84 degrees of the centre is seen.
     std::optional<glm::dvec2> middle_of_kernel() const;
 
-    /// One step of Newton's method from the centre, never uphill and never out of the kernel; the place it
-    /// comes to, or (0, 0) when there is none better.
-    glm::dvec2 newton_step() const;
+    /// One step of Newton's method from the centre, never uphill and never out of the kernel.
+    NewtonStep newton_step() const;
 
   private:
     TangentFrame frame_;
