@@ -158,17 +158,20 @@ class Decimation {
     double cost_of(Index vertex, Index place, double limit) const {
         const auto size = static_cast<Index>(ring_.size());
         const glm::dvec3 target = positions_[ring_[place]];
-        const glm::dvec3 edge = target - positions_[vertex];
-        const double squared_length = glm::dot(edge, edge);
-        double cost = squared_length;
+        const auto squared_distance = [&](Index other) {
+            const glm::dvec3 edge = positions_[other] - target;
+            return glm::dot(edge, edge);
+        };
+        double longest = squared_distance(vertex);
+        double worst_shape = 1;
         Index at = place + 1 == size ? 0 : place + 1;
-        for (Index i = 2; i < size && cost < limit; ++i) {
+        for (Index i = 2; i < size && longest * worst_shape < limit; ++i) {
             const Index after = at + 1 == size ? 0 : at + 1;
-            const double shape = squared_shape(target, positions_[ring_[at]], positions_[ring_[after]]);
-            cost = std::max(cost, squared_length * shape);
+            if (i + 1 < size) longest = std::max(longest, squared_distance(ring_[after]));
+            worst_shape = std::max(worst_shape, squared_shape(target, positions_[ring_[at]], positions_[ring_[after]]));
             at = after;
         }
-        return cost;
+        return longest * worst_shape;
     }
 
     HalfEdgeMesh& mesh_;

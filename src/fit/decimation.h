@@ -1,6 +1,6 @@
 // Takes a closed mesh of genus 0 down to a tetrahedron, one half-edge collapse at a time.
 //
-// The cost is isotropic: the length of the collapsed edge times the worst shape of the triangles that come of
+// The cost is isotropic: the length of the longest edge that comes of it times the worst shape of the triangles that come of
 // it. So the coarse meshes have triangles near to equilateral, which the map needs more than nearness to the
 // surface (Praun and Hoppe 2003 use a quadric error; it leaves long thin triangles that do not fit on a coarse
 // sphere).

@@ -28,7 +28,7 @@ RandomStar random_star(unsigned seed, double size) {
     RandomStar made{center, {}, SphericalStar(center)};
     const int count = 3 + int(random() % 6);
     for (int i = 0; i < count; ++i) {
-        const double angle = 6.283185307 * (i + 0.3 * number(random)) / count;
+        const double angle = 6.283185307 * (i + 0.2 * number(random)) / count;
         const double radius = size * (1 + 0.7 * number(random));
         made.ring.push_back(frame.point_at({radius * std::cos(angle), radius * std::sin(angle)}));
     }
