@@ -114,8 +114,10 @@ class Decimation {
         const auto is_large = [&](Index neighbour) { return mesh_.degree(neighbour) > largest_degree_; };
         const bool block_large = std::count_if(ring_.begin(), ring_.end(), is_large) > 1;
         for (Index place = 0; place < ring_.size(); ++place) {
-            if (!is_large(ring_[place])) block_chords(place);
-            else if (block_large) blocked_[place] = 1;
+            if (!is_large(ring_[place]))
+                block_chords(place);
+            else if (block_large)
+                blocked_[place] = 1;
         }
     }
 
@@ -168,7 +170,8 @@ class Decimation {
         for (Index i = 2; i < size && longest * worst_shape < limit; ++i) {
             const Index after = at + 1 == size ? 0 : at + 1;
             if (i + 1 < size) longest = std::max(longest, squared_distance(ring_[after]));
-            worst_shape = std::max(worst_shape, squared_shape(target, positions_[ring_[at]], positions_[ring_[after]]));
+            worst_shape =
+                std::max(worst_shape, squared_shape(target, positions_[ring_[at]], positions_[ring_[after]]));
             at = after;
         }
         return longest * worst_shape;
