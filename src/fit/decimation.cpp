@@ -146,9 +146,15 @@ class Decimation {
         Collapse best;
         if (mesh_.degree(vertex) > largest_degree_) return best;
         gather_ring(vertex);
+        double worst_shape = 1;
+        for (Index place = 0; place < ring_.size(); ++place) {
+            const Index after = place + 1 == ring_.size() ? 0 : place + 1;
+            worst_shape = std::max(worst_shape, squared_shape(positions_[vertex], positions_[ring_[place]],
+                                                              positions_[ring_[after]]));
+        }
         for (Index place = 0; place < ring_.size(); ++place) {
             if (blocked_[place]) continue;
-            const double cost = cost_of(vertex, place, best.cost);
+            const double cost = cost_of(vertex, place, best.cost * worst_shape) / worst_shape;
             if (cost < best.cost) best = {cost, half_edges_[place]};
         }
         clear_ring();

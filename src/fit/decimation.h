@@ -1,9 +1,10 @@
 // Takes a closed mesh of genus 0 down to a tetrahedron, one half-edge collapse at a time.
 //
-// The cost is isotropic: the length of the longest edge that comes of it times the worst shape of the
-// triangles that come of it. So the coarse meshes have triangles near to equilateral, which the map needs
-// more than nearness to the surface (Praun and Hoppe 2003 use a quadric error; it leaves long thin triangles
-// that do not fit on a coarse sphere).
+// The cost is isotropic: the length of the longest edge that a collapse makes, times the worst shape of the
+// triangles that it makes, relative to the worst of those that it takes away. So the coarse meshes have
+// triangles near to equilateral, which the map needs more than nearness to the surface (Praun and Hoppe 2003
+// use a quadric error, which leaves long thin triangles that do not fit on a coarse sphere), and needles go
+// first.
 #pragma once
 
 #include <span>
