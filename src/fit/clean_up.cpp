@@ -22,8 +22,9 @@ void check_numbers(const SurfaceMesh& mesh) {
     constexpr std::size_t most = std::size_t{1} << 30;  // half-edges and their sums are counted in 32 bits
     if (mesh.triangles.empty()) throw InputError("the mesh has no triangles");
     if (mesh.triangles.size() > most || mesh.positions.size() > most)
-        throw InputError(fmt::format("the mesh has {} vertices and {} triangles, at most 2^30 of each are expected",
-                                     mesh.positions.size(), mesh.triangles.size()));
+        throw InputError(
+            fmt::format("the mesh has {} vertices and {} triangles, at most 2^30 of each are expected",
+                        mesh.positions.size(), mesh.triangles.size()));
     if (!mesh.colors.empty() && mesh.colors.size() != mesh.positions.size())
         throw InputError(fmt::format("the mesh has {} colours for {} vertices", mesh.colors.size(),
                                      mesh.positions.size()));
@@ -33,8 +34,8 @@ void check_numbers(const SurfaceMesh& mesh) {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const glm::dvec3 p = mesh.positions[i];
         if (!is_good(p.x) || !is_good(p.y) || !is_good(p.z))
-            throw InputError(fmt::format("vertex {} is at ({}, {}, {}); numbers that fit a float are expected", i,
-                                         p.x, p.y, p.z));
+            throw InputError(fmt::format(
+                "vertex {} is at ({}, {}, {}); numbers that fit a float are expected", i, p.x, p.y, p.z));
     }
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (const Index vertex : mesh.triangles[i])
@@ -47,7 +48,8 @@ std::vector<double> areas_of(std::span<const Triangle> triangles, std::span<cons
     std::vector<double> areas;
     areas.reserve(triangles.size());
     for (const auto& [a, b, c] : triangles)
-        areas.push_back(glm::length(glm::cross(positions[b] - positions[a], positions[c] - positions[a])) / 2);
+        areas.push_back(glm::length(glm::cross(positions[b] - positions[a], positions[c] - positions[a])) /
+                        2);
     return areas;
 }
 
@@ -98,7 +100,8 @@ void check_genus(const SurfaceMesh& mesh) {
     const std::ptrdiff_t euler = std::ptrdiff_t(mesh.positions.size()) - faces / 2;
     if (euler != 2)
         throw InputError(fmt::format(
-            "the surface has {}, its Euler number is {}; a surface like a ball (genus 0, Euler number 2) is expected",
+            "the surface has {}, its Euler number is {}; a surface like a ball (genus 0, Euler number 2) is "
+            "expected",
             euler == 0 ? "a handle, like a torus" : fmt::format("{} handles", (2 - euler) / 2), euler));
     if (mesh.positions.size() < 4)
         throw InputError("the surface is a single triangle; a closed surface is expected");
@@ -170,8 +173,10 @@ CleanMesh clean_up(SurfaceMesh mesh, const Progress& progress) {
 std::vector<std::string> CleanUpReport::sentences() const {
     std::vector<std::string> said;
     const auto say = [&](std::size_t count, std::string_view one, std::string_view several) {
-        if (count == 1) said.push_back(fmt::format("1 {}.", one));
-        else if (count > 1) said.push_back(fmt::format("{} {}.", count, several));
+        if (count == 1)
+            said.push_back(fmt::format("1 {}.", one));
+        else if (count > 1)
+            said.push_back(fmt::format("{} {}.", count, several));
     };
     say(welded_vertices, "vertex was welded to an equal one", "vertices were welded to equal ones");
     say(degenerate_triangles, "triangle named a point twice and was removed",
@@ -181,10 +186,11 @@ std::vector<std::string> CleanUpReport::sentences() const {
     say(crowded_edges, "edge had more than two triangles, which were parted",
         "edges had more than two triangles, which were parted");
     if (dropped_components > 0)
-        said.push_back(fmt::format("{} smaller {} of {} {} dropped.", dropped_components,
-                                   dropped_components == 1 ? "component" : "components",
-                                   dropped_triangles == 1 ? "1 triangle" : fmt::format("{} triangles", dropped_triangles),
-                                   dropped_components == 1 ? "was" : "were"));
+        said.push_back(fmt::format(
+            "{} smaller {} of {} {} dropped.", dropped_components,
+            dropped_components == 1 ? "component" : "components",
+            dropped_triangles == 1 ? "1 triangle" : fmt::format("{} triangles", dropped_triangles),
+            dropped_components == 1 ? "was" : "were"));
     say(turned_triangles, "triangle was turned to agree with its neighbours",
         "triangles were turned to agree with their neighbours");
     say(split_vertices, "vertex was added where the surface touches itself",
@@ -192,8 +198,9 @@ std::vector<std::string> CleanUpReport::sentences() const {
     say(split_edges, "edge that joined the same vertices as another got a midpoint",
         "edges that joined the same vertices as others got midpoints");
     if (holes > 0)
-        said.push_back(fmt::format("{} filled with {}.", holes == 1 ? "1 hole was" : fmt::format("{} holes were", holes),
-                                   hole_triangles == 1 ? "1 triangle" : fmt::format("{} triangles", hole_triangles)));
+        said.push_back(
+            fmt::format("{} filled with {}.", holes == 1 ? "1 hole was" : fmt::format("{} holes were", holes),
+                        hole_triangles == 1 ? "1 triangle" : fmt::format("{} triangles", hole_triangles)));
     if (turned_outward) said.emplace_back("The surface looked inward and was turned over.");
     return said;
 }

@@ -32,8 +32,9 @@ Stiffness stiffness_of(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> pos
             const auto from = int(mesh.origin(corner + k));
             const auto to = int(mesh.target(corner + k));
             const double weight = cotangents[k] / 2;
-            entries.insert(entries.end(),
-                           {{from, from, weight}, {to, to, weight}, {from, to, -weight}, {to, from, -weight}});
+            entries.insert(
+                entries.end(),
+                {{from, from, weight}, {to, to, weight}, {from, to, -weight}, {to, from, -weight}});
         }
     }
     Stiffness matrix(mesh.vertex_capacity(), mesh.vertex_capacity());
@@ -60,7 +61,9 @@ void flow_once(Points& x, const Eigen::VectorXd& masses, const Stiffness& stiffn
                const auto& report) {
     constexpr double tolerance = 1e-7;
     constexpr int most_iterations = 1000;
-    const auto apply = [&](const Points& p) -> Points { return masses.asDiagonal() * p + step * (stiffness * p); };
+    const auto apply = [&](const Points& p) -> Points {
+        return masses.asDiagonal() * p + step * (stiffness * p);
+    };
     const Eigen::VectorXd inverse_diagonal = (masses + step * stiffness.diagonal()).cwiseInverse();
     const Points right = masses.asDiagonal() * x;
     Points residual = right - apply(x);
@@ -85,7 +88,8 @@ void flow_once(Points& x, const Eigen::VectorXd& masses, const Stiffness& stiffn
 std::vector<glm::dvec3> flow_to_sphere(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
                                        const CurvatureFlowOptions& options, ProgressMeter& meter) {
     Points x(positions.size(), 3);
-    for (Index i = 0; i < mesh.vertex_capacity(); ++i) x.row(i) << positions[i].x, positions[i].y, positions[i].z;
+    for (Index i = 0; i < mesh.vertex_capacity(); ++i)
+        x.row(i) << positions[i].x, positions[i].y, positions[i].z;
     const Stiffness stiffness = stiffness_of(mesh, positions, options.blend);
     const auto center = [&](const Eigen::VectorXd& masses) {
         const Eigen::RowVector3d middle = (masses.transpose() * x) / masses.sum();

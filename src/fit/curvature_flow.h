@@ -1,6 +1,6 @@
-// Conformalised mean curvature flow (Kazhdan, Solomon and Ben-Chen 2012, "Can Mean-Curvature Flow be Modified to
-// be Non-singular?"): a surface of genus 0 flows to a sphere without collapsing at its necks. What comes out is
-// nearly conformal and not certain to be one to one.
+// Conformalised mean curvature flow (Kazhdan, Solomon and Ben-Chen 2012, "Can Mean-Curvature Flow be Modified
+// to be Non-singular?"): a surface of genus 0 flows to a sphere without collapsing at its necks. What comes
+// out is nearly conformal and not certain to be one to one.
 #pragma once
 
 #include <span>
@@ -24,8 +24,8 @@ struct CurvatureFlowOptions {
 std::vector<glm::dvec3> flow_to_sphere(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
                                        const CurvatureFlowOptions& options, ProgressMeter& meter);
 
-/// The same, then untangled where it is flipped, and relaxed, which gives room to limbs that the flow has shrunk
-/// to almost nothing. Still not certain to be one to one: see fault_of_map().
+/// The same, then untangled where it is flipped, and relaxed, which gives room to limbs that the flow has
+/// shrunk to almost nothing. Still not certain to be one to one: see fault_of_map().
 std::vector<glm::dvec3> map_by_curvature_flow(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
                                               const CurvatureFlowOptions& options, ProgressMeter& meter);
 

@@ -114,8 +114,10 @@ class Decimation {
         const auto is_large = [&](Index neighbour) { return mesh_.degree(neighbour) > largest_degree_; };
         const bool block_large = std::count_if(ring_.begin(), ring_.end(), is_large) > 1;
         for (Index place = 0; place < ring_.size(); ++place) {
-            if (!is_large(ring_[place])) block_chords(place);
-            else if (block_large) blocked_[place] = 1;
+            if (!is_large(ring_[place]))
+                block_chords(place);
+            else if (block_large)
+                blocked_[place] = 1;
         }
     }
 
@@ -144,9 +146,15 @@ class Decimation {
         Collapse best;
         if (mesh_.degree(vertex) > largest_degree_) return best;
         gather_ring(vertex);
+        double worst_shape = 1;
+        for (Index place = 0; place < ring_.size(); ++place) {
+            const Index after = place + 1 == ring_.size() ? 0 : place + 1;
+            worst_shape = std::max(worst_shape, squared_shape(positions_[vertex], positions_[ring_[place]],
+                                                              positions_[ring_[after]]));
+        }
         for (Index place = 0; place < ring_.size(); ++place) {
             if (blocked_[place]) continue;
-            const double cost = cost_of(vertex, place, best.cost);
+            const double cost = cost_of(vertex, place, best.cost * worst_shape) / worst_shape;
             if (cost < best.cost) best = {cost, half_edges_[place]};
         }
         clear_ring();
@@ -168,7 +176,8 @@ class Decimation {
         for (Index i = 2; i < size && longest * worst_shape < limit; ++i) {
             const Index after = at + 1 == size ? 0 : at + 1;
             if (i + 1 < size) longest = std::max(longest, squared_distance(ring_[after]));
-            worst_shape = std::max(worst_shape, squared_shape(target, positions_[ring_[at]], positions_[ring_[after]]));
+            worst_shape =
+                std::max(worst_shape, squared_shape(target, positions_[ring_[at]], positions_[ring_[after]]));
             at = after;
         }
         return longest * worst_shape;

@@ -44,7 +44,8 @@ void sort_by_angle(std::span<EdgeUse> uses, std::span<const glm::dvec3> position
     const glm::dvec3 axis = positions[uses.front().high] - low;
     const auto direction = [&](const EdgeUse& use) {
         const Index third = triangles[use.half_edge / 3][(use.half_edge % 3 + 2) % 3];
-        return glm::cross(axis, positions[third] - low);  // turned by a quarter, without the part along the axis
+        return glm::cross(axis,
+                          positions[third] - low);  // turned by a quarter, without the part along the axis
     };
     const glm::dvec3 x = direction(uses.front());
     const glm::dvec3 y = glm::cross(axis, x);

@@ -13,7 +13,7 @@
 namespace interleaf {
 
 struct EdgePairing {
-    std::vector<Index> twin;        ///< per half-edge 3 t + k, from corner k to the next; no_index at a boundary
+    std::vector<Index> twin;  ///< per half-edge 3 t + k, from corner k to the next; no_index at a boundary
     std::size_t crowded_edges = 0;  ///< at which more than two triangles met
 };
 

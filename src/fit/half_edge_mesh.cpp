@@ -40,7 +40,8 @@ HalfEdgeMesh::HalfEdgeMesh(Index vertex_count, std::span<const Triangle> triangl
     for (const Triangle& triangle : triangles) {
         for (const Index vertex : triangle)
             if (vertex >= vertex_count)
-                throw InputError(fmt::format("a triangle names vertex {}, but there are {}", vertex, vertex_count));
+                throw InputError(
+                    fmt::format("a triangle names vertex {}, but there are {}", vertex, vertex_count));
         origin_.insert(origin_.end(), triangle.begin(), triangle.end());
     }
     const HalfEdgesByOrigin sorted(vertex_count, origin_);

@@ -1,9 +1,9 @@
 // A closed triangle mesh as half-edges, with edge collapses that can be undone in reverse order.
 //
-// Half-edge 3 t + k runs from corner k of triangle t to its next corner. A half-edge collapse (v to w) takes v
-// and two triangles away; what those two held stays in place, so that undoing needs nothing but the collapsed
-// half-edge (the links "dance" back, Knuth 2000). The mesh must be a simplicial complex and stay one: see
-// decimation.h.
+// Half-edge 3 t + k runs from corner k of triangle t to its next corner. A half-edge collapse (v to w) takes
+// v and two triangles away; what those two held stays in place, so that undoing needs nothing but the
+// collapsed half-edge (the links "dance" back, Knuth 2000). The mesh must be a simplicial complex and stay
+// one: see decimation.h.
 #pragma once
 
 #include <span>
@@ -15,7 +15,8 @@ namespace interleaf {
 
 class HalfEdgeMesh {
   public:
-    /// \param triangles  a closed, oriented manifold that uses each of \p vertex_count vertices and joins no two of
+    /// \param triangles  a closed, oriented manifold that uses each of \p vertex_count vertices and joins no
+    /// two of
     ///                   them twice
     /// \throw InputError naming the edge or vertex where it is none
     HalfEdgeMesh(Index vertex_count, std::span<const Triangle> triangles);

@@ -81,7 +81,9 @@ class Filler {
     void add_strip(std::span<const Index> outer, std::span<const Index> inner) {
         std::size_t i = 0;
         std::size_t j = 0;
-        const auto at = [](std::span<const Index> ring, std::size_t place) { return ring[place % ring.size()]; };
+        const auto at = [](std::span<const Index> ring, std::size_t place) {
+            return ring[place % ring.size()];
+        };
         while (i < outer.size() || j < inner.size()) {
             if ((i + 1) * inner.size() <= (j + 1) * outer.size()) {
                 add(at(outer, i), at(outer, i + 1), at(inner, j));

@@ -17,8 +17,8 @@ struct HoleFilling {
     std::size_t triangles = 0;  ///< added
 };
 
-/// Appends the vertices and triangles that close \p mesh. The new vertices are no more than those on the rims.
-/// \pre a manifold whose triangles agree, at most one edge between two vertices, with the twins of its
+/// Appends the vertices and triangles that close \p mesh. The new vertices are no more than those on the
+/// rims. \pre a manifold whose triangles agree, at most one edge between two vertices, with the twins of its
 ///      half-edges (see edge_pairing.h)
 HoleFilling fill_holes(SurfaceMesh& mesh, std::span<const Index> twin, ProgressMeter& meter);
 

@@ -33,12 +33,15 @@ std::string fault_of_map(const SurfaceMesh& mesh, std::span<const glm::dvec3> po
     std::size_t first_flipped = 0;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const auto [a, b, c] = mesh.triangles[i];
-        if (orientation(points[a], points[b], points[c]) > 0) whole += solid_angle(points[a], points[b], points[c]);
-        else if (flipped++ == 0) first_flipped = i;
+        if (orientation(points[a], points[b], points[c]) > 0)
+            whole += solid_angle(points[a], points[b], points[c]);
+        else if (flipped++ == 0)
+            first_flipped = i;
     }
     if (flipped > 0)
-        return fmt::format("{} of {} spherical triangles are flipped or have no area, the first is triangle {}",
-                           flipped, mesh.triangles.size(), first_flipped);
+        return fmt::format(
+            "{} of {} spherical triangles are flipped or have no area, the first is triangle {}", flipped,
+            mesh.triangles.size(), first_flipped);
     const double degree = whole / (4 * std::numbers::pi);
     if (std::abs(degree - 1) > 1e-6) return fmt::format("it covers the sphere {:.3g} times", degree);
     return {};

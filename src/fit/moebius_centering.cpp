@@ -74,12 +74,12 @@ std::vector<glm::dvec3> centered_once(std::span<const glm::dvec3> points, std::s
 
 void center_map(const SurfaceMesh& mesh, std::vector<glm::dvec3>& points) {
     constexpr double centered = 1e-10;
-    constexpr double longest = 0.8;   // an inversion near the sphere's radius would tear the map to one side
+    constexpr double longest = 0.8;  // an inversion near the sphere's radius would tear the map to one side
     constexpr double shortest = 0.01;
     constexpr int most_steps = 100;
     const std::vector<double> weights = vertex_weights(mesh);
-    // Great circles do not stay great circles, so a triangle much longer than wide can flip. Then the way goes
-    // in shorter steps, as far as it goes.
+    // Great circles do not stay great circles, so a triangle much longer than wide can flip. Then the way
+    // goes in shorter steps, as far as it goes.
     for (double step = longest; step > shortest; step /= 8) {
         std::vector<glm::dvec3> valid = points;
         std::vector<glm::dvec3> moved = points;

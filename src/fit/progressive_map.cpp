@@ -46,8 +46,9 @@ class ProgressiveMapping {
             const Index vertex = undo_last_collapse();
             if (!place(vertex)) {
                 while (!collapses_.empty()) undo_last_collapse();
-                return {{}, fmt::format("no room on the sphere for vertex {}, the {}th of {}", vertex,
-                                        restored + 1, count)};
+                return {{},
+                        fmt::format("no room on the sphere for vertex {}, the {}th of {}", vertex,
+                                    restored + 1, count)};
             }
             ++restored;
             meter_.set_part(collapse_part + (0.9 - collapse_part) * double(restored) / double(count));
@@ -71,9 +72,9 @@ class ProgressiveMapping {
     /// The four vertices that are left go to the corners of a regular tetrahedron.
     void place_tetrahedron() {
         const double height = 1 / std::sqrt(3.0);
-        const std::array<glm::dvec3, 4> corners = {glm::dvec3(1, 1, 1) * height, glm::dvec3(-1, -1, 1) * height,
-                                                   glm::dvec3(1, -1, -1) * height,
-                                                   glm::dvec3(-1, 1, -1) * height};
+        const std::array<glm::dvec3, 4> corners = {
+            glm::dvec3(1, 1, 1) * height, glm::dvec3(-1, -1, 1) * height, glm::dvec3(1, -1, -1) * height,
+            glm::dvec3(-1, 1, -1) * height};
         Index triangle = 0;
         while (!mesh_.has_triangle(triangle)) ++triangle;
         // Seen from corner 3, corners 0, 1, 2 run clockwise; so they run counter-clockwise from outside.

@@ -1,6 +1,6 @@
-// The progressive map of a closed surface of genus 0 to the sphere (Praun and Hoppe 2003; Hu, Fu and Liu 2018):
-// down to a tetrahedron by edge collapses, then each vertex back into the kernel of its star on the sphere,
-// with relaxation whenever the count has grown by some factor.
+// The progressive map of a closed surface of genus 0 to the sphere (Praun and Hoppe 2003; Hu, Fu and Liu
+// 2018): down to a tetrahedron by edge collapses, then each vertex back into the kernel of its star on the
+// sphere, with relaxation whenever the count has grown by some factor.
 #pragma once
 
 #include <span>

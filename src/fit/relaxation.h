@@ -1,4 +1,5 @@
-// Relaxes a map of a mesh to the sphere: moves one vertex after the other to where its star is distorted least.
+// Relaxes a map of a mesh to the sphere: moves one vertex after the other to where its star is distorted
+// least.
 #pragma once
 
 #include <span>
@@ -30,16 +31,16 @@ class Relaxation {
     /// Moves \p vertex by one Newton step and gives by how much of it the energy of its star falls.
     double relax(Index vertex);
 
-    /// Puts \p vertex into the middle of its star's kernel, seen from the point \p seed of the kernel's closure;
-    /// false when doubles do not resolve the kernel.
+    /// Puts \p vertex into the middle of its star's kernel, seen from the point \p seed of the kernel's
+    /// closure; false when doubles do not resolve the kernel.
     bool put_into_kernel(Index vertex, const glm::dvec3& seed);
 
     /// Relaxes all vertices, and again those that moved and their neighbours, at most \p sweeps times.
     /// One step of \p meter a vertex and sweep.
     void sweep(int sweeps, ProgressMeter& meter);
 
-    /// Puts vertices that are outside of their stars' kernels into them, where there are any, at most \p sweeps
-    /// times; whether none is left. One step of \p meter a vertex and sweep.
+    /// Puts vertices that are outside of their stars' kernels into them, where there are any, at most \p
+    /// sweeps times; whether none is left. One step of \p meter a vertex and sweep.
     bool untangle(int sweeps, ProgressMeter& meter);
 
   private:

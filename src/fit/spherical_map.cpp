@@ -41,7 +41,8 @@ SphericalMap map_to_sphere(const SurfaceMesh& mesh, const Progress& progress) {
         return fault.empty();
     };
     ProgressiveMap map = map_progressively(half_edges, positions, {}, meter);
-    if (is_good("progressive", map.points, map.failure)) return {std::move(map.points), MapMethod::progressive};
+    if (is_good("progressive", map.points, map.failure))
+        return {std::move(map.points), MapMethod::progressive};
     map = map_progressively(half_edges, positions, careful_options, meter);
     if (is_good("careful progressive", map.points, map.failure))
         return {std::move(map.points), MapMethod::careful_progressive};

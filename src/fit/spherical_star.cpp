@@ -19,8 +19,8 @@ double squared_length(const glm::dvec3& vector) {
     return glm::dot(vector, vector);
 }
 
-/// The stretch and the determinant of a triangle whose first corner is somewhere, and the two distortions that
-/// they make.
+/// The stretch and the determinant of a triangle whose first corner is somewhere, and the two distortions
+/// that they make.
 struct Distortion {
     double mips;   ///< stretch / (2 determinant)
     double ratio;  ///< of the area to the one wanted
@@ -34,7 +34,8 @@ struct Distortion {
 };
 
 double stretch_of(const StarTriangle& triangle, double squared_to_a, double squared_to_b) {
-    return triangle.fixed_stretch + triangle.cotangent_to_a * squared_to_a + triangle.cotangent_to_b * squared_to_b;
+    return triangle.fixed_stretch + triangle.cotangent_to_a * squared_to_a +
+           triangle.cotangent_to_b * squared_to_b;
 }
 
 /// Where the second derivatives do not make a bowl, they are raised until they do.
@@ -77,8 +78,8 @@ void SphericalStar::add(const glm::dvec3& a, const glm::dvec3& b, double cotange
     const glm::dvec3 lb = frame_.local(b);
     const glm::dvec3 normal = {la.y * (1 + lb.z) - (1 + la.z) * lb.y, (1 + la.z) * lb.x - la.x * (1 + lb.z),
                                la.x * lb.y - la.y * lb.x};
-    triangles_.push_back({la, lb, normal, cotangent_to_a, cotangent_to_b,
-                          cotangent_across * squared_length(b - a), area});
+    triangles_.push_back(
+        {la, lb, normal, cotangent_to_a, cotangent_to_b, cotangent_across * squared_length(b - a), area});
 }
 
 double SphericalStar::energy(const glm::dvec2& place) const {
@@ -109,11 +110,12 @@ StarEnergy SphericalStar::energy_at_center() const {
         const Distortion distortion(triangle, stretch, determinant);
         const double value = distortion.energy(triangle);
 
-        // The logarithm of the triangle's energy is 2 log(stretch) - 2 log(determinant) + log(r + 1/r). On the
-        // sphere the stretch and the determinant are linear in the point, so the second derivatives of each
-        // are the same in all directions.
+        // The logarithm of the triangle's energy is 2 log(stretch) - 2 log(determinant) + log(r + 1/r). On
+        // the sphere the stretch and the determinant are linear in the point, so the second derivatives of
+        // each are the same in all directions.
         const glm::dvec2 stretch_rise =
-            -2 / stretch * (triangle.cotangent_to_a * glm::dvec2(a) + triangle.cotangent_to_b * glm::dvec2(b));
+            -2 / stretch *
+            (triangle.cotangent_to_a * glm::dvec2(a) + triangle.cotangent_to_b * glm::dvec2(b));
         const double stretch_bend = (triangle.cotangent_to_a * (2 - squared_length(a)) +
                                      triangle.cotangent_to_b * (2 - squared_length(b))) /
                                     stretch;
@@ -153,7 +155,8 @@ std::optional<glm::dvec2> SphericalStar::middle_of_kernel() const {
     constexpr double farthest = 10;  // tangent of 84 degrees
     const double radius = size < 0.25 ? 4 * std::sqrt(size) : farthest;
 
-    std::vector<glm::dvec2> polygon = {{-radius, -radius}, {radius, -radius}, {radius, radius}, {-radius, radius}};
+    std::vector<glm::dvec2> polygon = {
+        {-radius, -radius}, {radius, -radius}, {radius, radius}, {-radius, radius}};
     std::vector<glm::dvec2> clipped;
     for (const StarTriangle& triangle : triangles_) {
         const auto height = [&](const glm::dvec2& p) {
@@ -189,7 +192,8 @@ NewtonStep SphericalStar::newton_step() const {
     double part = 1;
     for (const StarTriangle& triangle : triangles_) {
         const double fall = -glm::dot(step, glm::dvec2(triangle.normal));
-        if (fall * part > most_of_the_way * triangle.normal.z) part = most_of_the_way * triangle.normal.z / fall;
+        if (fall * part > most_of_the_way * triangle.normal.z)
+            part = most_of_the_way * triangle.normal.z / fall;
     }
     constexpr int most_halvings = 12;
     constexpr double least_decrease = 1e-4;

@@ -2,8 +2,8 @@
 // move, which is the kernel of the star, and where it moves best.
 //
 // A place (s, t) of the tangent plane at the centre stands for the point of the sphere that lies before it
-// (central projection, so great circles are lines). All coordinates are differences from the centre, so a star
-// of size h is known to about 1e-16 / h of its size, however small it is.
+// (central projection, so great circles are lines). All coordinates are differences from the centre, so a
+// star of size h is known to about 1e-16 / h of its size, however small it is.
 #pragma once
 
 #include <optional>
@@ -30,17 +30,17 @@ struct TangentFrame {
 
 /// A spherical triangle (centre, a, b) of a star with the rest shape it is to keep.
 struct StarTriangle {
-    glm::dvec3 a;            ///< in the frame, less the centre
-    glm::dvec3 b;            ///< the next corner counter-clockwise
-    glm::dvec3 normal;       ///< a x b: positive on the side of the great circle a b where the centre may be
-    double cotangent_to_a;   ///< of the rest angle opposite the edge to a
+    glm::dvec3 a;           ///< in the frame, less the centre
+    glm::dvec3 b;           ///< the next corner counter-clockwise
+    glm::dvec3 normal;      ///< a x b: positive on the side of the great circle a b where the centre may be
+    double cotangent_to_a;  ///< of the rest angle opposite the edge to a
     double cotangent_to_b;
-    double fixed_stretch;    ///< cotangent times squared length of the edge a b
-    double area;             ///< that it is to take, of 4 pi
+    double fixed_stretch;  ///< cotangent times squared length of the edge a b
+    double area;           ///< that it is to take, of 4 pi
 };
 
-/// The distortion that a vertex's place costs, over its triangles: area MIPS^2 (r + 1/r) / 2, where MIPS is the
-/// conformal distortion (Hormann and Greiner 2000), 1 for a similar triangle, and r is the ratio of the
+/// The distortion that a vertex's place costs, over its triangles: area MIPS^2 (r + 1/r) / 2, where MIPS is
+/// the conformal distortion (Hormann and Greiner 2000), 1 for a similar triangle, and r is the ratio of the
 /// spherical area to the one wanted (Degener et al. 2003).
 ///
 /// Both are taken of the determinant of the corners, which is twice the area of a small triangle and 0 where

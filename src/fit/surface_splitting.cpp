@@ -110,7 +110,8 @@ std::vector<Index> split_vertices(SurfaceMesh& mesh, std::span<const Index> twin
         if (!mesh.colors.empty()) split.colors.push_back(mesh.colors[vertex]);
     }
     split.triangles = std::move(mesh.triangles);
-    for (Index corner = 0; corner < fan.size(); ++corner) split.triangles[corner / 3][corner % 3] = number[fan[corner]];
+    for (Index corner = 0; corner < fan.size(); ++corner)
+        split.triangles[corner / 3][corner % 3] = number[fan[corner]];
     mesh = std::move(split);
     return source;
 }

@@ -47,7 +47,8 @@ std::size_t erase_others(std::vector<Triangle>& triangles, std::span<const char>
 /// Marks one of the equal triangles \p copies: the first of those that look the way that most do. With
 /// \p cancel, none of as many on either side.
 void mark_kept(std::span<const SortedTriangle> copies, bool cancel, std::vector<char>& keep) {
-    const auto even = std::count_if(copies.begin(), copies.end(), [](const auto& copy) { return copy.is_even; });
+    const auto even =
+        std::count_if(copies.begin(), copies.end(), [](const auto& copy) { return copy.is_even; });
     const auto odd = std::ptrdiff_t(copies.size()) - even;
     if (even == odd && cancel) return;
     const bool wanted = even == odd ? copies.front().is_even : even > odd;
@@ -158,10 +159,11 @@ std::size_t make_agree(std::vector<Triangle>& triangles, std::vector<Index>& twi
                 const bool agrees = triangles[other][partner % 3] != from;
                 if (is_settled[other]) {
                     if (!agrees)
-                        throw InputError(fmt::format(
-                            "the surface is one-sided, like a Moebius strip: no way to turn its triangles agrees "
-                            "at the edge between vertices {} and {}",
-                            from, triangles[triangle][(k + 1) % 3]));
+                        throw InputError(
+                            fmt::format("the surface is one-sided, like a Moebius strip: no way to turn its "
+                                        "triangles agrees "
+                                        "at the edge between vertices {} and {}",
+                                        from, triangles[triangle][(k + 1) % 3]));
                     continue;
                 }
                 is_settled[other] = 1;

@@ -1,5 +1,5 @@
-// Brings positions of any size into the unit box, so that squares and products of lengths neither overflow nor
-// vanish.
+// Brings positions of any size into the unit box, so that squares and products of lengths neither overflow
+// nor vanish.
 #pragma once
 
 #include <span>

@@ -45,11 +45,11 @@ SurfaceMesh tetrahedron() {
 SurfaceMesh icosphere(unsigned divisions) {
     const double g = std::numbers::phi;
     SurfaceMesh mesh;
-    mesh.positions = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                      {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-    mesh.triangles = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                      {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                      {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+    mesh.positions = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                      {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+    mesh.triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                      {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
     for (glm::dvec3& position : mesh.positions) position = glm::normalize(position);
     for (; divisions > 0; --divisions) {
         std::map<std::pair<Index, Index>, Index> midpoints;
@@ -76,7 +76,9 @@ SurfaceMesh globe(unsigned meridians, unsigned parallels) {
                                         std::sin(latitude) * std::sin(longitude), std::cos(latitude));
         }
     }
-    const auto at = [&](unsigned row, unsigned column) { return 2 + (row - 1) * meridians + column % meridians; };
+    const auto at = [&](unsigned row, unsigned column) {
+        return 2 + (row - 1) * meridians + column % meridians;
+    };
     for (unsigned column = 0; column < meridians; ++column) {
         mesh.triangles.push_back({0, at(1, column), at(1, column + 1)});
         mesh.triangles.push_back({1, at(parallels, column + 1), at(parallels, column)});
@@ -130,7 +132,8 @@ SurfaceMesh moved(SurfaceMesh mesh, const std::function<glm::dvec3(const glm::dv
 SurfaceMesh joined(SurfaceMesh first, const SurfaceMesh& second) {
     const auto shift = static_cast<Index>(first.positions.size());
     first.positions.insert(first.positions.end(), second.positions.begin(), second.positions.end());
-    for (const auto& [a, b, c] : second.triangles) first.triangles.push_back({a + shift, b + shift, c + shift});
+    for (const auto& [a, b, c] : second.triangles)
+        first.triangles.push_back({a + shift, b + shift, c + shift});
     return first;
 }
 
@@ -144,17 +147,20 @@ SurfaceMesh random_sphere(std::uint32_t seed, unsigned vertices) {
         mesh.positions.emplace_back();
         const Triangle first = mesh.triangles[below(mesh.triangles.size())];
         std::erase(mesh.triangles, first);
-        std::vector<std::pair<Index, Index>> rim = {{first[0], first[1]}, {first[1], first[2]}, {first[2], first[0]}};
+        std::vector<std::pair<Index, Index>> rim = {
+            {first[0], first[1]}, {first[1], first[2]}, {first[2], first[0]}};
         if (below(3) > 0) {  // the edge of the first two as well
-            const auto across = std::find_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
-                for (unsigned k = 0; k < 3; ++k)
-                    if (t[k] == first[1] && t[(k + 1) % 3] == first[0]) return true;
-                return false;
-            });
+            const auto across =
+                std::find_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+                    for (unsigned k = 0; k < 3; ++k)
+                        if (t[k] == first[1] && t[(k + 1) % 3] == first[0]) return true;
+                    return false;
+                });
             Triangle second = *across;
             mesh.triangles.erase(across);
             while (second[0] != first[1]) std::rotate(second.begin(), second.begin() + 1, second.end());
-            rim = {{first[1], first[2]}, {first[2], first[0]}, {second[1], second[2]}, {second[2], second[0]}};
+            rim = {
+                {first[1], first[2]}, {first[2], first[0]}, {second[1], second[2]}, {second[2], second[0]}};
         }
         for (const auto& [from, to] : rim) mesh.triangles.push_back({from, to, added});
     }

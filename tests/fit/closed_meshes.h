@@ -34,8 +34,8 @@ SurfaceMesh moved(SurfaceMesh mesh, const std::function<glm::dvec3(const glm::dv
 /// The two meshes side by side, as one.
 SurfaceMesh joined(SurfaceMesh first, const SurfaceMesh& second);
 
-/// A tetrahedron of which random triangles and edges are divided until it has \p vertices, at random positions:
-/// any simplicial sphere may come out, in any position, self-intersecting.
+/// A tetrahedron of which random triangles and edges are divided until it has \p vertices, at random
+/// positions: any simplicial sphere may come out, in any position, self-intersecting.
 SurfaceMesh random_sphere(std::uint32_t seed, unsigned vertices);
 
 /// A double pyramid over a polygon of that many vertices: its two tips are joined to all of them.

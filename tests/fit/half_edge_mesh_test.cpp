@@ -15,7 +15,8 @@ namespace {
 std::vector<Triangle> triangles_of(const HalfEdgeMesh& mesh) {
     std::vector<Triangle> triangles;
     for (Index t = 0; t < mesh.triangle_capacity(); ++t)
-        if (mesh.has_triangle(t)) triangles.push_back({mesh.origin(3 * t), mesh.origin(3 * t + 1), mesh.origin(3 * t + 2)});
+        if (mesh.has_triangle(t))
+            triangles.push_back({mesh.origin(3 * t), mesh.origin(3 * t + 1), mesh.origin(3 * t + 2)});
     return triangles;
 }
 

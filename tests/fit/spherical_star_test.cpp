@@ -34,8 +34,8 @@ RandomStar random_star(unsigned seed, double size) {
     }
     for (int i = 0; i < count; ++i) {
         const double area = size * size * (0.5 + 0.4 * number(random));
-        made.star.add(made.ring[i], made.ring[(i + 1) % count], 0.6 + 0.5 * number(random), 0.6 + 0.5 * number(random),
-                      0.6 + 0.5 * number(random), area);
+        made.star.add(made.ring[i], made.ring[(i + 1) % count], 0.6 + 0.5 * number(random),
+                      0.6 + 0.5 * number(random), 0.6 + 0.5 * number(random), area);
     }
     return made;
 }
@@ -76,11 +76,13 @@ TEST_CASE("the derivatives are the limits of differences, for large stars and fo
         CHECK(std::abs((at(0, h) - at(0, -h)) / (2 * h) - energy.gradient.y) < 1e-4 * scale * size);
         CHECK(std::abs((at(h, 0) - 2 * at(0, 0) + at(-h, 0)) / (h * h) - energy.ss) < 1e-3 * scale);
         CHECK(std::abs((at(0, h) - 2 * at(0, 0) + at(0, -h)) / (h * h) - energy.tt) < 1e-3 * scale);
-        CHECK(std::abs((at(h, h) - at(h, -h) - at(-h, h) + at(-h, -h)) / (4 * h * h) - energy.st) < 1e-3 * scale);
+        CHECK(std::abs((at(h, h) - at(h, -h) - at(-h, h) + at(-h, -h)) / (4 * h * h) - energy.st) <
+              1e-3 * scale);
     }
 }
 
-TEST_CASE("a step lowers the energy by what it says and stays in the kernel; steps come to rest at a minimum") {
+TEST_CASE(
+    "a step lowers the energy by what it says and stays in the kernel; steps come to rest at a minimum") {
     for (unsigned seed = 1; seed <= 300; ++seed) {
         CAPTURE(seed);
         const RandomStar made = random_star(seed, seed % 2 == 0 ? 0.5 : 1e-9);
