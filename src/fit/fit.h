@@ -24,11 +24,11 @@ struct FitOptions {
     /// Roots over the sphere; keys over the same ones can be morphed.
     SphereRoots roots = project_to_sphere(cube());
 
-    std::optional<Index> leaves;  ///< at most this many, at least the roots; 20,000 when nothing is named
+    std::optional<Index> leaves{};  ///< at most this many, at least the roots; 20,000 when nothing is named
 
     /// Instead of leaves: the largest distance between key and surface, as a fraction of the box diagonal; at
     /// least 1e-5.
-    std::optional<double> tolerance;
+    std::optional<double> tolerance{};
 
     /// Turns the surface before it is looked at which of its parts goes where on the sphere; positions stay.
     glm::dmat3 rotation{1};
