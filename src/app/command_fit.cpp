@@ -29,8 +29,9 @@ void check_options(const FitCommandOptions& options) {
     if (options.json && options.output == "-")
         throw UsageError("fit: -o - leaves no place for --report, expected a file");
     if (!options.rotations.empty() && options.rotations.size() != options.meshes.size())
-        throw UsageError(fmt::format("fit: --rotate {} times for {} meshes, expected one for each, x,0 for none",
-                                     options.rotations.size(), options.meshes.size()));
+        throw UsageError(
+            fmt::format("fit: --rotate {} times for {} meshes, expected one for each, x,0 for none",
+                        options.rotations.size(), options.meshes.size()));
     if (options.meshes.size() == 1) {
         format_of({options.output, options.output == "-" ? "ilh" : ""}, formats);
     } else {
@@ -86,9 +87,8 @@ FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options,
 
 /// Fits every mesh. Cancelled when an interrupt waits.
 std::vector<FittedKey> fit_files(const FitCommandOptions& options, const HeldInterrupts& interrupts) {
-    FitOptions fit_options{.roots = roots_named(options.roots),
-                           .leaves = options.leaves,
-                           .tolerance = options.tolerance};
+    FitOptions fit_options{
+        .roots = roots_named(options.roots), .leaves = options.leaves, .tolerance = options.tolerance};
     std::vector<FittedKey> keys;
     ProgressLine line;
     for (std::size_t i = 0; i < options.meshes.size(); ++i) {
@@ -113,8 +113,9 @@ Family family_of(const std::vector<std::string>& names, const std::vector<Fitted
     }
     family.timeline.emplace(std::move(times));
     if (keys.size() == 3)
-        family.domain.emplace(std::vector<DomainVertex>{{{0, 0}, 0}, {{1, 0}, 1}, {{0.5, 0.8660254037844386}, 2}},
-                              std::vector<Triangle>{{0, 1, 2}});
+        family.domain.emplace(
+            std::vector<DomainVertex>{{{0, 0}, 0}, {{1, 0}, 1}, {{0.5, 0.8660254037844386}, 2}},
+            std::vector<Triangle>{{0, 1, 2}});
     return family;
 }
 
@@ -144,10 +145,9 @@ Json json_of(const std::filesystem::path& file, const FittedKey& key) {
     return {{"file", file.string()},
             {"mesh", {{"vertices", report.mesh_vertices}, {"triangles", report.mesh_triangles}}},
             {"clean_up", report.clean_up.sentences()},
-            {"map", name_of(report.map_method)},
+            {"map", {{"method", name_of(report.map_method)}, {"keeps", name_of(report.map_keeps)}}},
             {"mean_cosine", report.mean_cosine},
-            {"key",
-             {{"leaves", key.hierarchy.leaf_count()}, {"vertices", key.hierarchy.vertex_count()}}},
+            {"key", {{"leaves", key.hierarchy.leaf_count()}, {"vertices", key.hierarchy.vertex_count()}}},
             {"quality", json_of(report.quality)},
             {"quality_at_20000_leaves", json_of(report.at_20000_leaves)},
             {"seconds", seconds}};
@@ -156,7 +156,8 @@ Json json_of(const std::filesystem::path& file, const FittedKey& key) {
 void print_report(const std::filesystem::path& file, const FittedKey& key) {
     const FitReport& report = key.report;
     fmt::print("{}: {} vertices, {} triangles\n", file.string(), report.mesh_vertices, report.mesh_triangles);
-    for (const std::string& sentence : report.clean_up.sentences()) fmt::print("  cleaned up: {}\n", sentence);
+    for (const std::string& sentence : report.clean_up.sentences())
+        fmt::print("  cleaned up: {}\n", sentence);
     double whole = 0;
     for (const StageTime& time : report.times) whole += time.seconds;
     fmt::print("  key: {} leaves, at most {:.3g} % of the box diagonal from the mesh, {:.3g} % in the mean\n",

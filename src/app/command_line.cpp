@@ -297,12 +297,10 @@ void add_fit(CLI::App& program) {
             "Turn a mesh's parts over the roots; positions stay; once for each mesh")
         ->allow_extra_args(false)
         ->type_name("AXIS,DEGREES");
-    add_text_option(*command, "--report", "Print the report as json",
-                    [options](const std::string& text) {
-                        if (text != "json") throw UsageError(fmt::format("expected json, got '{}'", text));
-                        options->json = true;
-                    })
-        ->type_name("json");
+    add_text_option(*command, "--report", "Print the report as json", [options](const std::string& text) {
+        if (text != "json") throw UsageError(fmt::format("expected json, got '{}'", text));
+        options->json = true;
+    })->type_name("json");
     add_form(*command, options->form);
     command->final_callback([options] { run_fit(*options); });
     command->footer(

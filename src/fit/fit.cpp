@@ -31,6 +31,9 @@ constexpr int most_tries = 4;
 
 /// The parts of the whole at which the stages begin, of a mesh of a few ten thousand vertices.
 constexpr double map_begins = 0.1;
+constexpr double second_map_begins = 0.9;
+
+/// The same of the way from a clean mesh to its key.
 constexpr double mapped_begins = 0.7;
 
 /// Reports what a stage reports as the part of the whole from \p begin to \p end.
@@ -101,12 +104,14 @@ std::pair<SampledSurface, FitQuality> sample_within(const Mapped& mapped, double
         SampledSurface surface =
             mapped.sample({.leaves = most_leaves, .tolerance = inside * diagonal}, progress);
         if (surface.leaves.size() + 100 > most_leaves)
-            throw InputError(fmt::format("a tolerance of {} needs more than {} leaves", tolerance, most_leaves));
+            throw InputError(
+                fmt::format("a tolerance of {} needs more than {} leaves", tolerance, most_leaves));
         const FitQuality quality = mapped.quality(surface, progress);
         if (quality.hausdorff <= tolerance) return {std::move(surface), quality};
         if (tries == most_tries)
-            throw InputError(fmt::format("a tolerance of {} cannot be reached: {:.3g} is what {} leaves come to",
-                                         tolerance, quality.hausdorff, surface.leaves.size()));
+            throw InputError(
+                fmt::format("a tolerance of {} cannot be reached: {:.3g} is what {} leaves come to",
+                            tolerance, quality.hausdorff, surface.leaves.size()));
         inside *= std::max(0.25, (1 - sampling_margin) * tolerance / quality.hausdorff);
     }
 }
@@ -120,6 +125,25 @@ std::vector<glm::vec3> colors_of(const SurfaceMesh& mesh, const RootComplex& roo
         colors.push_back(point.of(std::span<const Triangle>(mesh.triangles), std::span(mesh.colors)));
     const Hierarchy colored = hierarchy_from_leaves(roots, surface.leaves, colors);
     return {colored.positions.begin(), colored.positions.end()};
+}
+
+/// Maps, centres, checks and samples a clean mesh.
+FittedKey fit_clean(const SurfaceMesh& mesh, Keeps keeps, const FitOptions& options,
+                    const Progress& progress) {
+    std::vector<StageTime> times;
+    Stopwatch stopwatch(times);
+    SphericalMap map = map_to_sphere(mesh, part_of(progress, 0, mapped_begins), keeps);
+    stopwatch.lap("map to the sphere");
+    center_map(mesh, map.points);
+    if (const std::string fault = fault_of_map(mesh, map.points); !fault.empty())
+        throw InputError(fmt::format("the centred map to the sphere is not valid: {}", fault));
+    stopwatch.lap("centring");
+
+    FittedKey key = fit_mapped(mesh, std::move(map.points), options, part_of(progress, mapped_begins, 1));
+    key.report.map_method = map.method;
+    key.report.map_keeps = keeps;
+    key.report.times.insert(key.report.times.begin(), times.begin(), times.end());
+    return key;
 }
 
 }  // namespace
@@ -144,8 +168,7 @@ FittedKey fit_mapped(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, co
     stopwatch.lap("sampling");
     report.at_20000_leaves = report.quality = mapped.quality(surface, part_of(progress, 0.2, 0.5));
     stopwatch.lap("measuring");
-    const std::string fault =
-        fault_of_fit(report.at_20000_leaves, surface.leaves.size(), options.limits);
+    const std::string fault = fault_of_fit(report.at_20000_leaves, surface.leaves.size(), options.limits);
     if (!fault.empty()) throw InputError(fmt::format("no good key: {}", fault));
 
     if (options.tolerance) {
@@ -164,8 +187,13 @@ FittedKey fit_mapped(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, co
 }
 
 std::string_view name_of(MapMethod method) {
-    constexpr std::array<std::string_view, 3> names = {"progressive", "careful progressive", "curvature flow"};
+    constexpr std::array<std::string_view, 3> names = {"progressive", "careful progressive",
+                                                       "curvature flow"};
     return names[static_cast<std::size_t>(method)];
+}
+
+std::string_view name_of(Keeps keeps) {
+    return keeps == Keeps::shapes ? "shapes" : "areas";
 }
 
 FittedKey fit(SurfaceMesh mesh, const FitOptions& options, const Progress& progress) {
@@ -174,15 +202,14 @@ FittedKey fit(SurfaceMesh mesh, const FitOptions& options, const Progress& progr
     Stopwatch stopwatch(times);
     CleanMesh clean = clean_up(std::move(mesh), part_of(progress, 0, map_begins));
     stopwatch.lap("clean-up");
-    SphericalMap map = map_to_sphere(clean.mesh, part_of(progress, map_begins, mapped_begins));
-    stopwatch.lap("map to the sphere");
-    center_map(clean.mesh, map.points);
-    if (const std::string fault = fault_of_map(clean.mesh, map.points); !fault.empty())
-        throw InputError(fmt::format("the centred map to the sphere is not valid: {}", fault));
-    stopwatch.lap("centring");
 
-    FittedKey key = fit_mapped(clean.mesh, std::move(map.points), options, part_of(progress, mapped_begins, 1));
-    key.report.map_method = map.method;
+    FittedKey key;
+    try {
+        key = fit_clean(clean.mesh, Keeps::shapes, options, part_of(progress, map_begins, second_map_begins));
+    } catch (const InputError&) {
+        stopwatch.lap("first attempt");
+        key = fit_clean(clean.mesh, Keeps::areas, options, part_of(progress, second_map_begins, 1));
+    }
     key.report.clean_up = std::move(clean.report);
     key.report.times.insert(key.report.times.begin(), times.begin(), times.end());
     return key;

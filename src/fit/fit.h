@@ -1,5 +1,5 @@
-// Any closed surface without handles becomes a key: clean-up, map to the sphere, alignment, sampling over root
-// triangles, acceptance. The name `measure`d figures tell how good it is; what is not good is refused.
+// Any closed surface without handles becomes a key: clean-up, map to the sphere, alignment, sampling over
+// root triangles, acceptance. The name `measure`d figures tell how good it is; what is not good is refused.
 #pragma once
 
 #include <optional>
@@ -47,7 +47,8 @@ struct FitReport {
     std::size_t mesh_vertices = 0;  ///< of the surface once clean
     std::size_t mesh_triangles = 0;
     MapMethod map_method = MapMethod::progressive;
-    double mean_cosine = 0;  ///< of directions on the sphere against directions in space (alignment.h)
+    Keeps map_keeps = Keeps::shapes;
+    double mean_cosine = 0;      ///< of directions on the sphere against directions in space (alignment.h)
     FitQuality at_20000_leaves;  ///< what acceptance was judged by
     FitQuality quality;          ///< of the key
     std::vector<StageTime> times;
@@ -61,7 +62,9 @@ struct FittedKey {
 
 /// The way to map, in words for people and reports.
 std::string_view name_of(MapMethod method);
+std::string_view name_of(Keeps keeps);
 
+/// A map that keeps shapes is tried first, and where that gives no good key, one that keeps areas.
 /// \throw InputError  saying what is wrong with the mesh, or why no key stands for it well enough
 /// \throw UsageError  when leaves and tolerance are both named, or one is out of its range
 /// \throw Cancelled   when progress says so

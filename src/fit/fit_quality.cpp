@@ -69,8 +69,7 @@ Distances distances(const Flat& from, const Flat& to, const Progress& progress, 
         for (double row = 0; row < parts; ++row)
             for (double column = 0; column + row < parts; ++column, ++terms)
                 sum += measure(a + (row + 1.0 / 3) / parts * along_b + (column + 1.0 / 3) / parts * along_c);
-        if (area > 0)
-            found.mean_square += sum / terms * glm::length(doubled_area(from, triangle)) / 2 / area;
+        if (area > 0) found.mean_square += sum / terms * glm::length(doubled_area(from, triangle)) / 2 / area;
     }
     for (const glm::dvec3& vertex : from.positions) measure(vertex);
     return found;
@@ -82,8 +81,9 @@ std::size_t count_flipped(const Flat& mesh, const SphereLocation& location, cons
                           const Flat& key) {
     std::size_t flipped = 0;
     for (const Triangle& triangle : key.triangles) {
-        const auto& [u, v, w] = std::array{surface.sphere_points[triangle[0]], surface.sphere_points[triangle[1]],
-                                           surface.sphere_points[triangle[2]]};
+        const auto& [u, v, w] =
+            std::array{surface.sphere_points[triangle[0]], surface.sphere_points[triangle[1]],
+                       surface.sphere_points[triangle[2]]};
         glm::dvec3 normal(0);
         Index guess = surface.mesh_points[triangle[0]].triangle;
         for (const glm::dvec3& inside : {u + v + w, 4.0 * u + v + w, u + 4.0 * v + w, u + v + 4.0 * w}) {
@@ -100,7 +100,7 @@ std::size_t count_flipped(const Flat& mesh, const SphereLocation& location, cons
 }  // namespace
 
 FitQuality measure_quality(const SurfaceMesh& mesh, const SphereLocation& location,
-                       const SampledSurface& surface, const Progress& progress) {
+                           const SampledSurface& surface, const Progress& progress) {
     std::vector<Triangle> triangles;
     triangles.reserve(surface.leaves.size());
     for (const Leaf& leaf : surface.leaves) triangles.push_back(leaf.vertices);
@@ -126,12 +126,13 @@ FitQuality measure_quality(const SurfaceMesh& mesh, const SphereLocation& locati
 
 std::string fault_of_fit(const FitQuality& quality, std::size_t leaves, const FitLimits& limits) {
     if (!(quality.hausdorff < limits.hausdorff))
-        return fmt::format("{:.3g} % of the box diagonal from the surface at {} leaves, expected less than {:.3g} %",
-                           100 * quality.hausdorff, leaves, 100 * limits.hausdorff);
+        return fmt::format(
+            "{:.3g} % of the box diagonal from the surface at {} leaves, expected less than {:.3g} %",
+            100 * quality.hausdorff, leaves, 100 * limits.hausdorff);
     const double flipped = double(quality.flipped_leaves) / double(leaves);
     if (!(flipped < limits.flipped_part))
-        return fmt::format("{:.3g} % of {} leaves are turned over, expected less than {:.3g} %", 100 * flipped,
-                           leaves, 100 * limits.flipped_part);
+        return fmt::format("{:.3g} % of {} leaves are turned over, expected less than {:.3g} %",
+                           100 * flipped, leaves, 100 * limits.flipped_part);
     if (quality.euler != 2) return fmt::format("Euler number {}, expected 2", quality.euler);
     return {};
 }

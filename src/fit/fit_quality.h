@@ -15,7 +15,8 @@ struct FitQuality {
     double hausdorff = 0;         ///< largest distance of a point of either from the other
     double root_mean_square = 0;  ///< of the distances from the surface to the key and back, by area
     double least_angle = 0;       ///< degrees
-    std::size_t flipped_leaves = 0;  ///< whose normal is turned by a right angle or more against the surface's
+    std::size_t flipped_leaves =
+        0;  ///< whose normal is turned by a right angle or more against the surface's
     int euler = 0;
 };
 
@@ -23,7 +24,7 @@ struct FitQuality {
 /// the meshes are finer. So distances are as large as found, and may be a little larger between these places.
 /// \throw Cancelled
 FitQuality measure_quality(const SurfaceMesh& mesh, const SphereLocation& location,
-                       const SampledSurface& surface, const Progress& progress);
+                           const SampledSurface& surface, const Progress& progress);
 
 /// The acceptance of a fit, judged at 20,000 leaves.
 struct FitLimits {

@@ -27,7 +27,7 @@ class ProgressiveMapping {
           meter_(meter),
           vertex_area_(solid_angles_wanted(mesh, positions)),
           points_(mesh.vertex_capacity()),
-          relaxation_(mesh, positions, vertex_area_, points_) {}
+          relaxation_(mesh, positions, vertex_area_, points_, options.keeps) {}
 
     ProgressiveMap run() {
         meter_.enter("collapsing edges", 0);

@@ -11,6 +11,7 @@
 
 #include "fit/half_edge_mesh.h"
 #include "fit/progress_meter.h"
+#include "fit/spherical_star.h"
 
 namespace interleaf {
 
@@ -18,6 +19,7 @@ struct ProgressiveOptions {
     double growth = 1.3;  ///< the vertices grow by this factor between relaxations
     double blend = 0.05;  ///< rest shapes go this far towards equilateral, 0 to 1
     int sweeps = 100;     ///< at most, each time
+    Keeps keeps = Keeps::areas;
 };
 
 /// For when the default fails: slower, and the shapes are kept less exactly.

@@ -11,14 +11,15 @@
 namespace interleaf {
 
 Relaxation::Relaxation(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
-                       std::span<const double> vertex_area, std::span<glm::dvec3> points)
+                       std::span<const double> vertex_area, std::span<glm::dvec3> points, Keeps keeps)
     : mesh_(mesh),
       positions_(positions),
       vertex_area_(vertex_area),
       points_(points),
       cotangent_(3 * std::size_t(mesh.triangle_capacity())),
       area_(mesh.triangle_capacity()),
-      is_active_(mesh.vertex_capacity()) {}
+      is_active_(mesh.vertex_capacity()),
+      star_(glm::dvec3(0, 0, 1), keeps) {}
 
 void Relaxation::update_shape(Index triangle, double blend) {
     std::array<glm::dvec3, 3> corners{};

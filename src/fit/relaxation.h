@@ -20,7 +20,7 @@ class Relaxation {
     /// \param vertex_area  the part of 4 pi that the surface around each vertex is to take
     /// \param points       on the unit sphere, one a vertex; those that the mesh has are moved
     Relaxation(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
-               std::span<const double> vertex_area, std::span<glm::dvec3> points);
+               std::span<const double> vertex_area, std::span<glm::dvec3> points, Keeps keeps = Keeps::areas);
 
     /// Takes the rest shapes of all triangles anew. They are blended towards equilateral, by 0 to 1, so that
     /// needles and triangles of no area do not ask for the impossible.
@@ -55,7 +55,7 @@ class Relaxation {
     std::vector<double> cotangent_;  // per half-edge, of the rest angle opposite it
     std::vector<double> area_;       // per triangle, of 4 pi
     std::vector<char> is_active_;
-    SphericalStar star_{glm::dvec3(0, 0, 1)};
+    SphericalStar star_;
 };
 
 }  // namespace interleaf

@@ -16,8 +16,8 @@ constexpr double rounding = 1e-12;
 
 /// A box of the spherical triangle with these corners.
 ///
-/// It bulges out of the flat triangle by 1 - |q| at most, q the flat triangle's point nearest to the origin. q
-/// is a mean of the corners with some weights, so |q|^2 is 1 less their mean squared distance from q, which
+/// It bulges out of the flat triangle by 1 - |q| at most, q the flat triangle's point nearest to the origin.
+/// q is a mean of the corners with some weights, so |q|^2 is 1 less their mean squared distance from q, which
 /// is at most the square of the radius of a ball around the triangle: a third of its squared longest edge
 /// (Jung 1901).
 SpaceBox box_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {

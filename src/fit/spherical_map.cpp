@@ -27,7 +27,7 @@ void check_sphere(const SurfaceMesh& mesh, const HalfEdgeMesh& half_edges) {
 
 }  // namespace
 
-SphericalMap map_to_sphere(const SurfaceMesh& mesh, const Progress& progress) {
+SphericalMap map_to_sphere(const SurfaceMesh& mesh, const Progress& progress, Keeps keeps) {
     ProgressMeter meter(progress);
     meter.enter("mapping to the sphere", 0);
     HalfEdgeMesh half_edges(static_cast<Index>(mesh.positions.size()), mesh.triangles);
@@ -40,10 +40,12 @@ SphericalMap map_to_sphere(const SurfaceMesh& mesh, const Progress& progress) {
         if (!fault.empty()) faults += fmt::format("{}{}: {}", faults.empty() ? "" : "; ", method, fault);
         return fault.empty();
     };
-    ProgressiveMap map = map_progressively(half_edges, positions, {}, meter);
+    ProgressiveMap map = map_progressively(half_edges, positions, {.keeps = keeps}, meter);
     if (is_good("progressive", map.points, map.failure))
         return {std::move(map.points), MapMethod::progressive};
-    map = map_progressively(half_edges, positions, careful_options, meter);
+    ProgressiveOptions careful = careful_options;
+    careful.keeps = keeps;
+    map = map_progressively(half_edges, positions, careful, meter);
     if (is_good("careful progressive", map.points, map.failure))
         return {std::move(map.points), MapMethod::careful_progressive};
     std::vector<glm::dvec3> points = map_by_curvature_flow(half_edges, positions, {}, meter);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fit/progress.h"
+#include "fit/spherical_star.h"
 #include "fit/surface_mesh.h"
 
 namespace interleaf {
@@ -22,7 +23,7 @@ struct SphericalMap {
 /// same bits. Time grows about linearly with the vertices; memory is about 400 bytes a vertex.
 /// \throw InputError when the mesh is not clean, or when every way fails, with the reason
 /// \throw Cancelled  when \p progress says so
-SphericalMap map_to_sphere(const SurfaceMesh& mesh, const Progress& progress);
+SphericalMap map_to_sphere(const SurfaceMesh& mesh, const Progress& progress, Keeps keeps = Keeps::areas);
 
 /// Empty when every spherical triangle is positive and the solid angles add up to exactly one 4 pi, that is,
 /// when the map is one to one; else the reason in words. The signs are those of exact arithmetic.

@@ -19,6 +19,22 @@ double squared_length(const glm::dvec3& vector) {
     return glm::dot(vector, vector);
 }
 
+/// The exponents of MIPS and of the area's term.
+struct Exponents {
+    double mips;
+    double area;
+};
+
+constexpr Exponents exponents_of(Keeps keeps) {
+    return keeps == Keeps::areas ? Exponents{2, 1} : Exponents{3, 5.0 / 16};
+}
+
+/// By square roots, which are the same on every machine.
+double to_5_16th(double value) {
+    const double fourth_root = std::sqrt(std::sqrt(value));
+    return fourth_root * std::sqrt(std::sqrt(fourth_root));
+}
+
 /// The stretch and the determinant of a triangle whose first corner is somewhere, and the two distortions
 /// that they make.
 struct Distortion {
@@ -28,8 +44,10 @@ struct Distortion {
     Distortion(const StarTriangle& triangle, double stretch, double determinant)
         : mips(stretch / (2 * determinant)), ratio(determinant / (2 * triangle.area)) {}
 
-    double energy(const StarTriangle& triangle) const {
-        return triangle.area * mips * mips * (ratio + 1 / ratio) / 2;
+    double energy(const StarTriangle& triangle, Keeps keeps) const {
+        const double area_term = (ratio + 1 / ratio) / 2;
+        return triangle.area * mips * mips *
+               (keeps == Keeps::areas ? area_term : mips * to_5_16th(area_term));
     }
 };
 
@@ -95,12 +113,14 @@ double SphericalStar::energy(const glm::dvec2& place) const {
         const double to_b = squared_length(moved - triangle.b);
         if (!(determinant > 0) || determinant * determinant < least_height * least_height * (to_a + to_b))
             return infinity;
-        sum += Distortion(triangle, stretch_of(triangle, to_a, to_b), determinant).energy(triangle);
+        sum += Distortion(triangle, stretch_of(triangle, to_a, to_b), determinant).energy(triangle, keeps_);
     }
     return sum < infinity ? sum : infinity;
 }
 
 StarEnergy SphericalStar::energy_at_center() const {
+    const double mips_exponent = exponents_of(keeps_).mips;
+    const double area_exponent = exponents_of(keeps_).area;
     StarEnergy energy;
     for (const StarTriangle& triangle : triangles_) {
         const glm::dvec3& a = triangle.a;
@@ -108,11 +128,11 @@ StarEnergy SphericalStar::energy_at_center() const {
         const double determinant = triangle.normal.z;
         const double stretch = stretch_of(triangle, squared_length(a), squared_length(b));
         const Distortion distortion(triangle, stretch, determinant);
-        const double value = distortion.energy(triangle);
+        const double value = distortion.energy(triangle, keeps_);
 
-        // The logarithm of the triangle's energy is 2 log(stretch) - 2 log(determinant) + log(r + 1/r). On
-        // the sphere the stretch and the determinant are linear in the point, so the second derivatives of
-        // each are the same in all directions.
+        // The logarithm of the triangle's energy is, but for constants, p log(stretch) - p log(determinant) +
+        // q log(r + 1/r), p and q the two exponents. On the sphere the stretch and the determinant are linear
+        // in the point, so the second derivatives of each are the same in all directions.
         const glm::dvec2 stretch_rise =
             -2 / stretch *
             (triangle.cotangent_to_a * glm::dvec2(a) + triangle.cotangent_to_b * glm::dvec2(b));
@@ -121,14 +141,16 @@ StarEnergy SphericalStar::energy_at_center() const {
                                     stretch;
         const glm::dvec2 determinant_rise = glm::dvec2(triangle.normal) / determinant;
         const double squared_ratio = distortion.ratio * distortion.ratio;
-        const double area_slope = (squared_ratio - 1) / (squared_ratio + 1);  // of log(r + 1/r) over log r
-        const double area_bend = 4 * squared_ratio / ((squared_ratio + 1) * (squared_ratio + 1));
+        const double area_slope =
+            area_exponent * (squared_ratio - 1) / (squared_ratio + 1);  // of q log(r + 1/r) over log r
+        const double area_bend =
+            area_exponent * 4 * squared_ratio / ((squared_ratio + 1) * (squared_ratio + 1));
 
-        const double determinant_slope = area_slope - 2;
-        const glm::dvec2 rise = 2.0 * stretch_rise + determinant_slope * determinant_rise;
-        const double in_all_directions = 2 * stretch_bend - determinant_slope;
+        const double determinant_slope = area_slope - mips_exponent;
+        const glm::dvec2 rise = mips_exponent * stretch_rise + determinant_slope * determinant_rise;
+        const double in_all_directions = mips_exponent * stretch_bend - determinant_slope;
         const auto second = [&](int i, int j) {
-            return rise[i] * rise[j] - 2 * stretch_rise[i] * stretch_rise[j] +
+            return rise[i] * rise[j] - mips_exponent * stretch_rise[i] * stretch_rise[j] +
                    (area_bend - determinant_slope) * determinant_rise[i] * determinant_rise[j];
         };
         energy.value += value;

@@ -28,6 +28,10 @@ struct TangentFrame {
     glm::dvec3 point_at(const glm::dvec2& place) const;
 };
 
+/// What a map keeps rather than the other. Shapes make the better keys: with areas before shapes leaves are
+/// sheared, and ten times as many are turned over. But limbs many times longer than thick need room.
+enum class Keeps { shapes, areas };
+
 /// A spherical triangle (centre, a, b) of a star with the rest shape it is to keep.
 struct StarTriangle {
     glm::dvec3 a;           ///< in the frame, less the centre
@@ -39,9 +43,10 @@ struct StarTriangle {
     double area;           ///< that it is to take, of 4 pi
 };
 
-/// The distortion that a vertex's place costs, over its triangles: area MIPS^2 (r + 1/r) / 2, where MIPS is
-/// the conformal distortion (Hormann and Greiner 2000), 1 for a similar triangle, and r is the ratio of the
-/// spherical area to the one wanted (Degener et al. 2003).
+/// The distortion that a vertex's place costs, over its triangles: area MIPS^p ((r + 1/r) / 2)^q, where
+/// MIPS is the conformal distortion (Hormann and Greiner 2000), 1 for a similar triangle, and r is the ratio
+/// of the spherical area to the one wanted (Degener et al. 2003); p and q are 2 and 1 where areas are kept, 3
+/// and 5/16 where shapes are.
 ///
 /// Both are taken of the determinant of the corners, which is twice the area of a small triangle and 0 where
 /// the spherical triangle flips, so that the energy is infinite at the edge of the kernel, also for triangles
@@ -62,7 +67,8 @@ struct NewtonStep {
 class SphericalStar {
   public:
     /// An empty star about \p center.
-    explicit SphericalStar(const glm::dvec3& center) : frame_(center) {}
+    explicit SphericalStar(const glm::dvec3& center, Keeps keeps = Keeps::areas)
+        : frame_(center), keeps_(keeps) {}
 
     void restart(const glm::dvec3& center) {
         frame_ = TangentFrame(center);
@@ -95,6 +101,7 @@ class SphericalStar {
 
   private:
     TangentFrame frame_;
+    Keeps keeps_;
     std::vector<StarTriangle> triangles_;
 };
 

@@ -96,7 +96,7 @@ class Sampler {
 
     std::vector<glm::dvec3> sphere_points_;  ///< one a vertex of the key
     std::vector<MeshPoint> mesh_points_;
-    std::vector<Index> vertices_;          ///< of the surface, those of a leaf together
+    std::vector<Index> vertices_;  ///< of the surface, those of a leaf together
     std::vector<LeafRecord> leaves_;
     std::vector<NewVertex> new_vertices_;  ///< of the present step
 };
@@ -117,7 +117,8 @@ void Sampler::assign_vertices(const SphereRoots& roots) {
         begin += counts[root];
     }
     vertices_.resize(points_.size());
-    for (std::size_t v = 0; v < points_.size(); ++v) vertices_[leaves_[root_of[v]].end++] = static_cast<Index>(v);
+    for (std::size_t v = 0; v < points_.size(); ++v)
+        vertices_[leaves_[root_of[v]].end++] = static_cast<Index>(v);
 }
 
 /// One bisection: the first child takes its parent's place.
@@ -159,12 +160,13 @@ double Sampler::error(const AdaptiveMesh& mesh, Index leaf, bool distance_alone)
         squared_turn = std::max(squared_turn, glm::dot(turn, turn));
     }
     for (Index i = leaves_[leaf].begin; i < leaves_[leaf].end; ++i)
-        squared_distance = std::max(
-            squared_distance, squared_distance_to_triangle(mesh_.positions[vertices_[i]], corners));
+        squared_distance =
+            std::max(squared_distance, squared_distance_to_triangle(mesh_.positions[vertices_[i]], corners));
     if (distance_alone) return std::sqrt(squared_distance);
 
-    const double size = std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
-                                  glm::distance(corners[2], corners[0])});
+    const double size =
+        std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
+                  glm::distance(corners[2], corners[0])});
     return std::sqrt(squared_distance) + turn_share * size * std::sqrt(squared_turn);
 }
 

@@ -22,7 +22,8 @@ namespace interleaf {
 
 struct SamplingOptions {
     Index leaves = 20000;  ///< at most this many, and as near as closure allows
-    double tolerance = 0;  ///< stop when no leaf is farther from the surface, in its unit; 0: leaves alone count
+    double tolerance =
+        0;  ///< stop when no leaf is farther from the surface, in its unit; 0: leaves alone count
 };
 
 /// Leaves in preorder; what belongs to a vertex is indexed by the numbers used in the leaves, root vertices

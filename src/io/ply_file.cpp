@@ -75,8 +75,8 @@ class PlyReader {
         for (const Triangle& triangle : surface_.triangles)
             for (const Index vertex : triangle)
                 if (vertex >= surface_.positions.size())
-                    throw InputError(fmt::format("{}: a face has vertex {}, there are {}, counted from 0", name_,
-                                                 vertex, surface_.positions.size()));
+                    throw InputError(fmt::format("{}: a face has vertex {}, there are {}, counted from 0",
+                                                 name_, vertex, surface_.positions.size()));
         return std::move(surface_);
     }
 
@@ -112,8 +112,8 @@ class PlyReader {
             } else if (keyword == "end_header") {
                 break;
             } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-                fail_in_header(
-                    fmt::format("{} found, expected format, element, property or end_header", in_quotes(keyword)));
+                fail_in_header(fmt::format("{} found, expected format, element, property or end_header",
+                                           in_quotes(keyword)));
             }
         }
         if (!has_format) fail_in_header("the header ends, expected a format in it");
@@ -220,9 +220,12 @@ class PlyReader {
             if (axis != axes.end()) {
                 position[static_cast<std::size_t>(axis - axes.begin())] = value;
             } else {
-                const double most = property.type->is_float ? 1 : std::ldexp(1, 8 * int(property.type->bytes)) - 1;
-                if (!(value >= 0 && value <= most)) fail(fmt::format("a colour of {}, expected 0 to {}", value, most));
-                color[static_cast<std::size_t>(channel - channels.begin())] = static_cast<float>(value / most);
+                const double most =
+                    property.type->is_float ? 1 : std::ldexp(1, 8 * int(property.type->bytes)) - 1;
+                if (!(value >= 0 && value <= most))
+                    fail(fmt::format("a colour of {}, expected 0 to {}", value, most));
+                color[static_cast<std::size_t>(channel - channels.begin())] =
+                    static_cast<float>(value / most);
             }
         }
         if (!position[0] || !position[1] || !position[2]) fail("expected the properties x, y and z");

@@ -46,8 +46,8 @@ SurfaceFile parse_binary(std::string_view bytes, std::string_view name) {
             static_assert(sizeof position == 12);
             std::memcpy(&position, &bytes[header_bytes + triangle_bytes * n + 12 * (corner + 1)], 12);
             if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
-                throw InputError(
-                    fmt::format("{}: triangle {} (counted from 0): a coordinate is not a finite number", name, n));
+                throw InputError(fmt::format(
+                    "{}: triangle {} (counted from 0): a coordinate is not a finite number", name, n));
             surface.positions.emplace_back(position);
         }
     return surface;
@@ -68,7 +68,8 @@ SurfaceFile parse_text(std::string_view text, std::string_view name) {
                 const std::string_view word = take_word(line);
                 const std::optional<double> coordinate = parse_double(word);
                 if (!coordinate)
-                    fail(fmt::format("{} is not a coordinate, expected three finite numbers", in_quotes(word)));
+                    fail(fmt::format("{} is not a coordinate, expected three finite numbers",
+                                     in_quotes(word)));
                 position[axis] = coordinate.value_or(0);
             }
             surface.positions.push_back(position);
@@ -88,11 +89,12 @@ SurfaceFile parse_stl(std::string_view bytes, std::string_view name) {
     if (!is_binary(bytes) && !bytes.starts_with("solid")) {
         throw InputError(
             bytes.size() < header_bytes
-                ? fmt::format("{}: size: {} bytes, expected at least {}, or a file that begins with solid", name,
-                              bytes.size(), header_bytes)
-                : fmt::format("{}: size: {} bytes, expected {} + {} for each of the {} triangles named at byte 80, "
-                              "or a file that begins with solid",
-                              name, bytes.size(), header_bytes, triangle_bytes, claimed_triangles(bytes)));
+                ? fmt::format("{}: size: {} bytes, expected at least {}, or a file that begins with solid",
+                              name, bytes.size(), header_bytes)
+                : fmt::format(
+                      "{}: size: {} bytes, expected {} + {} for each of the {} triangles named at byte 80, "
+                      "or a file that begins with solid",
+                      name, bytes.size(), header_bytes, triangle_bytes, claimed_triangles(bytes)));
     }
     SurfaceFile surface = is_binary(bytes) ? parse_binary(bytes, name) : parse_text(bytes, name);
     number_vertices(surface, name);
