@@ -106,6 +106,7 @@ std::vector<glm::dvec3> flow_to_sphere(const HalfEdgeMesh& mesh, std::span<const
     }
     center(lumped_masses(mesh, x));
     std::vector<glm::dvec3> points;
+    points.reserve(positions.size());
     for (Index i = 0; i < mesh.vertex_capacity(); ++i) points.push_back(glm::normalize(row(x, i)));
     return points;
 }

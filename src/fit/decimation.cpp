@@ -42,8 +42,10 @@ class Decimation {
         const std::size_t wanted = mesh_.vertex_capacity() - 4;
         collapsed.reserve(wanted);
         for (; collapsed.size() < wanted; largest_degree_ *= 8) {
-            for (Index vertex = 0; vertex < mesh_.vertex_capacity(); ++vertex)
+            for (Index vertex = 0; vertex < mesh_.vertex_capacity(); ++vertex) {
                 if (mesh_.has_vertex(vertex)) push(vertex);
+                meter.step();
+            }
             while (collapsed.size() < wanted && !queue_.empty()) {
                 const Index half_edge = pop();
                 if (half_edge == no_index) continue;

@@ -31,7 +31,7 @@ std::vector<EdgeUse> sorted_uses(std::span<const Triangle> triangles, ProgressMe
         meter.step();
     }
     std::sort(uses.begin(), uses.end(), [&](const EdgeUse& a, const EdgeUse& b) {
-        meter.step();
+        meter.step(1);
         return a.key() != b.key() ? a.key() < b.key() : a.half_edge < b.half_edge;
     });
     return uses;

@@ -23,10 +23,13 @@ class ProgressMeter {
     /// From now on \p part of the whole is done, to be reported with some later step.
     void set_part(double part) { part_ = part; }
 
-    /// One more step is done: some microseconds of work. \throw Cancelled when told to stop
-    void step() {
-        constexpr std::size_t interval = 1024;
-        if (++steps_ % interval == 0) report();
+    /// Some more work is done, in units of about 50 ns. \throw Cancelled when told to stop
+    void step(std::size_t work = 20) {
+        constexpr std::size_t interval = 20000;
+        work_ += work;
+        if (work_ < interval) return;
+        work_ = 0;
+        report();
     }
 
   private:
@@ -37,7 +40,7 @@ class ProgressMeter {
     const Progress& progress_;
     std::string_view stage_;
     double part_ = 0;
-    std::size_t steps_ = 0;
+    std::size_t work_ = 0;
 };
 
 }  // namespace interleaf

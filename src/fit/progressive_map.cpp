@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -36,25 +37,19 @@ class ProgressiveMapping {
         meter_.enter("mapping to the sphere", collapse_part);
         place_tetrahedron();
         const std::size_t count = mesh_.vertex_capacity();
-        std::size_t restored = 4;
-        std::size_t next_relaxation = 4;
-        while (!collapses_.empty()) {
-            if (restored >= next_relaxation) {
-                relax_all(restored);
-                next_relaxation = std::size_t(std::ceil(options_.growth * double(restored)));
+        std::size_t relaxed = 0;  // when there were so many vertices
+        for (restored_ = 4; restored_ < count;) {
+            if (double(restored_) >= options_.growth * double(relaxed)) {
+                relax_all();
+                relaxed = restored_;
             }
-            const Index vertex = undo_last_collapse();
-            if (!place(vertex)) {
-                while (!collapses_.empty()) undo_last_collapse();
-                return {{},
-                        fmt::format("no room on the sphere for vertex {}, the {}th of {}", vertex,
-                                    restored + 1, count)};
-            }
-            ++restored;
-            meter_.set_part(collapse_part + (0.9 - collapse_part) * double(restored) / double(count));
-            meter_.step();
+            if (restore_next()) continue;
+            // The neighbourhood may be crowded by those that came since the last relaxation.
+            if (relaxed == restored_) return failure();
+            relax_all();
+            relaxed = restored_;
         }
-        relax_all(count);
+        relax_all();
         return {std::move(points_), {}};
     }
 
@@ -64,7 +59,7 @@ class ProgressiveMapping {
     void gather_areas() {
         for (const Index half_edge : collapses_) {
             double& kept = vertex_area_[mesh_.origin(mesh_.twin(half_edge))];
-            area_before_.push_back(kept);
+            other_area_.push_back(kept);
             kept += vertex_area_[mesh_.origin(half_edge)];
         }
     }
@@ -82,31 +77,45 @@ class ProgressiveMapping {
         points_[mesh_.origin(HalfEdgeMesh::previous(mesh_.twin(3 * triangle)))] = corners[3];
     }
 
-    Index undo_last_collapse() {
+    /// Brings the last collapsed vertex back, or leaves all as it is when there is no room for it.
+    bool restore_next() {
         const Index half_edge = collapses_.back();
-        collapses_.pop_back();
-        vertex_area_[mesh_.origin(mesh_.twin(half_edge))] = area_before_.back();
-        area_before_.pop_back();
+        const Index vertex = mesh_.origin(half_edge);
+        const Index kept = mesh_.origin(mesh_.twin(half_edge));
+        std::swap(vertex_area_[kept], other_area_.back());
         mesh_.undo_collapse(half_edge);
-        return mesh_.origin(half_edge);
-    }
-
-    /// Places the restored \p vertex, whose first neighbour is the one that it had moved onto. That one is in
-    /// the closure of the kernel, since the triangles that were in the star's place were all its own.
-    bool place(Index vertex) {
-        constexpr int first_steps = 3;
         relaxation_.update_shapes_at(vertex, blend_);
-        const Index kept = mesh_.target(mesh_.outgoing(vertex));
-        if (!relaxation_.put_into_kernel(vertex, points_[kept])) return false;
-        for (int step = 0; step < first_steps; ++step) relaxation_.relax(vertex);
+        // The one that it had moved onto is in the closure of the kernel, since the triangles that were in
+        // the star's place were all its own.
+        if (!relaxation_.put_into_kernel(vertex, points_[kept])) {
+            mesh_.collapse(half_edge);
+            std::swap(vertex_area_[kept], other_area_.back());
+            relaxation_.update_shapes_at(kept, blend_);
+            return false;
+        }
+        relaxation_.relax_star(vertex);
+        collapses_.pop_back();
+        other_area_.pop_back();
+        ++restored_;
+        meter_.set_part(collapse_part +
+                        (0.9 - collapse_part) * double(restored_) / double(mesh_.vertex_capacity()));
+        meter_.step(100);
         return true;
     }
 
+    ProgressiveMap failure() {
+        const Index vertex = mesh_.origin(collapses_.back());
+        for (; !collapses_.empty(); collapses_.pop_back()) mesh_.undo_collapse(collapses_.back());
+        return {{},
+                fmt::format("no room on the sphere for vertex {}, after {} of {}", vertex, restored_,
+                            mesh_.vertex_capacity())};
+    }
+
     /// Coarse meshes are only likenesses of the surface, so their shapes bind less.
-    void relax_all(std::size_t count) {
+    void relax_all() {
         constexpr double coarse_blend = 10;
         constexpr double largest_blend = 0.5;
-        blend_ = std::min(largest_blend, options_.blend + coarse_blend / double(count));
+        blend_ = std::min(largest_blend, options_.blend + coarse_blend / double(restored_));
         relaxation_.update_shapes(blend_);
         relaxation_.sweep(options_.sweeps, meter_);
     }
@@ -119,7 +128,8 @@ class ProgressiveMapping {
     std::vector<glm::dvec3> points_;
     Relaxation relaxation_;
     std::vector<Index> collapses_;
-    std::vector<double> area_before_;  // of the kept vertex, a collapse
+    std::vector<double> other_area_;  // of the kept vertex, without the removed one's; a collapse
+    std::size_t restored_ = 0;        // vertices that are on the sphere
     double blend_ = 0;
 };
 

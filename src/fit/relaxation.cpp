@@ -66,6 +66,21 @@ double Relaxation::relax(Index vertex) {
     return step.gain;
 }
 
+void Relaxation::relax_star(Index vertex) {
+    constexpr int rounds = 2;
+    constexpr Index largest_degree = 32;  // a hub takes part in each star, and would make the work quadratic
+    for (int round = 0; round < rounds; ++round) {
+        relax(vertex);
+        Index half_edge = mesh_.outgoing(vertex);
+        do {
+            const Index neighbour = mesh_.target(half_edge);
+            if (mesh_.degree(neighbour) <= largest_degree) relax(neighbour);
+            half_edge = mesh_.rotated(half_edge);
+        } while (half_edge != mesh_.outgoing(vertex));
+    }
+    relax(vertex);
+}
+
 bool Relaxation::put_into_kernel(Index vertex, const glm::dvec3& seed) {
     gather(vertex, seed);
     const auto middle = star_.middle_of_kernel();

@@ -31,6 +31,9 @@ class Relaxation {
     /// Moves \p vertex by one Newton step and gives by how much of it the energy of its star falls.
     double relax(Index vertex);
 
+    /// Moves \p vertex and its neighbours, but for those of very many edges, by a few steps.
+    void relax_star(Index vertex);
+
     /// Puts \p vertex into the middle of its star's kernel, seen from the point \p seed of the kernel's
     /// closure; false when doubles do not resolve the kernel.
     bool put_into_kernel(Index vertex, const glm::dvec3& seed);

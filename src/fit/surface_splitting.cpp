@@ -47,7 +47,7 @@ std::vector<Edge> sorted_edges(const SurfaceMesh& mesh, std::span<const Index> t
         meter.step();
     }
     std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
-        meter.step();
+        meter.step(1);
         return std::tie(a.low, a.high, a.half_edge) < std::tie(b.low, b.high, b.half_edge);
     });
     return edges;
@@ -96,7 +96,7 @@ std::vector<Index> split_vertices(SurfaceMesh& mesh, std::span<const Index> twin
     std::vector<Index> order(old_vertex.size());
     std::iota(order.begin(), order.end(), Index{0});
     std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-        meter.step();
+        meter.step(1);
         return std::tie(old_vertex[a], a) < std::tie(old_vertex[b], b);
     });
     std::vector<Index> number(order.size());

@@ -77,7 +77,7 @@ std::vector<Index> first_at_same_point(std::span<const glm::dvec3> positions, Pr
         return std::tie(positions[vertex].x, positions[vertex].y, positions[vertex].z);
     };
     std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-        meter.step();
+        meter.step(1);
         return key(a) != key(b) ? key(a) < key(b) : a < b;
     });
     std::vector<Index> first(positions.size());
@@ -100,7 +100,7 @@ std::size_t remove_duplicates(std::vector<Triangle>& triangles, ProgressMeter& m
     order.reserve(triangles.size());
     for (Index i = 0; i < triangles.size(); ++i) order.push_back(sorted(triangles[i], i));
     std::sort(order.begin(), order.end(), [&](const SortedTriangle& a, const SortedTriangle& b) {
-        meter.step();
+        meter.step(1);
         return std::tie(a.vertices, a.triangle) < std::tie(b.vertices, b.triangle);
     });
     const auto kept = [&](bool cancel) {
