@@ -121,6 +121,7 @@ std::vector<glm::vec3> colors_of(const SurfaceMesh& mesh, const RootComplex& roo
                                  const SampledSurface& surface) {
     if (mesh.colors.empty()) return {};
     std::vector<glm::vec3> colors;
+    colors.reserve(surface.mesh_points.size());
     for (const MeshPoint& point : surface.mesh_points)
         colors.push_back(point.of(std::span<const Triangle>(mesh.triangles), std::span(mesh.colors)));
     const Hierarchy colored = hierarchy_from_leaves(roots, surface.leaves, colors);
@@ -210,7 +211,7 @@ FittedKey fit(SurfaceMesh mesh, const FitOptions& options, const Progress& progr
         stopwatch.lap("first attempt");
         key = fit_clean(clean.mesh, Keeps::areas, options, part_of(progress, second_map_begins, 1));
     }
-    key.report.clean_up = std::move(clean.report);
+    key.report.clean_up = clean.report;
     key.report.times.insert(key.report.times.begin(), times.begin(), times.end());
     return key;
 }

@@ -1,5 +1,5 @@
 // Any closed surface without handles becomes a key: clean-up, map to the sphere, alignment, sampling over
-// root triangles, acceptance. The name `measure`d figures tell how good it is; what is not good is refused.
+// root triangles, acceptance.
 #pragma once
 
 #include <optional>

@@ -13,6 +13,7 @@ namespace interleaf {
 Hierarchy cube() {
     // Vertex v is the corner whose coordinate along axis n is 1 where bit n of v is set, -1 elsewhere.
     std::vector<glm::vec3> corners;
+    corners.reserve(8);
     for (unsigned v = 0; v < 8; ++v)
         corners.emplace_back((v & 1) != 0 ? 1 : -1, (v & 2) != 0 ? 1 : -1, (v & 4) != 0 ? 1 : -1);
     // The diagonals are the edges of a tetrahedron: three meet at each of four corners.
