@@ -177,6 +177,7 @@ SampledSurface sample_surface(const SurfaceMesh& mesh, std::span<const glm::dvec
                               const SamplingOptions& options, const Progress& progress) {
     Sampler sampler(mesh, points, location, roots);
     std::vector<glm::vec3> root_positions;
+    root_positions.reserve(roots.complex.vertex_count());
     for (Index vertex = 0; vertex < roots.complex.vertex_count(); ++vertex)
         root_positions.push_back(sampler.position(vertex));
     AdaptiveMesh leaves(roots.complex, root_positions, [&](Index a, Index b, Index midpoint) {
