@@ -17,6 +17,7 @@
 #include "app/command_check.h"
 #include "app/command_export.h"
 #include "app/command_family.h"
+#include "app/command_fit.h"
 #include "app/command_info.h"
 #include "app/command_make.h"
 #include "app/command_render.h"
@@ -307,6 +308,57 @@ void add_family_command(CLI::App& program) {
         "  interleaf family 'flow.*.obj' -o flow");
 }
 
+void add_fit(CLI::App& program) {
+    const auto options = std::make_shared<FitCommandOptions>();
+    CLI::App* command = program.add_subcommand("fit", "Make keys from meshes, closed and without handles");
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "MESH",
+            [options](const std::vector<std::string>& files) {
+                options->meshes.assign(files.begin(), files.end());
+            },
+            "Meshes: .obj, .ply, .stl or .off files; several make a family")
+        ->required();
+    command
+        ->add_option("-o,--output", options->output,
+                     "The .ilh file to write, - for standard output; a folder for several meshes")
+        ->required()
+        ->type_name("FILE");
+    CLI::Option* leaves =
+        add_text_option(*command, "--leaves", "At most this many leaves, and as near as closure allows",
+                        [options](const std::string& text) { options->leaves = parse_count(text); });
+    leaves->type_name("N")->default_str("20000");
+    add_text_option(*command, "--tolerance",
+                    "Largest distance between key and mesh, as a fraction of the box diagonal",
+                    [options](const std::string& text) { options->tolerance = parse_number(text); })
+        ->type_name("E")
+        ->excludes(leaves);
+    command
+        ->add_option("--roots", options->roots,
+                     "Root triangles: cube, icosahedron, octahedron, or an .obj file around its middle")
+        ->type_name("NAME")
+        ->default_str("cube");
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--rotate",
+            [options](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) options->rotations.push_back(parse_axis_turn(text));
+            },
+            "Turn a mesh's parts over the roots; positions stay; once for each mesh")
+        ->allow_extra_args(false)
+        ->type_name("AXIS,DEGREES");
+    add_text_option(*command, "--report", "Print the report as json", [options](const std::string& text) {
+        if (text != "json") throw UsageError(fmt::format("expected json, got '{}'", text));
+        options->json = true;
+    })->type_name("json");
+    add_form(*command, options->form);
+    command->final_callback([options] { run_fit(*options); });
+    command->footer(
+        "Examples:\n"
+        "  interleaf fit bunny.ply -o bunny.ilh\n"
+        "  interleaf fit bunny.ply cow.obj --rotate x,90 --rotate x,0 -o bunny-and-cow");
+}
+
 /// `interleaf [FAMILY...]`: what is not a command is a family to view.
 void add_bare_view(CLI::App& program) {
     const auto options = std::make_shared<ViewOptions>();
@@ -333,6 +385,7 @@ ExitStatus run(CLI::App& program, int argument_count, const char* const* argumen
     add_check(program, all_sound);
     add_make(program);
     add_family_command(program);
+    add_fit(program);
     add_bare_view(program);
     program.parse(argument_count, arguments);
     return all_sound ? done : input_at_fault;

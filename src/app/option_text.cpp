@@ -109,6 +109,16 @@ Viewpoint parse_viewpoint(std::string_view text) {
     return {static_cast<float>((*values)[0]), static_cast<float>((*values)[1]), static_cast<float>(zoom)};
 }
 
+AxisTurn parse_axis_turn(std::string_view text) {
+    constexpr std::string_view axes = "xyz";
+    const std::vector<std::string_view> parts = split(text, ',');
+    const std::size_t axis = parts[0].size() == 1 ? axes.find(parts[0]) : std::string_view::npos;
+    const std::optional<double> degrees = parts.size() == 2 ? number<double>(parts[1]) : std::nullopt;
+    if (axis == std::string_view::npos || !degrees || !(std::abs(*degrees) <= 360))
+        expected("AXIS,DEGREES with the axis x, y or z, from -360 to 360 degrees", text);
+    return {static_cast<int>(axis), *degrees};
+}
+
 Shading parse_shading(std::string_view text) {
     if (text == "smooth") return Shading::smooth;
     if (text == "flat") return Shading::flat;

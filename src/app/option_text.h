@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/command_fit.h"
 #include "app/command_render.h"
 #include "app/morph_selection.h"
 #include "hierarchy/triangle.h"
@@ -34,6 +35,9 @@ PictureSize parse_size(std::string_view text);
 
 /// Where the picture is seen from, "AZIMUTH,ELEVATION" or "AZIMUTH,ELEVATION,ZOOM".
 Viewpoint parse_viewpoint(std::string_view text);
+
+/// A turn "AXIS,DEGREES" about the axis x, y or z.
+AxisTurn parse_axis_turn(std::string_view text);
 
 Shading parse_shading(std::string_view text);
 

@@ -44,6 +44,7 @@ void refine_greedily(AdaptiveMesh& mesh, const LeafError& error, const GreedyOpt
         if (mesh.leaves_added_by(next.leaf) > options.leaves - mesh.leaf_count()) continue;
         changed.clear();
         mesh.refine(std::span(&next.leaf, 1), &changed);
+        if (options.after_step) options.after_step(mesh, changed);
         std::sort(changed.begin(), changed.end());
         changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
         for (const Index leaf : changed) add(leaf);

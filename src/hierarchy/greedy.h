@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <limits>
+#include <span>
 
 #include "hierarchy/adaptive_mesh.h"
 
@@ -13,6 +14,10 @@ struct GreedyOptions {
     Index leaves =
         std::numeric_limits<Index>::max();  ///< at most this many leaves, and as near as closure allows
     double tolerance = 0;                   ///< stop when no leaf's error is larger; same unit as the error
+
+    /// Told after each step, before errors are asked for, which leaves it made: what AdaptiveMesh::refine()
+    /// appends to its `changed`.
+    std::function<void(const AdaptiveMesh&, std::span<const Index> changed)> after_step{};
 };
 
 /// The error of a leaf, not negative.

@@ -13,7 +13,6 @@
 #include "io/input_file.h"
 #include "io/obj_lines.h"
 #include "io/ply_properties.h"
-#include "io/polygon_divider.h"
 
 namespace interleaf {
 
@@ -23,25 +22,6 @@ constexpr std::uint64_t largest_obj = std::uint64_t{1} << 30;
 
 ObjLines read_lines(const std::filesystem::path& file) {
     return read_obj_lines(read_text(file, largest_obj), file.string());
-}
-
-/// The faces as triangles, polygons divided.
-std::vector<Triangle> triangulated(const ObjLines& lines, std::string_view name) {
-    std::vector<Triangle> triangles(lines.triangle_count);
-    PolygonDivider divider(lines.positions, name);
-    const Index* corner = lines.corners.data();
-    auto* place = triangles.data();
-    for (std::size_t face = 0; face < lines.face_sizes.size(); ++face) {
-        const std::size_t size = lines.face_sizes[face];
-        if (size == 3)
-            *place = {corner[0], corner[1], corner[2]};
-        else
-            divider.divide(face, {corner, size}, {place, size - 2});
-        corner += size;
-        place += size - 2;
-    }
-    divider.finish();
-    return triangles;
 }
 
 /// The vertices that triangles use, in their order.
@@ -89,7 +69,7 @@ Hierarchy key_of(const RootComplex& roots, const ObjLines& lines, const std::vec
 
 /// The roots that the faces of \p lines are; \p used gets the vertices that they use.
 RootComplex roots_of(const ObjLines& lines, const std::string& name, std::vector<Index>& used) {
-    std::vector<Triangle> triangles = triangulated(lines, name);
+    std::vector<Triangle> triangles = triangles_of(lines, name);
     used = used_vertices(triangles, lines.positions.size());
     renumber(triangles, used, lines.positions.size());
     try {

@@ -1,9 +1,6 @@
 #include "io/obj_lines.h"
 
-#include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -13,6 +10,8 @@
 
 #include "hierarchy/error.h"
 #include "io/json_place.h"
+#include "io/polygon_divider.h"
+#include "io/words.h"
 
 namespace interleaf {
 
@@ -20,40 +19,6 @@ namespace {
 
 /// Far more than the largest file can have.
 constexpr std::size_t most_vertices = std::numeric_limits<int>::max() / 3;
-
-constexpr std::string_view blanks = " \t\r";
-
-/// The next word of \p line, taken off its front; empty at its end.
-std::string_view take_word(std::string_view& line) {
-    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-    const std::string_view word = line.substr(0, line.find_first_of(blanks));
-    line.remove_prefix(word.size());
-    return word;
-}
-
-template <typename Number>
-std::errc parse(std::string_view word, Number& number) {
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    return end == word.data() + word.size() ? error : std::errc::invalid_argument;
-}
-
-/// The float nearest to \p word; none unless that is a finite number.
-std::optional<float> parse_float(std::string_view word) {
-    if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
-    float number = 0;
-    std::errc error = parse(word, number);
-    if (error == std::errc::result_out_of_range) {
-        // Too small for a float is as good as 0; only too large is wrong.
-        double wide = 0;
-        error = parse(word, wide);
-        if (std::abs(wide) < 1)
-            number = static_cast<float>(wide);
-        else
-            error = std::errc::result_out_of_range;
-    }
-    if (error != std::errc() || !std::isfinite(number)) return std::nullopt;
-    return number;
-}
 
 class Reader {
   public:
@@ -71,6 +36,7 @@ class Reader {
             line_number_ = greatest_line_;
             fail(fmt::format("vertex {} does not exist, there are {}", greatest_, lines_.positions.size()));
         }
+        if (lines_.colors.size() != lines_.positions.size()) lines_.colors.clear();
         if (lines_.triangle_count == 0)
             throw InputError(fmt::format("{}: has no faces, expected some", name_));
         return std::move(lines_);
@@ -132,7 +98,7 @@ class Reader {
     /// back from the last.
     std::size_t vertex_number(std::string_view word) {
         std::int64_t number = 0;
-        if (parse(word.substr(0, word.find('/')), number) != std::errc())
+        if (parse_word(word.substr(0, word.find('/')), number) != std::errc())
             fail(fmt::format("{} is not a corner, expected the number of a vertex", in_quotes(word)));
         const std::int64_t before = static_cast<std::int64_t>(lines_.positions.size());
         if (number == 0) fail("vertex 0 does not exist, they are counted from 1");
@@ -157,12 +123,26 @@ class Reader {
 
 ObjLines read_obj_lines(std::string_view obj, std::string_view name) {
     Reader reader(name);
-    while (!obj.empty()) {
-        const std::string_view line = obj.substr(0, obj.find('\n'));
-        obj.remove_prefix(std::min(line.size() + 1, obj.size()));
-        reader.read(line);
-    }
+    while (!obj.empty()) reader.read(take_line(obj));
     return reader.finish();
+}
+
+std::vector<Triangle> triangles_of(const ObjLines& lines, std::string_view name) {
+    std::vector<Triangle> triangles(lines.triangle_count);
+    PolygonDivider divider(lines.positions, name);
+    const Index* corner = lines.corners.data();
+    auto* place = triangles.data();
+    for (std::size_t face = 0; face < lines.face_sizes.size(); ++face) {
+        const std::size_t size = lines.face_sizes[face];
+        if (size == 3)
+            *place = {corner[0], corner[1], corner[2]};
+        else
+            divider.divide(face, {corner, size}, {place, size - 2});
+        corner += size;
+        place += size - 2;
+    }
+    divider.finish();
+    return triangles;
 }
 
 }  // namespace interleaf

@@ -32,4 +32,8 @@ struct ObjLines {
 /// vertices that exist, a face
 ObjLines read_obj_lines(std::string_view obj, std::string_view name);
 
+/// The faces as triangles, polygons divided by tinyobjloader. \throw InputError naming \p name, where that
+/// cannot be done
+std::vector<Triangle> triangles_of(const ObjLines& lines, std::string_view name);
+
 }  // namespace interleaf

@@ -1,5 +1,9 @@
 #include "hierarchy/greedy.h"
 
+#include <algorithm>
+#include <map>
+#include <utility>
+
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -64,4 +68,31 @@ TEST_CASE("leaves go where the error is") {
     std::size_t near = 0;
     for (Index leaf = 0; leaf < mesh.leaf_count(); ++leaf) near += distance(leaf) < 0.5F ? 1 : 0;
     CHECK(near > mesh.leaf_count() / 2);
+}
+
+TEST_CASE("what is told after each step, replayed bisection by bisection, gives the same leaves") {
+    // Also under a marking of the octahedron in which leaves wait for each other in cycles.
+    for (const RootComplex& roots : {octahedron(), mark_compatibly(octahedron())}) {
+        std::map<std::pair<Index, Index>, Index> midpoint;
+        const auto points = octahedron_points();
+        AdaptiveMesh mesh(roots, points, [&](Index a, Index b, Index made) {
+            midpoint[{a, b}] = made;
+            return glm::normalize(mesh.positions()[a] + mesh.positions()[b]);
+        });
+        std::vector<Triangle> leaves(roots.triangles().begin(), roots.triangles().end());
+        const auto replay = [&](const AdaptiveMesh&, std::span<const Index> changed) {
+            REQUIRE(changed.size() % 2 == 0);
+            for (std::size_t i = 0; i < changed.size(); i += 2) {
+                const Triangle parent = leaves[changed[i]];
+                const auto [a, b] = std::minmax(parent[1], parent[2]);
+                const auto children = bisect(parent, midpoint.at({a, b}));
+                leaves.resize(std::max<std::size_t>(leaves.size(), changed[i + 1] + 1));
+                leaves[changed[i]] = children[0];
+                leaves[changed[i + 1]] = children[1];
+            }
+        };
+        refine_greedily(mesh, longest_edge, {.leaves = 3000, .after_step = replay});
+        REQUIRE(leaves.size() == mesh.leaf_count());
+        for (Index leaf = 0; leaf < mesh.leaf_count(); ++leaf) CHECK(leaves[leaf] == mesh.vertices(leaf));
+    }
 }

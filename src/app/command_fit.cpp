@@ -1,0 +1,201 @@
+#include "app/command_fit.h"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/held_interrupts.h"
+#include "app/output.h"
+#include "app/progress_line.h"
+#include "fit/fit.h"
+#include "hierarchy/error.h"
+#include "io/family_file.h"
+#include "io/mesh_file.h"
+#include "io/surface_file.h"
+#include "shapes/icosahedron.h"
+
+namespace interleaf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 1> formats = {"ilh"};
+constexpr double seconds_a_key = 2;  ///< of the timeline
+
+void check_options(const FitCommandOptions& options) {
+    if (options.json && options.output == "-")
+        throw UsageError("fit: -o - leaves no place for --report, expected a file");
+    if (!options.rotations.empty() && options.rotations.size() != options.meshes.size())
+        throw UsageError(
+            fmt::format("fit: --rotate {} times for {} meshes, expected one for each, x,0 for none",
+                        options.rotations.size(), options.meshes.size()));
+    if (options.meshes.size() == 1) {
+        format_of({options.output, options.output == "-" ? "ilh" : ""}, formats);
+    } else {
+        if (options.output == "-") throw UsageError("fit: -o must name a folder for several meshes");
+        if (options.form.compressed) throw UsageError("fit: --compress is for one mesh");
+    }
+}
+
+SphereRoots roots_named(const std::string& name) {
+    if (name == "cube") return project_to_sphere(cube());
+    if (name == "icosahedron") return project_to_sphere(icosahedron());
+    if (name == "octahedron") return project_to_sphere(octahedron());
+    const std::filesystem::path file = name;
+    if (lower_case_extension(file) != ".obj")
+        throw UsageError(
+            fmt::format("--roots: expected cube, icosahedron, octahedron or an .obj file, got '{}'", name));
+    const Hierarchy roots = read_obj(file);
+    try {
+        return project_to_sphere(roots);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", name, error.what()));
+    }
+}
+
+glm::dmat3 matrix_of(const AxisTurn& turn) {
+    glm::dvec3 axis(0);
+    axis[turn.axis] = 1;
+    return glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(turn.degrees), axis));
+}
+
+/// Names for the keys: those of the files, made different by a number where they are not.
+std::vector<std::string> key_names(const std::vector<std::filesystem::path>& meshes) {
+    std::vector<std::string> names;
+    for (const std::filesystem::path& mesh : meshes) {
+        const std::string stem = mesh.stem().string();
+        std::string name = stem;
+        for (unsigned number = 2; std::ranges::find(names, name) != names.end(); ++number)
+            name = fmt::format("{}-{}", stem, number);
+        names.push_back(name);
+    }
+    return names;
+}
+
+FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options, const Progress& progress) {
+    SurfaceFile surface = read_surface(file);
+    try {
+        return fit({std::move(surface.positions), std::move(surface.triangles), std::move(surface.colors)},
+                   options, progress);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+}
+
+/// Fits every mesh. Cancelled when an interrupt waits.
+std::vector<FittedKey> fit_files(const FitCommandOptions& options, const HeldInterrupts& interrupts) {
+    FitOptions fit_options{
+        .roots = roots_named(options.roots), .leaves = options.leaves, .tolerance = options.tolerance};
+    std::vector<FittedKey> keys;
+    ProgressLine line;
+    for (std::size_t i = 0; i < options.meshes.size(); ++i) {
+        const std::filesystem::path& mesh = options.meshes[i];
+        if (!options.rotations.empty()) fit_options.rotation = matrix_of(options.rotations[i]);
+        keys.push_back(fit_file(mesh, fit_options, [&](std::string_view stage, double part) {
+            line.show(fmt::format("{}: {}", mesh.filename().string(), stage),
+                      (double(i) + part) / double(options.meshes.size()));
+            return !interrupts.is_waiting();
+        }));
+    }
+    return keys;
+}
+
+Family family_of(const std::vector<std::string>& names, const std::vector<FittedKey>& keys,
+                 const std::string& name) {
+    Family family{.name = name, .keys = {}, .timeline = {}, .domain = {}};
+    std::vector<TimelineKey> times;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        family.keys.push_back({names[i], keys[i].hierarchy});
+        times.push_back({seconds_a_key * double(i), i});
+    }
+    family.timeline.emplace(std::move(times));
+    if (keys.size() == 3)
+        family.domain.emplace(
+            std::vector<DomainVertex>{{{0, 0}, 0}, {{1, 0}, 1}, {{0.5, 0.8660254037844386}, 2}},
+            std::vector<Triangle>{{0, 1, 2}});
+    return family;
+}
+
+std::string folder_name(const std::filesystem::path& folder) {
+    const std::filesystem::path whole = folder.has_filename() ? folder : folder.parent_path();
+    const std::string name = std::filesystem::absolute(whole).lexically_normal().filename().string();
+    return name.empty() || name == "." ? "family" : name;
+}
+
+Json json_of(const FitQuality& quality) {
+    return {{"hausdorff", quality.hausdorff},
+            {"root_mean_square", quality.root_mean_square},
+            {"least_angle", quality.least_angle},
+            {"flipped_leaves", quality.flipped_leaves},
+            {"euler", quality.euler}};
+}
+
+Json json_of(const std::filesystem::path& file, const FittedKey& key) {
+    const FitReport& report = key.report;
+    Json seconds = Json::object();
+    double whole = 0;
+    for (const StageTime& time : report.times) {
+        seconds[time.stage] = seconds.value(time.stage, 0.0) + time.seconds;
+        whole += time.seconds;
+    }
+    seconds["whole"] = whole;
+    return {{"file", file.string()},
+            {"mesh", {{"vertices", report.mesh_vertices}, {"triangles", report.mesh_triangles}}},
+            {"clean_up", report.clean_up.sentences()},
+            {"map", {{"method", name_of(report.map_method)}, {"keeps", name_of(report.map_keeps)}}},
+            {"mean_cosine", report.mean_cosine},
+            {"key", {{"leaves", key.hierarchy.leaf_count()}, {"vertices", key.hierarchy.vertex_count()}}},
+            {"quality", json_of(report.quality)},
+            {"quality_at_20000_leaves", json_of(report.at_20000_leaves)},
+            {"seconds", seconds}};
+}
+
+void print_report(const std::filesystem::path& file, const FittedKey& key) {
+    const FitReport& report = key.report;
+    fmt::print("{}: {} vertices, {} triangles\n", file.string(), report.mesh_vertices, report.mesh_triangles);
+    for (const std::string& sentence : report.clean_up.sentences())
+        fmt::print("  cleaned up: {}\n", sentence);
+    double whole = 0;
+    for (const StageTime& time : report.times) whole += time.seconds;
+    fmt::print("  key: {} leaves, at most {:.3g} % of the box diagonal from the mesh, {:.3g} % in the mean\n",
+               key.hierarchy.leaf_count(), 100 * report.quality.hausdorff,
+               100 * report.quality.root_mean_square);
+    fmt::print("  least angle {:.3g} degrees, {} flipped leaves, {:.2g} s\n", report.quality.least_angle,
+               report.quality.flipped_leaves, whole);
+}
+
+void print_reports(const FitCommandOptions& options, const std::vector<FittedKey>& keys) {
+    if (options.output == "-") return;
+    Json meshes = Json::array();
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (options.json)
+            meshes.push_back(json_of(options.meshes[i], keys[i]));
+        else
+            print_report(options.meshes[i], keys[i]);
+    }
+    if (options.json)
+        fmt::print("{}\n", Json{{"meshes", meshes}}.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace
+
+void run_fit(const FitCommandOptions& options) {
+    check_options(options);
+    const HeldInterrupts interrupts;
+    std::vector<FittedKey> keys;
+    try {
+        keys = fit_files(options, interrupts);
+    } catch (const Cancelled&) {
+        return;  // the interrupt that is held ends the program now
+    }
+    if (keys.size() == 1)
+        write_output({options.output, "ilh"}, serialize_hierarchy(keys[0].hierarchy, options.form));
+    else
+        write_family(family_of(key_names(options.meshes), keys, folder_name(options.output)), options.output);
+    print_reports(options, keys);
+}
+
+}  // namespace interleaf

@@ -1,0 +1,99 @@
+// A bounding volume tree: finds, among many boxes, those that contain a point, or the item nearest to one.
+//
+// Boxes are halved at the median of their centres along the longest axis, down to a few a node. Ties are
+// broken by number, so the tree, and the order in which it is walked, depend on the boxes alone.
+#pragma once
+
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "hierarchy/triangle.h"
+
+namespace interleaf {
+
+struct SpaceBox {
+    glm::dvec3 min;
+    glm::dvec3 max;
+
+    /// The square of the distance of \p point; 0 inside.
+    double squared_distance(const glm::dvec3& point) const {
+        const glm::dvec3 outside = glm::max(glm::max(min - point, point - max), glm::dvec3(0));
+        return glm::dot(outside, outside);
+    }
+    bool contains(const glm::dvec3& point) const {
+        return point.x >= min.x && point.x <= max.x && point.y >= min.y && point.y <= max.y &&
+               point.z >= min.z && point.z <= max.z;
+    }
+};
+
+class BoxTree {
+  public:
+    /// \pre \p boxes is not empty, and finite
+    explicit BoxTree(std::span<const SpaceBox> boxes);
+
+    /// Calls \p visit(Index item) for items near \p point, all whose box contains it among them, until it
+    /// returns true. \return whether it did
+    template <typename Visit>
+    bool find(const glm::dvec3& point, Visit visit) const {
+        std::array<Index, most_levels> open;
+        std::size_t count = 0;
+        open[count++] = 0;
+        while (count > 0) {
+            const Node& node = nodes_[open[--count]];
+            if (!node.box.contains(point)) continue;
+            if (node.item_count == 0) {
+                open[count++] = node.first + 1;
+                open[count++] = node.first;
+                continue;
+            }
+            for (Index i = node.first; i < node.first + node.item_count; ++i)
+                if (visit(items_[i])) return true;
+        }
+        return false;
+    }
+
+    /// Calls \p squared_distance(Index item), the square of the item's distance from \p point, for items that
+    /// may be nearer than the root of \p least, the least so far, and keeps the least of them in it.
+    template <typename SquaredDistance>
+    void find_nearest(const glm::dvec3& point, double& least, SquaredDistance squared_distance) const {
+        std::array<std::pair<double, Index>, most_levels> open;
+        std::size_t count = 0;
+        open[count++] = {nodes_[0].box.squared_distance(point), 0};
+        while (count > 0) {
+            const auto [distance, number] = open[--count];
+            if (distance >= least) continue;
+            const Node& node = nodes_[number];
+            for (Index i = node.first; i < node.first + node.item_count; ++i)
+                least = std::min(least, squared_distance(items_[i]));
+            if (node.item_count > 0) continue;
+            std::pair near = {nodes_[node.first].box.squared_distance(point), node.first};
+            std::pair far = {nodes_[node.first + 1].box.squared_distance(point), node.first + 1};
+            if (far.first < near.first) std::swap(near, far);
+            if (far.first < least) open[count++] = far;
+            if (near.first < least) open[count++] = near;
+        }
+    }
+
+  private:
+    /// Halving 2^32 items ends well before this many levels.
+    static constexpr std::size_t most_levels = 48;
+
+    struct Node {
+        SpaceBox box;
+        Index first;       ///< of its two children, which follow each other, or of its items
+        Index item_count;  ///< 0 where it has children
+    };
+
+    void build(Index number, Index begin, Index end, std::span<const SpaceBox> boxes);
+
+    std::vector<Node> nodes_;
+    std::vector<Index> items_;
+};
+
+}  // namespace interleaf

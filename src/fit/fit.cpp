@@ -1,0 +1,219 @@
+#include "fit/fit.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "fit/alignment.h"
+#include "fit/sphere_location.h"
+#include "fit/spherical_map.h"
+#include "fit/surface_sampling.h"
+#include "hierarchy/error.h"
+
+namespace interleaf {
+namespace {
+
+constexpr Index judged_leaves = 20000;
+constexpr double least_tolerance = 1e-5;
+
+/// A tolerance that needs more leaves is out of reach.
+constexpr Index most_leaves = 4000000;
+
+/// Between the places where a leaf's distance is measured it may be this much farther.
+constexpr double sampling_margin = 0.1;
+
+/// Times that a tolerance is tried to be met with a smaller one inside.
+constexpr int most_tries = 4;
+
+/// The parts of the whole at which the stages begin, of a mesh of a few ten thousand vertices.
+constexpr double map_begins = 0.1;
+constexpr double second_map_begins = 0.9;
+
+/// The same of the way from a clean mesh to its key.
+constexpr double mapped_begins = 0.7;
+
+/// Reports what a stage reports as the part of the whole from \p begin to \p end.
+Progress part_of(const Progress& progress, double begin, double end) {
+    if (!progress) return {};
+    return [&progress, begin, end](std::string_view stage, double part) {
+        return progress(stage, begin + (end - begin) * std::clamp(part, 0.0, 1.0));
+    };
+}
+
+class Stopwatch {
+  public:
+    explicit Stopwatch(std::vector<StageTime>& times) : times_(times) {}
+
+    /// The stage that has gone on since the last call is over.
+    void lap(std::string stage) {
+        const auto now = std::chrono::steady_clock::now();
+        times_.push_back({std::move(stage), std::chrono::duration<double>(now - begin_).count()});
+        begin_ = now;
+    }
+
+  private:
+    std::vector<StageTime>& times_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+void check_options(const FitOptions& options) {
+    if (options.leaves && options.tolerance)
+        throw UsageError("a number of leaves and a tolerance exclude each other");
+    const Index roots = options.roots.complex.triangle_count();
+    if (options.leaves && *options.leaves < roots)
+        throw UsageError(fmt::format("{} leaves are too few: there are {} roots", *options.leaves, roots));
+    if (options.tolerance && !(*options.tolerance >= least_tolerance))
+        throw UsageError(fmt::format("the tolerance must be at least {}", least_tolerance));
+}
+
+double box_diagonal(const SurfaceMesh& mesh) {
+    glm::dvec3 low = mesh.positions[0];
+    glm::dvec3 high = low;
+    for (const glm::dvec3& position : mesh.positions) {
+        low = glm::min(low, position);
+        high = glm::max(high, position);
+    }
+    return glm::distance(low, high);
+}
+
+/// A mesh with its map, ready to be sampled.
+struct Mapped {
+    const SurfaceMesh& mesh;
+    std::span<const glm::dvec3> points;
+    const SphereLocation& location;
+    const SphereRoots& roots;
+
+    SampledSurface sample(const SamplingOptions& options, const Progress& progress) const {
+        return sample_surface(mesh, points, location, roots, options, progress);
+    }
+    FitQuality quality(const SampledSurface& surface, const Progress& progress) const {
+        return measure_quality(mesh, location, surface, progress);
+    }
+};
+
+/// Samples until the measured distance is within \p tolerance, a part of the box diagonal.
+std::pair<SampledSurface, FitQuality> sample_within(const Mapped& mapped, double tolerance,
+                                                    const Progress& progress) {
+    const double diagonal = box_diagonal(mapped.mesh);
+    double inside = tolerance * (1 - sampling_margin);
+    for (int tries = 1;; ++tries) {
+        SampledSurface surface =
+            mapped.sample({.leaves = most_leaves, .tolerance = inside * diagonal}, progress);
+        if (surface.leaves.size() + 100 > most_leaves)
+            throw InputError(
+                fmt::format("a tolerance of {} needs more than {} leaves", tolerance, most_leaves));
+        const FitQuality quality = mapped.quality(surface, progress);
+        if (quality.hausdorff <= tolerance) return {std::move(surface), quality};
+        if (tries == most_tries)
+            throw InputError(
+                fmt::format("a tolerance of {} cannot be reached: {:.3g} is what {} leaves come to",
+                            tolerance, quality.hausdorff, surface.leaves.size()));
+        inside *= std::max(0.25, (1 - sampling_margin) * tolerance / quality.hausdorff);
+    }
+}
+
+/// The colours of the mesh at the vertices of the key, in the hierarchy's order.
+std::vector<glm::vec3> colors_of(const SurfaceMesh& mesh, const RootComplex& roots,
+                                 const SampledSurface& surface) {
+    if (mesh.colors.empty()) return {};
+    std::vector<glm::vec3> colors;
+    colors.reserve(surface.mesh_points.size());
+    for (const MeshPoint& point : surface.mesh_points)
+        colors.push_back(point.of(std::span<const Triangle>(mesh.triangles), std::span(mesh.colors)));
+    const Hierarchy colored = hierarchy_from_leaves(roots, surface.leaves, colors);
+    return {colored.positions.begin(), colored.positions.end()};
+}
+
+/// Maps, centres, checks and samples a clean mesh.
+FittedKey fit_clean(const SurfaceMesh& mesh, Keeps keeps, const FitOptions& options,
+                    const Progress& progress) {
+    std::vector<StageTime> times;
+    Stopwatch stopwatch(times);
+    SphericalMap map = map_to_sphere(mesh, part_of(progress, 0, mapped_begins), keeps);
+    stopwatch.lap("map to the sphere");
+    center_map(mesh, map.points);
+    if (const std::string fault = fault_of_map(mesh, map.points); !fault.empty())
+        throw InputError(fmt::format("the centred map to the sphere is not valid: {}", fault));
+    stopwatch.lap("centring");
+
+    FittedKey key = fit_mapped(mesh, std::move(map.points), options, part_of(progress, mapped_begins, 1));
+    key.report.map_method = map.method;
+    key.report.map_keeps = keeps;
+    key.report.times.insert(key.report.times.begin(), times.begin(), times.end());
+    return key;
+}
+
+}  // namespace
+
+FittedKey fit_mapped(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, const FitOptions& options,
+                     const Progress& progress) {
+    check_options(options);
+    FittedKey key;
+    FitReport& report = key.report;
+    report.mesh_vertices = mesh.positions.size();
+    report.mesh_triangles = mesh.triangles.size();
+    Stopwatch stopwatch(report.times);
+    rotate(points, rotation_to_surface(mesh, points));
+    report.mean_cosine = mean_cosine(mesh, points);
+    rotate(points, options.rotation);
+    const SphereLocation location(mesh.triangles, points);
+    const Mapped mapped{mesh, points, location, options.roots};
+    stopwatch.lap("alignment");
+
+    const SamplingOptions judged{.leaves = std::max(judged_leaves, options.roots.complex.triangle_count())};
+    SampledSurface surface = mapped.sample(judged, part_of(progress, 0, 0.2));
+    stopwatch.lap("sampling");
+    report.at_20000_leaves = report.quality = mapped.quality(surface, part_of(progress, 0.2, 0.5));
+    stopwatch.lap("measuring");
+    const std::string fault = fault_of_fit(report.at_20000_leaves, surface.leaves.size(), options.limits);
+    if (!fault.empty()) throw InputError(fmt::format("no good key: {}", fault));
+
+    if (options.tolerance) {
+        std::tie(surface, report.quality) =
+            sample_within(mapped, *options.tolerance, part_of(progress, 0.5, 1));
+        stopwatch.lap("sampling within the tolerance");
+    } else if (options.leaves.value_or(judged.leaves) != judged.leaves) {
+        surface = mapped.sample({.leaves = *options.leaves}, part_of(progress, 0.5, 0.7));
+        stopwatch.lap("sampling");
+        report.quality = mapped.quality(surface, part_of(progress, 0.7, 1));
+        stopwatch.lap("measuring");
+    }
+    key.hierarchy = hierarchy_from_leaves(options.roots.complex, surface.leaves, surface.positions);
+    key.colors = colors_of(mesh, options.roots.complex, surface);
+    return key;
+}
+
+std::string_view name_of(MapMethod method) {
+    constexpr std::array<std::string_view, 3> names = {"progressive", "careful progressive",
+                                                       "curvature flow"};
+    return names[static_cast<std::size_t>(method)];
+}
+
+std::string_view name_of(Keeps keeps) {
+    return keeps == Keeps::shapes ? "shapes" : "areas";
+}
+
+FittedKey fit(SurfaceMesh mesh, const FitOptions& options, const Progress& progress) {
+    check_options(options);
+    std::vector<StageTime> times;
+    Stopwatch stopwatch(times);
+    CleanMesh clean = clean_up(std::move(mesh), part_of(progress, 0, map_begins));
+    stopwatch.lap("clean-up");
+
+    FittedKey key;
+    try {
+        key = fit_clean(clean.mesh, Keeps::shapes, options, part_of(progress, map_begins, second_map_begins));
+    } catch (const InputError&) {
+        stopwatch.lap("first attempt");
+        key = fit_clean(clean.mesh, Keeps::areas, options, part_of(progress, second_map_begins, 1));
+    }
+    key.report.clean_up = clean.report;
+    key.report.times.insert(key.report.times.begin(), times.begin(), times.end());
+    return key;
+}
+
+}  // namespace interleaf

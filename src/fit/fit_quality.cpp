@@ -1,0 +1,140 @@
+#include "fit/fit_quality.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "fit/progress_meter.h"
+#include "fit/surface_distance.h"
+#include "hierarchy/measure.h"
+
+namespace interleaf {
+namespace {
+
+/// Places on each mesh, besides its vertices, when these are spread evenly.
+constexpr double places = 100000;
+
+/// Parts an edge of a grid over one triangle, at most.
+constexpr double most_parts = 64;
+
+struct Flat {
+    std::span<const Triangle> triangles;
+    std::span<const glm::dvec3> positions;
+};
+
+glm::dvec3 doubled_area(const Flat& flat, const Triangle& triangle) {
+    const glm::dvec3& a = flat.positions[triangle[0]];
+    return glm::cross(flat.positions[triangle[1]] - a, flat.positions[triangle[2]] - a);
+}
+
+struct Distances {
+    double largest = 0;
+    double mean_square = 0;  ///< by area
+};
+
+/// Distances of \p from's vertices, and of grids over its triangles, from \p to.
+Distances distances(const Flat& from, const Flat& to, const Progress& progress, double begin) {
+    const SurfaceDistance distance(to.triangles, to.positions);
+    double area = 0;
+    for (const Triangle& triangle : from.triangles) area += glm::length(doubled_area(from, triangle)) / 2;
+    // A grid of right triangles of this side has about that many places.
+    const double spacing = std::sqrt(area / places);
+
+    Distances found;
+    ProgressMeter meter(progress);
+    meter.enter("measuring", begin);
+    std::size_t count = 0;
+    Index nearest = no_index;
+    const auto measure = [&](const glm::dvec3& place) {
+        meter.set_part(begin + std::min(0.5, double(++count) / (places + double(from.positions.size())) / 2));
+        meter.step();
+        const double here = distance(place, nearest);
+        found.largest = std::max(found.largest, here);
+        return here * here;
+    };
+    for (const Triangle& triangle : from.triangles) {
+        const glm::dvec3& a = from.positions[triangle[0]];
+        const glm::dvec3 along_b = from.positions[triangle[1]] - a;
+        const glm::dvec3 along_c = from.positions[triangle[2]] - a;
+        const double longest =
+            std::max({glm::length(along_b), glm::length(along_c), glm::length(along_c - along_b)});
+        const double parts = spacing > 0 ? std::clamp(std::ceil(longest / spacing), 1.0, most_parts) : 1;
+        // The centres of the grid's triangles that stand as the whole does: each for an equal part of it.
+        double sum = 0;
+        double terms = 0;
+        for (double row = 0; row < parts; ++row)
+            for (double column = 0; column + row < parts; ++column, ++terms)
+                sum += measure(a + (row + 1.0 / 3) / parts * along_b + (column + 1.0 / 3) / parts * along_c);
+        if (area > 0) found.mean_square += sum / terms * glm::length(doubled_area(from, triangle)) / 2 / area;
+    }
+    for (const glm::dvec3& vertex : from.positions) measure(vertex);
+    return found;
+}
+
+/// Leaves whose normal does not point to the side of the surface's normal there: the mean over a few places
+/// of the leaf, by the map. Leaves of no area count.
+std::size_t count_flipped(const Flat& mesh, const SphereLocation& location, const SampledSurface& surface,
+                          const Flat& key) {
+    std::size_t flipped = 0;
+    for (const Triangle& triangle : key.triangles) {
+        const auto& [u, v, w] =
+            std::array{surface.sphere_points[triangle[0]], surface.sphere_points[triangle[1]],
+                       surface.sphere_points[triangle[2]]};
+        glm::dvec3 normal(0);
+        Index guess = surface.mesh_points[triangle[0]].triangle;
+        for (const glm::dvec3& inside : {u + v + w, 4.0 * u + v + w, u + 4.0 * v + w, u + v + 4.0 * w}) {
+            guess = location.locate(glm::normalize(inside), guess).triangle;
+            const glm::dvec3 here = doubled_area(mesh, mesh.triangles[guess]);
+            const double length = glm::length(here);
+            if (length > 0) normal += here / length;
+        }
+        if (!(glm::dot(normal, doubled_area(key, triangle)) > 0)) ++flipped;
+    }
+    return flipped;
+}
+
+}  // namespace
+
+FitQuality measure_quality(const SurfaceMesh& mesh, const SphereLocation& location,
+                           const SampledSurface& surface, const Progress& progress) {
+    std::vector<Triangle> triangles;
+    triangles.reserve(surface.leaves.size());
+    for (const Leaf& leaf : surface.leaves) triangles.push_back(leaf.vertices);
+    const std::vector<glm::dvec3> positions(surface.positions.begin(), surface.positions.end());
+    const Flat key{triangles, positions};
+    const Flat original{mesh.triangles, mesh.positions};
+
+    SpaceBox box{mesh.positions[0], mesh.positions[0]};
+    for (const glm::dvec3& position : mesh.positions)
+        box = {glm::min(box.min, position), glm::max(box.max, position)};
+    const double diagonal = glm::distance(box.min, box.max);
+
+    const Distances to_key = distances(original, key, progress, 0);
+    const Distances to_surface = distances(key, original, progress, 0.5);
+    FitQuality quality;
+    quality.hausdorff = std::max(to_key.largest, to_surface.largest) / diagonal;
+    quality.root_mean_square = std::sqrt((to_key.mean_square + to_surface.mean_square) / 2) / diagonal;
+    quality.least_angle = measure(triangles, surface.positions).min_angle;
+    quality.flipped_leaves = count_flipped(original, location, surface, key);
+    quality.euler = euler_number(triangles);
+    return quality;
+}
+
+std::string fault_of_fit(const FitQuality& quality, std::size_t leaves, const FitLimits& limits) {
+    if (!(quality.hausdorff < limits.hausdorff))
+        return fmt::format(
+            "{:.3g} % of the box diagonal from the surface at {} leaves, expected less than {:.3g} %",
+            100 * quality.hausdorff, leaves, 100 * limits.hausdorff);
+    const double flipped = double(quality.flipped_leaves) / double(leaves);
+    if (!(flipped < limits.flipped_part))
+        return fmt::format("{:.3g} % of {} leaves are turned over, expected less than {:.3g} %",
+                           100 * flipped, leaves, 100 * limits.flipped_part);
+    if (quality.euler != 2) return fmt::format("Euler number {}, expected 2", quality.euler);
+    return {};
+}
+
+}  // namespace interleaf

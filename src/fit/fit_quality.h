@@ -1,0 +1,38 @@
+// How well a sampled surface stands for the one it was made from, and whether that is good enough.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "fit/progress.h"
+#include "fit/surface_mesh.h"
+#include "fit/surface_sampling.h"
+
+namespace interleaf {
+
+/// Lengths are parts of the diagonal of the surface's box.
+struct FitQuality {
+    double hausdorff = 0;         ///< largest distance of a point of either from the other
+    double root_mean_square = 0;  ///< of the distances from the surface to the key and back, by area
+    double least_angle = 0;       ///< degrees
+    std::size_t flipped_leaves =
+        0;  ///< whose normal is turned by a right angle or more against the surface's
+    int euler = 0;
+};
+
+/// Measures at the vertices of both, and on grids over their triangles: some 100,000 places each, more where
+/// the meshes are finer. So distances are as large as found, and may be a little larger between these places.
+/// \throw Cancelled
+FitQuality measure_quality(const SurfaceMesh& mesh, const SphereLocation& location,
+                           const SampledSurface& surface, const Progress& progress);
+
+/// The acceptance of a fit, judged at 20,000 leaves.
+struct FitLimits {
+    double hausdorff = 0.005;     ///< part of the box diagonal
+    double flipped_part = 0.005;  ///< of the leaves
+};
+
+/// Why a fit is not accepted; empty when it is.
+std::string fault_of_fit(const FitQuality& quality, std::size_t leaves, const FitLimits& limits = {});
+
+}  // namespace interleaf

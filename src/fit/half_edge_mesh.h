@@ -1,0 +1,66 @@
+// A closed triangle mesh as half-edges, with edge collapses that can be undone in reverse order.
+//
+// Half-edge 3 t + k runs from corner k of triangle t to its next corner. A half-edge collapse (v to w) takes
+// v and two triangles away; what those two held stays in place, so that undoing needs nothing but the
+// collapsed half-edge (the links "dance" back, Knuth 2000). The mesh must be a simplicial complex and stay
+// one: see decimation.h.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "hierarchy/triangle.h"
+
+namespace interleaf {
+
+class HalfEdgeMesh {
+  public:
+    /// \param triangles  a closed, oriented manifold that uses each of \p vertex_count vertices and joins no
+    /// two of
+    ///                   them twice
+    /// \throw InputError naming the edge or vertex where it is none
+    HalfEdgeMesh(Index vertex_count, std::span<const Triangle> triangles);
+
+    static Index next(Index half_edge) { return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1; }
+    static Index previous(Index half_edge) { return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1; }
+
+    Index vertex_capacity() const { return static_cast<Index>(outgoing_.size()); }
+    Index triangle_capacity() const { return static_cast<Index>(origin_.size() / 3); }
+
+    bool has_vertex(Index vertex) const { return outgoing_[vertex] != no_index; }
+    bool has_triangle(Index triangle) const { return has_triangle_[triangle]; }
+
+    /// Whether the surface is in one piece. \pre nothing is collapsed
+    bool is_connected() const;
+
+    Index origin(Index half_edge) const { return origin_[half_edge]; }
+    Index target(Index half_edge) const { return origin_[next(half_edge)]; }
+    Index twin(Index half_edge) const { return twin_[half_edge]; }
+
+    /// How many edges \p vertex has.
+    Index degree(Index vertex) const { return degree_[vertex]; }
+
+    /// A half-edge from \p vertex.
+    Index outgoing(Index vertex) const { return outgoing_[vertex]; }
+
+    /// The half-edge from the same vertex that follows counter-clockwise.
+    Index rotated(Index half_edge) const { return twin_[previous(half_edge)]; }
+
+    /// Moves the origin v of \p half_edge onto its target w: v and the two triangles at the edge go.
+    /// \pre v and w have exactly two common neighbours, and there are more than four vertices.
+    void collapse(Index half_edge);
+
+    /// Undoes the last collapse that has not been undone, which was of \p half_edge.
+    void undo_collapse(Index half_edge);
+
+  private:
+    void check_fan(Index vertex) const;
+
+    std::vector<Index> origin_;
+    std::vector<Index> twin_;
+    std::vector<Index> outgoing_;
+    std::vector<Index> degree_;
+    std::vector<char> has_triangle_;
+};
+
+}  // namespace interleaf

@@ -1,0 +1,108 @@
+// The star of one vertex on the unit sphere, in coordinates of the tangent plane there: where the vertex may
+// move, which is the kernel of the star, and where it moves best.
+//
+// A place (s, t) of the tangent plane at the centre stands for the point of the sphere that lies before it
+// (central projection, so great circles are lines). All coordinates are differences from the centre, so a
+// star of size h is known to about 1e-16 / h of its size, however small it is.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace interleaf {
+
+/// The tangent plane at a point of the unit sphere.
+struct TangentFrame {
+    glm::dvec3 center;
+    glm::dvec3 s_axis;
+    glm::dvec3 t_axis;
+
+    explicit TangentFrame(const glm::dvec3& unit_point);
+
+    /// The point in the frame's coordinates, less the centre.
+    glm::dvec3 local(const glm::dvec3& point) const;
+    /// The unit point before a place of the plane.
+    glm::dvec3 point_at(const glm::dvec2& place) const;
+};
+
+/// What a map keeps rather than the other. Shapes make the better keys: with areas before shapes leaves are
+/// sheared, and ten times as many are turned over. But limbs many times longer than thick need room.
+enum class Keeps { shapes, areas };
+
+/// A spherical triangle (centre, a, b) of a star with the rest shape it is to keep.
+struct StarTriangle {
+    glm::dvec3 a;           ///< in the frame, less the centre
+    glm::dvec3 b;           ///< the next corner counter-clockwise
+    glm::dvec3 normal;      ///< a x b: positive on the side of the great circle a b where the centre may be
+    double cotangent_to_a;  ///< of the rest angle opposite the edge to a
+    double cotangent_to_b;
+    double fixed_stretch;  ///< cotangent times squared length of the edge a b
+    double area;           ///< that it is to take, of 4 pi
+};
+
+/// The distortion that a vertex's place costs, over its triangles: area MIPS^p ((r + 1/r) / 2)^q, where
+/// MIPS is the conformal distortion (Hormann and Greiner 2000), 1 for a similar triangle, and r is the ratio
+/// of the spherical area to the one wanted (Degener et al. 2003); p and q are 2 and 1 where areas are kept, 3
+/// and 5/16 where shapes are.
+///
+/// Both are taken of the determinant of the corners, which is twice the area of a small triangle and 0 where
+/// the spherical triangle flips, so that the energy is infinite at the edge of the kernel, also for triangles
+/// that cover a good part of the sphere.
+struct StarEnergy {
+    double value = 0;
+    glm::dvec2 gradient{0};
+    double ss = 0;  ///< second derivatives
+    double st = 0;
+    double tt = 0;
+};
+
+struct NewtonStep {
+    glm::dvec2 place{0};  ///< that it comes to; the centre when no better one was found
+    double gain = 0;      ///< by how much of it the energy falls, 0 to 1
+};
+
+class SphericalStar {
+  public:
+    /// An empty star about \p center.
+    explicit SphericalStar(const glm::dvec3& center, Keeps keeps = Keeps::areas)
+        : frame_(center), keeps_(keeps) {}
+
+    void restart(const glm::dvec3& center) {
+        frame_ = TangentFrame(center);
+        triangles_.clear();
+    }
+
+    const TangentFrame& frame() const { return frame_; }
+
+    /// The square of the longest distance of a neighbour from the centre.
+    double squared_size() const;
+
+    /// Adds the next triangle counter-clockwise.
+    void add(const glm::dvec3& a, const glm::dvec3& b, double cotangent_to_a, double cotangent_to_b,
+             double cotangent_across, double area);
+
+    /// Infinite for a place outside the kernel or too near to its edge for double precision.
+    double energy(const glm::dvec2& place) const;
+
+    /// At the centre, with its derivatives.
+    StarEnergy energy_at_center() const;
+
+    bool has_center_in_kernel() const;
+
+    /// The kernel's middle (the mean of its corners) when the kernel has one that doubles can tell from its
+    /// edge. Only the part of the kernel within about 84 degrees of the centre is seen.
+    std::optional<glm::dvec2> middle_of_kernel() const;
+
+    /// One step of Newton's method from the centre, never uphill and never out of the kernel.
+    NewtonStep newton_step() const;
+
+  private:
+    TangentFrame frame_;
+    Keeps keeps_;
+    std::vector<StarTriangle> triangles_;
+};
+
+}  // namespace interleaf

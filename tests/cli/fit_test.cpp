@@ -1,0 +1,219 @@
+// `interleaf fit`: keys and families from mesh files, and everything it refuses.
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "cli/process.h"
+#include "cli/temporary_folder.h"
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+#include "hierarchy/checker.h"
+#include "hierarchy/measure.h"
+#include "io/family_file.h"
+#include "io/hierarchy_file.h"
+#include "io/mesh_file.h"
+
+namespace interleaf {
+namespace {
+
+/// Makes an OBJ of a shape's key: a closed mesh of genus 0.
+std::string shape_obj(const TemporaryFolder& folder, const std::string& shape, int leaves) {
+    const std::string key = folder / (shape + "-made.ilh");
+    const std::string mesh = folder / (shape + ".obj");
+    REQUIRE(run_interleaf({"make", shape, "--leaves", std::to_string(leaves), "-o", key}).status == 0);
+    REQUIRE(run_interleaf({"export", key, "-o", mesh}).status == 0);
+    return mesh;
+}
+
+std::string off_text(const std::vector<std::array<double, 3>>& points,
+                     const std::vector<Triangle>& triangles) {
+    std::string text = fmt::format("OFF\n{} {} 0\n", points.size(), triangles.size());
+    for (const auto& [x, y, z] : points) text += fmt::format("{} {} {}\n", x, y, z);
+    for (const auto& [a, b, c] : triangles) text += fmt::format("3 {} {} {}\n", a, b, c);
+    return text;
+}
+
+std::string torus_off() {
+    std::vector<std::array<double, 3>> points;
+    std::vector<Triangle> triangles;
+    constexpr Index around = 12;
+    for (Index i = 0; i < around; ++i)
+        for (Index j = 0; j < around; ++j) {
+            const double u = 2 * 3.14159265 * i / around;
+            const double v = 2 * 3.14159265 * j / around;
+            const double r = 2 + std::cos(v);
+            points.push_back({r * std::cos(u), r * std::sin(u), std::sin(v)});
+            const Index a = i * around + j;
+            const Index b = (i + 1) % around * around + j;
+            const Index c = (i + 1) % around * around + (j + 1) % around;
+            const Index d = i * around + (j + 1) % around;
+            triangles.push_back({a, b, c});
+            triangles.push_back({a, c, d});
+        }
+    return off_text(points, triangles);
+}
+
+TEST_CASE("a mesh becomes a key over the cube's roots, near to it, with a report") {
+    const TemporaryFolder folder;
+    const std::string mesh = shape_obj(folder, "cushion", 3000);
+    const Outcome outcome =
+        run_interleaf({"fit", mesh, "-o", folder / "key.ilh", "--leaves", "4000", "--report", "json"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    CHECK(outcome.errors.empty());
+    const Hierarchy key = read_hierarchy(folder / "key.ilh");
+    CHECK(check(key).empty());
+    CHECK(key.roots.triangle_count() == 12);
+    CHECK(key.leaf_count() <= 4000);
+    CHECK(key.leaf_count() > 3980);
+    const Box wanted = bounding_box(read_obj(mesh).positions);
+    CHECK(bounding_box(key.positions).diagonal() == doctest::Approx(wanted.diagonal()).epsilon(0.01));
+
+    const auto report = nlohmann::json::parse(outcome.output)["meshes"][0];
+    CHECK(report["file"] == mesh);
+    CHECK(report["key"]["leaves"] == key.leaf_count());
+    CHECK(report["quality"]["hausdorff"].get<double>() < 0.005);
+    CHECK(report["quality"]["euler"] == 2);
+    CHECK(report["seconds"]["whole"].get<double>() > 0);
+}
+
+TEST_CASE("the same mesh gives the same file; standard output gets it alone") {
+    const TemporaryFolder folder;
+    const std::string mesh = shape_obj(folder, "star", 2000);
+    REQUIRE(run_interleaf({"fit", mesh, "-o", folder / "key.ilh", "--leaves", "1000"}).status == 0);
+    const Outcome outcome = run_interleaf({"fit", mesh, "-o", "-", "--leaves", "1000"});
+    CHECK(outcome.status == 0);
+    CHECK(outcome.output == content_of(folder / "key.ilh"));
+}
+
+TEST_CASE("a tolerance is met, and roots of one's own are taken") {
+    const TemporaryFolder folder;
+    const std::string mesh = shape_obj(folder, "cushion", 3000);
+    for (const std::string& roots :
+         std::vector<std::string>{"icosahedron", "octahedron", folder / "roots.obj"}) {
+        CAPTURE(roots);
+        set_content(folder / "roots.obj",
+                    "v 1 1 1\nv -1 -1 1\nv 1 -1 -1\nv -1 1 -1\n"
+                    "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
+        const Outcome outcome = run_interleaf({"fit", mesh, "-o", folder / "key.ilh", "--tolerance", "0.002",
+                                               "--roots", roots, "--report", "json"});
+        REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+        CHECK(nlohmann::json::parse(outcome.output)["meshes"][0]["quality"]["hausdorff"].get<double>() <=
+              0.002);
+        const Index count = roots == "icosahedron" ? 20 : (roots == "octahedron" ? 8 : 4);
+        CHECK(read_hierarchy(folder / "key.ilh").roots.triangle_count() == count);
+    }
+}
+
+TEST_CASE("several meshes become a family over the same roots, three of them with a domain") {
+    const TemporaryFolder folder;
+    const std::string star = shape_obj(folder, "star", 2000);
+    const std::string cushion = shape_obj(folder, "cushion", 2000);
+    const std::string sphere = shape_obj(folder, "sphere", 1000);
+    Outcome outcome = run_interleaf({"fit", star, cushion, sphere, "-o", folder / "three", "--leaves", "1500",
+                                     "--rotate", "x,0", "--rotate", "y,90", "--rotate", "z,-20.5"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    const Family three = read_family(folder / "three");
+    CHECK(check(three).empty());
+    REQUIRE(three.keys.size() == 3);
+    CHECK(three.keys[1].name == "cushion");
+    CHECK(three.timeline->keys().size() == 3);
+    CHECK(three.domain->triangles().size() == 1);
+
+    outcome = run_interleaf({"fit", star, star, "-o", folder / "two", "--leaves", "500"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    const Family two = read_family(folder / "two");
+    CHECK(two.keys[1].name == "star-2");
+    CHECK_FALSE(two.domain);
+}
+
+TEST_CASE("meshes that no key can stand for are refused with exit status 1, the file and the reason") {
+    const TemporaryFolder folder;
+    const std::vector<std::array<double, 3>> tetrahedron = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    struct Case {
+        std::string name;
+        std::string content;
+        std::string reason;
+    };
+    const Case cases[] = {
+        {"torus.off", torus_off(), "Euler number"},
+        {"empty.off", "", "the file ends"},
+        {"no-faces.off", off_text(tetrahedron, {}), "no faces"},
+        {"nan.off", "OFF\n3 1 0\n0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n", "finite"},
+        {"one-triangle.off", off_text(tetrahedron, {{0, 1, 2}}), ""},
+        {"flat.off",
+         off_text({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}),
+         ""},
+    };
+    for (const Case& each : cases) {
+        CAPTURE(each.name);
+        set_content(folder / each.name, each.content);
+        const Outcome outcome = run_interleaf({"fit", folder / each.name, "-o", folder / "key.ilh"});
+        CAPTURE(outcome.errors);
+        CHECK(outcome.status == 1);
+        CHECK(is_one_message(outcome.errors));
+        CHECK(contains(outcome.errors, each.name));
+        CHECK(contains(outcome.errors, each.reason));
+        CHECK_FALSE(std::filesystem::exists(folder / "key.ilh"));
+    }
+}
+
+TEST_CASE("roots that do not cover the sphere are refused, naming their file") {
+    const TemporaryFolder folder;
+    const std::string mesh = shape_obj(folder, "sphere", 500);
+    set_content(folder / "roots.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Outcome outcome =
+        run_interleaf({"fit", mesh, "-o", folder / "key.ilh", "--roots", folder / "roots.obj"});
+    CHECK(outcome.status == 1);
+    CHECK(contains(outcome.errors, "roots.obj: the roots have 3 boundary edges"));
+}
+
+TEST_CASE("a command line that makes no sense has exit status 2") {
+    const TemporaryFolder folder;
+    const std::string mesh = shape_obj(folder, "sphere", 500);
+    const std::string key = folder / "key.ilh";
+    const std::vector<std::vector<std::string>> lines = {
+        {"fit"},
+        {"fit", mesh},
+        {"fit", mesh, "-o", folder / "key.obj"},
+        {"fit", mesh, "-o", key, "--leaves", "100", "--tolerance", "0.1"},
+        {"fit", mesh, "-o", key, "--leaves", "11"},
+        {"fit", mesh, "-o", key, "--tolerance", "0"},
+        {"fit", mesh, "-o", key, "--roots", "dodecahedron"},
+        {"fit", mesh, "-o", key, "--rotate", "w,90"},
+        {"fit", mesh, "-o", key, "--rotate", "x,90", "--rotate", "x,90"},
+        {"fit", mesh, mesh, "-o", "-"},
+        {"fit", mesh, "-o", "-", "--report", "json"},
+        {"fit", mesh, "-o", key, "--report", "xml"},
+    };
+    for (const std::vector<std::string>& line : lines) {
+        CAPTURE(line.size());
+        const Outcome outcome = run_interleaf(line);
+        CAPTURE(outcome.errors);
+        CHECK(outcome.status == 2);
+        CHECK(is_one_message(outcome.errors));
+        CHECK_FALSE(std::filesystem::exists(key));
+    }
+}
+
+TEST_CASE("an interrupt ends the work and leaves nothing behind") {
+    const TemporaryFolder folder;
+    const std::string mesh = shape_obj(folder, "star", 60000);
+    const std::string key = folder / "key.ilh";
+    const auto entries = [&] {
+        return std::distance(std::filesystem::directory_iterator(folder.path()), {});
+    };
+    const auto before = entries();
+    // timeout(1) sends the interrupt, and waits; 124 says that it had to.
+    const std::string line =
+        fmt::format("timeout --signal=INT 0.3 {} fit {} -o {}", INTERLEAF_PROGRAM, mesh, key);
+    const int status = std::system(line.c_str());
+    CHECK(WEXITSTATUS(status) == 124);
+    CHECK(entries() == before);
+}
+
+}  // namespace
+}  // namespace interleaf

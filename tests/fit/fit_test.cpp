@@ -1,0 +1,160 @@
+// The whole way from a mesh to a key: figures that are known, refusals, cancelling.
+#include "fit/fit.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+#include "fit/closed_meshes.h"
+#include "fit/star_shapes.h"
+#include "hierarchy/checker.h"
+#include "hierarchy/error.h"
+
+using namespace interleaf;
+using namespace interleaf::testing;
+
+namespace {
+
+template <typename Error, typename Action>
+std::string error_of(Action action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("star-shaped surfaces become good keys, measured and reported") {
+    for (const MappedMesh& mapped : {unit_sphere_mesh(4), bumpy_ellipsoid(4)}) {
+        const FittedKey key = fit_mapped(mapped.mesh, mapped.points, {.leaves = 5000});
+        CHECK(check(key.hierarchy).empty());
+        CHECK(key.hierarchy.leaf_count() <= 5000);
+        CHECK(key.report.mesh_vertices == mapped.mesh.positions.size());
+        CHECK(key.report.mean_cosine > 0.95);
+        CHECK(key.report.quality.hausdorff < 0.002);
+        CHECK(key.report.quality.hausdorff > key.report.at_20000_leaves.hausdorff);
+        CHECK(key.report.quality.root_mean_square < key.report.quality.hausdorff);
+        CHECK(key.report.quality.flipped_leaves == 0);
+        CHECK(key.report.quality.euler == 2);
+        CHECK(key.report.quality.least_angle > 15);
+        CHECK(key.colors.empty());
+    }
+}
+
+TEST_CASE("the distance that is measured is the true one where that is known") {
+    // 12 flat roots against the sphere: the middles of the cube's squares are farthest, 1 - 1 / sqrt(3).
+    const MappedMesh mapped = unit_sphere_mesh(6);
+    FitOptions options{.leaves = 12};
+    const FittedKey key = fit_mapped(mapped.mesh, mapped.points, options);
+    const double diagonal = 2 * std::sqrt(3.0);
+    CHECK(key.report.quality.hausdorff == doctest::Approx((1 - 1 / std::sqrt(3.0)) / diagonal).epsilon(0.01));
+}
+
+TEST_CASE("any mesh without handles that the map takes gets a key, from the file's triangles on") {
+    SurfaceMesh mesh = bumpy_ellipsoid(3).mesh;
+    mesh.triangles.erase(mesh.triangles.begin() + 100);  // a hole
+    const FittedKey key = fit(mesh, {.leaves = 4000});
+    CHECK(check(key.hierarchy).empty());
+    CHECK(key.report.clean_up.holes == 1);
+    CHECK(key.report.quality.hausdorff < 0.005);
+    CHECK(key.report.times.size() >= 5);
+}
+
+TEST_CASE("a tolerance is kept, by the measure of the report") {
+    const MappedMesh mapped = bumpy_ellipsoid(4);
+    for (const double tolerance : {0.02, 0.002, 0.0005}) {
+        const FittedKey key = fit_mapped(mapped.mesh, mapped.points, {.tolerance = tolerance});
+        CHECK(key.report.quality.hausdorff <= tolerance);
+    }
+}
+
+TEST_CASE("the rotation asked for moves the vertices over the surface, not the surface") {
+    const MappedMesh mapped = bumpy_ellipsoid(3);
+    const FittedKey plain = fit_mapped(mapped.mesh, mapped.points, {.leaves = 2000});
+    FitOptions options{.leaves = 2000};
+    options.rotation = glm::dmat3(0, 1, 0, -1, 0, 0, 0, 0, 1);  // x to y: a quarter turn about z
+    const FittedKey turned = fit_mapped(mapped.mesh, mapped.points, options);
+    CHECK(turned.report.quality.hausdorff < 0.005);
+    // The part of the surface at root vertex v is now at the root vertex that the turn takes v to.
+    const SphereRoots roots = project_to_sphere(cube());
+    for (std::size_t v = 0; v < 8; ++v)
+        for (std::size_t w = 0; w < 8; ++w)
+            if (glm::distance(options.rotation * roots.points[v], roots.points[w]) < 1e-6)
+                CHECK(glm::distance(plain.hierarchy.positions[v], turned.hierarchy.positions[w]) < 1e-4F);
+}
+
+TEST_CASE("colours of the mesh arrive at the key's vertices") {
+    MappedMesh mapped = unit_sphere_mesh(5);
+    for (const glm::dvec3& point : mapped.points) mapped.mesh.colors.emplace_back(0.5 * point + 0.5);
+    const FittedKey key = fit_mapped(mapped.mesh, mapped.points, {.leaves = 3000});
+    REQUIRE(key.colors.size() == key.hierarchy.vertex_count());
+    for (std::size_t v = 0; v < key.colors.size(); ++v)
+        CHECK(glm::distance(key.colors[v], 0.5F * key.hierarchy.positions[v] + 0.5F) < 1e-5F);
+}
+
+TEST_CASE("what is not good enough is refused, with figures") {
+    const MappedMesh mapped = bumpy_ellipsoid(4);
+    FitOptions strict;
+    strict.limits = {.hausdorff = 1e-6};
+    CHECK(contains(error_of<InputError>([&] { fit_mapped(mapped.mesh, mapped.points, strict); }),
+                   "no good key: "));
+    CHECK(contains(fault_of_fit({.hausdorff = 0.006, .euler = 2}, 20000), "0.6 % of the box diagonal"));
+    CHECK(contains(fault_of_fit({.hausdorff = 0.001, .flipped_leaves = 101, .euler = 2}, 20000),
+                   "turned over"));
+    CHECK(contains(fault_of_fit({.hausdorff = 0.001, .euler = 0}, 20000), "Euler number 0"));
+    CHECK(fault_of_fit({.hausdorff = 0.004, .flipped_leaves = 99, .euler = 2}, 20000).empty());
+    CHECK_FALSE(fault_of_fit({.hausdorff = std::nan(""), .euler = 2}, 20000).empty());
+}
+
+TEST_CASE("leaves that are turned over are counted") {
+    const MappedMesh mapped = unit_sphere_mesh(3);
+    const SphereLocation location(mapped.mesh.triangles, mapped.points);
+    SampledSurface surface =
+        sample_surface(mapped.mesh, mapped.points, location, project_to_sphere(cube()), {.leaves = 500}, {});
+    CHECK(measure_quality(mapped.mesh, location, surface, {}).flipped_leaves == 0);
+    for (Leaf& leaf : surface.leaves) std::swap(leaf.vertices[1], leaf.vertices[2]);
+    CHECK(measure_quality(mapped.mesh, location, surface, {}).flipped_leaves == surface.leaves.size());
+}
+
+TEST_CASE("options out of range, and both a number of leaves and a tolerance, are refused") {
+    const MappedMesh mapped = unit_sphere_mesh(1);
+    const auto fault = [&](const FitOptions& options) {
+        return error_of<UsageError>([&] { fit_mapped(mapped.mesh, mapped.points, options); });
+    };
+    CHECK(contains(fault({.leaves = 100, .tolerance = 0.1}), "exclude each other"));
+    CHECK(contains(fault({.leaves = 11}), "12 roots"));
+    CHECK(contains(fault({.tolerance = 1e-9}), "at least"));
+    CHECK(contains(fault({.tolerance = std::nan("")}), "at least"));
+}
+
+TEST_CASE("it ends at whatever call of progress says so, and says how far it is") {
+    const SurfaceMesh mesh = bumpy_ellipsoid(2).mesh;
+    int calls = 0;
+    double last = 0;
+    fit(mesh, {.leaves = 500}, [&](std::string_view stage, double part) {
+        ++calls;
+        CHECK_FALSE(stage.empty());
+        CHECK(part >= last);
+        CHECK(part <= 1);
+        last = part;
+        return true;
+    });
+    REQUIRE(calls > 20);
+    // Every call for the first hundred, then more sparsely.
+    for (int stop = 1; stop <= calls; stop += stop < 100 ? 1 + calls / 200 : 1 + calls / 20) {
+        int left = stop;
+        CHECK_THROWS_AS(fit(mesh, {.leaves = 500}, [&](std::string_view, double) { return --left > 0; }),
+                        Cancelled);
+        CHECK(left == 0);
+    }
+}
