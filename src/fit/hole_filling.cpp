@@ -32,6 +32,7 @@ class Filler {
         }
         constexpr std::size_t most_spokes = 8;
         std::vector<Sample> rim_samples;
+        rim_samples.reserve(rim.size());
         for (const Index vertex : rim) rim_samples.push_back(sample(vertex));
         const Sample middle = middle_of(rim_samples);
         std::vector<Index> outer = std::move(rim);

@@ -59,7 +59,9 @@ double stretch_of(const StarTriangle& triangle, double squared_to_a, double squa
 /// Where the second derivatives do not make a bowl, they are raised until they do.
 glm::dvec2 newton_direction(const StarEnergy& here) {
     const double mean = (here.ss + here.tt) / 2;
-    const double spread = std::hypot((here.ss - here.tt) / 2, here.st);
+    const double half = (here.ss - here.tt) / 2;
+    const double spread =
+        std::sqrt(half * half + here.st * here.st);  // hypot rounds differently on each system
     const double floor = 0.05 * (std::abs(mean) + spread);
     const double raise = std::max(0.0, floor - (mean - spread));
     const double ss = here.ss + raise;

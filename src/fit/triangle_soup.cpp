@@ -61,7 +61,8 @@ void mark_kept(std::span<const SortedTriangle> copies, bool cancel, std::vector<
 void turn(Index triangle, std::vector<Triangle>& triangles, std::vector<Index>& twin) {
     std::swap(triangles[triangle][1], triangles[triangle][2]);
     // From a b, b c, c a to a c, c b, b a.
-    std::swap(twin[3 * triangle], twin[3 * triangle + 2]);
+    const std::size_t first = 3 * std::size_t(triangle);
+    std::swap(twin[first], twin[first + 2]);
     for (Index k = 0; k < 3; ++k) {
         const Index partner = twin[3 * triangle + k];
         if (partner != no_index) twin[partner] = 3 * triangle + k;

@@ -3,7 +3,7 @@
 //
 // OBJ is read by tinyobjloader behind a check of every line (obj_lines.h). The others are read by own code, a
 // page for each: assimp 5.2.5, the packaged library under a permissive licence, hung for seconds on every
-// third PLY file with a few bytes changed, and reads an OFF face's vertex that does not exist as another one.
+// third PLY file with a few bytes changed.
 #pragma once
 
 #include <cstddef>
