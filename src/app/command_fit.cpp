@@ -10,6 +10,7 @@
 #include "app/held_interrupts.h"
 #include "app/output.h"
 #include "app/progress_line.h"
+#include "family/new_family.h"
 #include "fit/fit.h"
 #include "hierarchy/error.h"
 #include "io/family_file.h"
@@ -23,7 +24,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 1> formats = {"ilh"};
-constexpr double seconds_a_key = 2;  ///< of the timeline
 
 void check_options(const FitCommandOptions& options) {
     if (options.json && options.output == "-")
@@ -62,19 +62,6 @@ glm::dmat3 matrix_of(const AxisTurn& turn) {
     return glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(turn.degrees), axis));
 }
 
-/// Names for the keys: those of the files, made different by a number where they are not.
-std::vector<std::string> key_names(const std::vector<std::filesystem::path>& meshes) {
-    std::vector<std::string> names;
-    for (const std::filesystem::path& mesh : meshes) {
-        const std::string stem = mesh.stem().string();
-        std::string name = stem;
-        for (unsigned number = 2; std::ranges::find(names, name) != names.end(); ++number)
-            name = fmt::format("{}-{}", stem, number);
-        names.push_back(name);
-    }
-    return names;
-}
-
 FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options, const Progress& progress) {
     SurfaceFile surface = read_surface(file);
     try {
@@ -103,26 +90,17 @@ std::vector<FittedKey> fit_files(const FitCommandOptions& options, const HeldInt
     return keys;
 }
 
-Family family_of(const std::vector<std::string>& names, const std::vector<FittedKey>& keys,
-                 const std::string& name) {
-    Family family{.name = name, .keys = {}, .timeline = {}, .domain = {}};
-    std::vector<TimelineKey> times;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        family.keys.push_back({names[i], keys[i].hierarchy});
-        times.push_back({seconds_a_key * double(i), i});
-    }
-    family.timeline.emplace(std::move(times));
-    if (keys.size() == 3)
-        family.domain.emplace(
-            std::vector<DomainVertex>{{{0, 0}, 0}, {{1, 0}, 1}, {{0.5, 0.8660254037844386}, 2}},
-            std::vector<Triangle>{{0, 1, 2}});
-    return family;
-}
-
 std::string folder_name(const std::filesystem::path& folder) {
     const std::filesystem::path whole = folder.has_filename() ? folder : folder.parent_path();
     const std::string name = std::filesystem::absolute(whole).lexically_normal().filename().string();
     return name.empty() || name == "." ? "family" : name;
+}
+
+Family family_of(const FitCommandOptions& options, const std::vector<FittedKey>& fitted) {
+    std::vector<Key> keys;
+    for (std::size_t i = 0; i < fitted.size(); ++i)
+        keys.push_back({options.meshes[i].stem().string(), fitted[i].hierarchy});
+    return family_of_keys(folder_name(options.output), std::move(keys));
 }
 
 Json json_of(const FitQuality& quality) {
@@ -194,7 +172,7 @@ void run_fit(const FitCommandOptions& options) {
     if (keys.size() == 1)
         write_output({options.output, "ilh"}, serialize_hierarchy(keys[0].hierarchy, options.form));
     else
-        write_family(family_of(key_names(options.meshes), keys, folder_name(options.output)), options.output);
+        write_family(family_of(options, keys), options.output);
     print_reports(options, keys);
 }
 

@@ -6,8 +6,8 @@
 
 namespace interleaf {
 
-/// \p text with every control character, and every byte that is no UTF-8, as \xNN: so it moves no cursor, begins no
-/// line, and the name of a file can be told from another's.
+/// \p text with every control character, and every byte that is no UTF-8, as \xNN: so it moves no cursor,
+/// begins no line, and the name of a file can be told from another's.
 std::string shown_text(std::string_view text);
 
 }  // namespace interleaf

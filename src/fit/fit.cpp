@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "fit/alignment.h"
 #include "fit/sphere_location.h"
@@ -116,16 +117,17 @@ std::pair<SampledSurface, FitQuality> sample_within(const Mapped& mapped, double
     }
 }
 
-/// The colours of the mesh at the vertices of the key, in the hierarchy's order.
-std::vector<glm::vec3> colors_of(const SurfaceMesh& mesh, const RootComplex& roots,
-                                 const SampledSurface& surface) {
+/// The colours of the mesh at the sampled points, as the field "color"; none for a mesh without.
+std::vector<Field> color_fields(const SurfaceMesh& mesh, const SampledSurface& surface) {
     if (mesh.colors.empty()) return {};
-    std::vector<glm::vec3> colors;
-    colors.reserve(surface.mesh_points.size());
-    for (const MeshPoint& point : surface.mesh_points)
-        colors.push_back(point.of(std::span<const Triangle>(mesh.triangles), std::span(mesh.colors)));
-    const Hierarchy colored = hierarchy_from_leaves(roots, surface.leaves, colors);
-    return {colored.positions.begin(), colored.positions.end()};
+    Field field{"color", FieldKind::color, {}};
+    field.values.reserve(3 * surface.mesh_points.size());
+    for (const MeshPoint& point : surface.mesh_points) {
+        const glm::vec3 color = glm::clamp(
+            point.of(std::span<const Triangle>(mesh.triangles), std::span(mesh.colors)), 0.0F, 1.0F);
+        field.values.insert(field.values.end(), {color.r, color.g, color.b});
+    }
+    return {std::move(field)};
 }
 
 /// Maps, centres, checks and samples a clean mesh.
@@ -182,8 +184,8 @@ FittedKey fit_mapped(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, co
         report.quality = mapped.quality(surface, part_of(progress, 0.7, 1));
         stopwatch.lap("measuring");
     }
-    key.hierarchy = hierarchy_from_leaves(options.roots.complex, surface.leaves, surface.positions);
-    key.colors = colors_of(mesh, options.roots.complex, surface);
+    key.hierarchy = hierarchy_from_leaves(options.roots.complex, surface.leaves, surface.positions,
+                                          color_fields(mesh, surface));
     return key;
 }
 

@@ -55,8 +55,7 @@ struct FitReport {
 };
 
 struct FittedKey {
-    Hierarchy hierarchy;
-    std::vector<glm::vec3> colors;  ///< one a vertex of the hierarchy; empty when the mesh has none
+    Hierarchy hierarchy;  ///< with the field "color" where the mesh has colours
     FitReport report;
 };
 

@@ -97,8 +97,8 @@ class AdaptiveMesh {
 
     /// Bisects every leaf in \p marked at least once and closes: the smallest conforming refinement that does
     /// (algorithm (A)). The children of every bisection are appended to \p changed, if given: the first,
-    /// in the place of its parent, then the second, bisection after bisection. \throw InputError before a leaf
-    /// would pass max_level; the mesh is then conforming, with a part of \p marked refined
+    /// in the place of its parent, then the second, bisection after bisection. \throw InputError before a
+    /// leaf would pass max_level; the mesh is then conforming, with a part of \p marked refined
     void refine(std::span<const Index> marked, std::vector<Index>* changed = nullptr);
 
     /// The inverse: removes every midpoint of which all surrounding leaves are in \p marked, so that the

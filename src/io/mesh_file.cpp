@@ -90,7 +90,8 @@ std::string corners_text(std::span<const Index> corners) {
     return text + (corners.size() > most ? ", ...)" : ")");
 }
 
-/// Where the faces of \p lines differ from those of \p first, the file \p first_name; empty where they do not.
+/// Where the faces of \p lines differ from those of \p first, the file \p first_name; empty where they do
+/// not.
 std::string face_difference(const ObjLines& lines, const ObjLines& first, std::string_view first_name) {
     std::size_t corner = 0;
     for (std::size_t face = 0; face < std::min(lines.face_sizes.size(), first.face_sizes.size()); ++face) {
@@ -98,8 +99,8 @@ std::string face_difference(const ObjLines& lines, const ObjLines& first, std::s
             return std::span(some.corners).subspan(corner, some.face_sizes[face]);
         };
         if (!std::ranges::equal(of(lines), of(first)))
-            return fmt::format("face {}: has the vertices {}, expected {} as in {} (counted from 1)", face + 1,
-                               corners_text(of(lines)), corners_text(of(first)), first_name);
+            return fmt::format("face {}: has the vertices {}, expected {} as in {} (counted from 1)",
+                               face + 1, corners_text(of(lines)), corners_text(of(first)), first_name);
         corner += lines.face_sizes[face];
     }
     if (lines.face_sizes.size() > first.face_sizes.size())

@@ -22,8 +22,8 @@ inline constexpr std::size_t most_corners = 1000;
 
 struct ObjLines {
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> colors;          ///< one a vertex, white where its line has none; empty when none has
-    std::vector<Index> corners;             ///< vertices of the faces, one face after the other
+    std::vector<glm::vec3> colors;  ///< one a vertex, white where its line has none; empty when none has
+    std::vector<Index> corners;     ///< vertices of the faces, one face after the other
     std::vector<std::uint16_t> face_sizes;  ///< corners of each face, 3 to most_corners
     std::size_t triangle_count = 0;         ///< triangles in the faces once they are triangulated
 };

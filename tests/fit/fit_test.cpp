@@ -47,7 +47,7 @@ TEST_CASE("star-shaped surfaces become good keys, measured and reported") {
         CHECK(key.report.quality.flipped_leaves == 0);
         CHECK(key.report.quality.euler == 2);
         CHECK(key.report.quality.least_angle > 15);
-        CHECK(key.colors.empty());
+        CHECK(key.hierarchy.fields.empty());
     }
 }
 
@@ -97,9 +97,15 @@ TEST_CASE("colours of the mesh arrive at the key's vertices") {
     MappedMesh mapped = unit_sphere_mesh(5);
     for (const glm::dvec3& point : mapped.points) mapped.mesh.colors.emplace_back(0.5 * point + 0.5);
     const FittedKey key = fit_mapped(mapped.mesh, mapped.points, {.leaves = 3000});
-    REQUIRE(key.colors.size() == key.hierarchy.vertex_count());
-    for (std::size_t v = 0; v < key.colors.size(); ++v)
-        CHECK(glm::distance(key.colors[v], 0.5F * key.hierarchy.positions[v] + 0.5F) < 1e-5F);
+    REQUIRE(key.hierarchy.fields.size() == 1);
+    const Field& field = key.hierarchy.fields.front();
+    CHECK(field.label() == FieldName{"color", FieldKind::color});
+    REQUIRE(field.values.size() == 3 * key.hierarchy.vertex_count());
+    for (Index v = 0; v < key.hierarchy.vertex_count(); ++v) {
+        const auto color = field.at(v);
+        const glm::vec3 expected = 0.5F * key.hierarchy.positions[v] + 0.5F;
+        CHECK(glm::distance(glm::vec3(color[0], color[1], color[2]), expected) < 1e-5F);
+    }
 }
 
 TEST_CASE("what is not good enough is refused, with figures") {
