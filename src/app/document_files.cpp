@@ -87,7 +87,7 @@ void DocumentFiles::grant(FileWish wish) {
         case FileWish::none:
             break;
         case FileWish::open:
-            leave_document([this] { browse_to_open(); });
+            browse_to_open();
             break;
         case FileWish::reopen:
             reopen();

@@ -111,6 +111,11 @@ const FolderEntry* FileBrowser::cursor_entry() const {
     return shown_.empty() ? nullptr : &listing_.entries[shown_[selection_.cursor()]];
 }
 
+std::optional<fs::path> FileBrowser::cursor_path() const {
+    if (!open_) return std::nullopt;
+    return shown_.empty() ? folder_ : path_of(selection_.cursor());
+}
+
 fs::path FileBrowser::path_of(std::size_t row) const {
     return folder_ / listing_.entries[shown_[row]].name;
 }
