@@ -91,7 +91,7 @@ class DocumentFiles {
     double now_ = 0;
 
     std::optional<AutosaveWriter> autosave_;
-    std::shared_ptr<const Family> autosaved_;
+    std::shared_ptr<const Family> autosaved_;  ///< the state that the autosave has taken care of
     std::shared_ptr<const Family> seen_;  ///< the document's state of the last frame,
     double seen_since_ = 0;               ///< and since when
     std::vector<Recovery> abandoned_;

@@ -82,6 +82,7 @@ void FileBrowser::go_to(const fs::path& folder, const fs::path& cursor) {
     folder_ = folder;
     listing_ = read_folder(folder);
     remark_.clear();
+    type_ahead_ = TypeAhead();
     crumb_ = static_cast<std::size_t>(std::ranges::distance(folder_)) - 1;
     arrange(cursor);
 }

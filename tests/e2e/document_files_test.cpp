@@ -25,7 +25,7 @@ fs::path family_copy(const fs::path& folder) {
     return folder;
 }
 
-/// Keeps the blend that is shown, an edit that \p steps steps precede.
+/// Keeps the blend that is shown: an edit.
 State keep_blend(const RunningViewer& viewer) {
     viewer.point_at(view_middle(viewer.state()));
     const std::size_t count = viewer.state()["document"]["keys"].size();
@@ -47,7 +47,8 @@ void wait_for_autosave(const RunningViewer& viewer, const fs::path& home, std::s
         for (const fs::path& recovery : recoveries(home)) {
             std::ifstream file(recovery / "family" / "family.json");
             const State family = State::parse(file, nullptr, false);
-            if (family.is_object() && family["keys"].size() == count) return true;
+            const bool has_keys = family.is_object() && family["keys"].size() == count;
+            if (has_keys && fs::exists(recovery / "recovery.json")) return true;
         }
         return false;
     });
@@ -91,12 +92,13 @@ TEST_CASE("files dropped on the view are a new family; dropped on the list, they
 
     // A broken file is refused wherever it is dropped, and all stays as it was.
     const fs::path broken = folder / "broken.ilh";
-    std::ofstream(broken) << "ILFH, or so";
+    fs::copy(builtin_file("star.ilh"), broken);
+    fs::resize_file(broken, 3000);
     const State before = family_of(state);
     for (const glm::vec2 at : {row_pixel(state, 1), view_middle(state)}) {
         viewer.drop(std::vector{broken}, at);
         state = viewer.wait_for("a message", [&](const State& s) { return message_has(s, broken.string()); });
-        CHECK(message_has(state, "expected"));
+        CHECK(message_has(state, "size: 3000 bytes, expected"));
         CHECK(family_of(state) == before);
         viewer.press(XK_Escape);
         viewer.wait_for("no message", [](const State& s) { return s["message"] == ""; });
