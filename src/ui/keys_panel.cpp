@@ -34,7 +34,7 @@ void draw_picture(ImDrawList& list, const KeyRow& row, glm::vec2 corner) {
     // Dear ImGui names a texture by a pointer's worth of bits.
     ImTextureID texture = nullptr;
     const std::uintptr_t name = row.picture;
-    std::memcpy(&texture, &name, sizeof texture);
+    std::memcpy(static_cast<void*>(&texture), &name, sizeof texture);
     list.AddImageRounded(texture, to_imgui(corner), end, {0, 0}, {1, 1}, colors::white, scaled(4));
 }
 

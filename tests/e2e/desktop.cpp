@@ -90,7 +90,7 @@ void Desktop::set_key(KeyName key, bool down) const {
 void Desktop::type(const std::string& text) const {
     // For printable ASCII the name of a key is the letter.
     for (const char letter : text) {
-        const auto name = static_cast<KeyName>(letter);
+        const auto name = static_cast<KeyName>(static_cast<unsigned char>(letter));
         const KeyCode code = XKeysymToKeycode(display_.get(), name);
         const bool is_shifted = XkbKeycodeToKeysym(display_.get(), code, 0, 0) != name;
         if (is_shifted) set_key(XK_Shift_L, true);

@@ -35,6 +35,7 @@ pid_t start(const std::filesystem::path& trace, const std::filesystem::path& hom
     std::vector<std::string> arguments{INTERLEAF_PROGRAM, "view", "--trace", trace.string()};
     for (const std::filesystem::path& file : files) arguments.push_back(file.string());
     std::vector<char*> pointers;
+    pointers.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
     const pid_t process = fork();
