@@ -87,7 +87,7 @@ void DocumentFiles::grant(FileWish wish) {
         case FileWish::none:
             break;
         case FileWish::open:
-            leave_document([this] { browse_to_open(); });
+            browse_to_open();
             break;
         case FileWish::reopen:
             reopen();
@@ -141,9 +141,13 @@ void DocumentFiles::look_after(double now) {
     }
     if (autosave_) {
         const bool rests = now - seen_since_ >= autosave_rest;
-        if (state_.document.is_changed() && present != autosaved_ && rests && !state_.is_dragging) {
+        if (present != autosaved_ && rests && !state_.is_dragging) {
             autosaved_ = present;
-            autosave_->write(present, state_.document.folder().value_or(fs::path()));
+            if (state_.document.is_changed()) {
+                autosave_->write(present, state_.document.folder().value_or(fs::path()));
+            } else {
+                autosave_->clear();  // undone to what is saved
+            }
         }
         if (const auto error = autosave_->take_error()) complain(*error);
     }
@@ -311,7 +315,7 @@ void DocumentFiles::write(const fs::path& folder, const Action& next) {
 
 /// Nothing unsaved is worth recovering any more.
 void DocumentFiles::forget_unsaved() {
-    autosaved_ = nullptr;
+    autosaved_ = state_.document.snapshot();
     if (autosave_) autosave_->clear();
     if (!recovered_) return;
     try {

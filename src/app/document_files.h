@@ -44,6 +44,9 @@ class DocumentFiles {
     /// Whether a question or the file browser has the keyboard.
     bool is_asking() const { return browser_.is_open() || dialog_.is_open(); }
 
+    /// Where the file browser's cursor is, while it is open.
+    std::optional<std::filesystem::path> browsed() const { return browser_.cursor_path(); }
+
     /// Draws them in the middle of \p area and acts on the answers; call it in every frame.
     void show(const Rect& area, double now);
 
@@ -88,7 +91,7 @@ class DocumentFiles {
     double now_ = 0;
 
     std::optional<AutosaveWriter> autosave_;
-    std::shared_ptr<const Family> autosaved_;
+    std::shared_ptr<const Family> autosaved_;  ///< the state that the autosave has taken care of
     std::shared_ptr<const Family> seen_;  ///< the document's state of the last frame,
     double seen_since_ = 0;               ///< and since when
     std::vector<Recovery> abandoned_;

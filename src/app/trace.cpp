@@ -111,6 +111,8 @@ void Trace::record(std::size_t frame, const ViewerState& state, const SurfaceFig
     json["edits_domain"] = state.edits_domain;
     json["help"] = state.help_shown;
     json["asking"] = places.is_asking;
+    json["takes_text"] = places.takes_text;
+    json["browsed"] = places.browsed ? Json(places.browsed->string()) : Json();
     json["message"] = state.message;
     json["window"] = {places.window.x, places.window.y};
     json["pointer"] = {places.pointer.x, places.pointer.y};
@@ -118,7 +120,8 @@ void Trace::record(std::size_t frame, const ViewerState& state, const SurfaceFig
     json["rects"] = {{"view", json_of(places.view)},
                      {"keys", json_of(places.keys)},
                      {"domain", places.domain ? json_of(*places.domain) : Json()},
-                     {"timeline", places.timeline ? json_of(*places.timeline) : Json()}};
+                     {"timeline", places.timeline ? json_of(*places.timeline) : Json()},
+                     {"popup", places.popup ? json_of(*places.popup) : Json()}};
     std::string members = json.dump(-1, ' ', false, Json::error_handler_t::replace).substr(1);
     if (members == last_) return;
     last_ = std::move(members);

@@ -20,12 +20,15 @@ namespace interleaf {
 struct TracePlaces {
     glm::vec2 window;  ///< size
     Rect view;
-    Rect keys;                     ///< the rows of keys in sight
-    std::optional<Rect> domain;    ///< the bounding box of the domain's vertices
-    std::optional<Rect> timeline;  ///< the track from begin to end
-    glm::vec2 pointer;             ///< where the user interface has seen it
-    bool button_down;              ///< any of the mouse, as seen there
-    bool is_asking;                ///< a question or the file browser is open
+    Rect keys;                                     ///< the rows of keys in sight
+    std::optional<Rect> domain;                    ///< the bounding box of the domain's vertices
+    std::optional<Rect> timeline;                  ///< the track from begin to end
+    glm::vec2 pointer;                             ///< where the user interface has seen it
+    bool button_down;                              ///< any of the mouse, as seen there
+    bool is_asking;                                ///< a question or the file browser is open
+    bool takes_text;                               ///< what is typed goes into a field
+    std::optional<Rect> popup;                     ///< the menu or question in front of all others
+    std::optional<std::filesystem::path> browsed;  ///< the file browser's cursor, or its folder
 };
 
 class Trace {

@@ -77,6 +77,7 @@ std::string title_of(const Document& document) {
 
 /// What has come from outside since the last frame; callbacks add to it.
 struct Input {
+    std::vector<int> keys;  ///< of GLFW, that were pressed
     std::vector<Shortcut> pressed;
     std::vector<std::filesystem::path> dropped;
 };
@@ -134,10 +135,12 @@ GLFWwindow* watch_input(GLFWwindow* window, Input& input) {
     glfwSetWindowUserPointer(window, &input);
     glfwSetKeyCallback(window, [](GLFWwindow* source, int key, int, int action, int modifiers) {
         if (action == GLFW_RELEASE) return;
+        auto& seen = *static_cast<Input*>(glfwGetWindowUserPointer(source));
+        seen.keys.push_back(key);
         const Shortcut shortcut{key, modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT)};
         const Command* const command = find_command(shortcut);
         if (command == nullptr || (action == GLFW_REPEAT && !command->repeats)) return;
-        static_cast<Input*>(glfwGetWindowUserPointer(source))->pressed.push_back(shortcut);
+        seen.pressed.push_back(shortcut);
     });
     glfwSetDropCallback(window, [](GLFWwindow* source, int count, const char** paths) {
         auto& dropped = static_cast<Input*>(glfwGetWindowUserPointer(source))->dropped;
@@ -189,7 +192,7 @@ void Viewer::frame() {
     if (width == 0 || height == 0) return;  // minimised
 
     const double now = glfwGetTime();
-    gui_.begin_frame();
+    gui_.begin_frame(std::exchange(input_.keys, {}));
     read_input(now);
     state_.session.advance(now);
     places_ = {.window = {width, height},
@@ -199,11 +202,17 @@ void Viewer::frame() {
                .timeline = std::nullopt,
                .pointer = gui_.pointer(),
                .button_down = gui_.is_button_down(),
-               .is_asking = false};
+               .is_asking = false,
+               .takes_text = false,
+               .popup = std::nullopt,
+               .browsed = std::nullopt};
     show_panels(now);
     files_.grant(std::exchange(state_.file_wish, FileWish::none));
     files_.look_after(now);
     places_.is_asking = files_.is_asking();
+    places_.takes_text = gui_.takes_text();
+    places_.popup = gui_.popup();
+    places_.browsed = files_.browsed();
     follow_document();
     fit_display(state_.session.display, fields_);
     const FamilyField* const field = shown();

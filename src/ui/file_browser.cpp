@@ -88,6 +88,7 @@ void FileBrowser::go_to(const fs::path& folder, const fs::path& cursor) {
     folder_ = whole_path(folder);
     listing_ = read_folder(folder_);
     remark_.clear();
+    type_ahead_ = TypeAhead();
     crumb_ = static_cast<std::size_t>(std::ranges::distance(folder_)) - 1;
     arrange(cursor);
 }
@@ -115,6 +116,11 @@ void FileBrowser::arrange(const fs::path& cursor) {
 
 const FolderEntry* FileBrowser::cursor_entry() const {
     return shown_.empty() ? nullptr : &listing_.entries[shown_[selection_.cursor()]];
+}
+
+std::optional<fs::path> FileBrowser::cursor_path() const {
+    if (!open_) return std::nullopt;
+    return shown_.empty() ? folder_ : path_of(selection_.cursor());
 }
 
 fs::path FileBrowser::path_of(std::size_t row) const {

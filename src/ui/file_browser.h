@@ -55,6 +55,9 @@ class FileBrowser {
     /// While it is, the program's own shortcuts are off.
     bool is_open() const { return open_; }
 
+    /// The file or folder of the cursor, or the folder that is shown if it is empty; none unless it is open.
+    std::optional<std::filesystem::path> cursor_path() const;
+
     /// Draws it, if it is open, in the middle of \p area; call it in every frame from the same place. \return
     /// what was chosen, once; to save, the user has agreed to replace what is there
     std::optional<FileChoice> show(const Rect& area);

@@ -10,11 +10,23 @@
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
+#include <imgui_internal.h>
 
 #include "hierarchy/error.h"
 #include "ui/style.h"
 
 namespace interleaf {
+
+namespace {
+
+void follow_modifiers() {
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
+    io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
+    io.KeyAlt = io.KeysDown[GLFW_KEY_LEFT_ALT] || io.KeysDown[GLFW_KEY_RIGHT_ALT];
+}
+
+}  // namespace
 
 Gui::Gui(GLFWwindow* window) : window_(window) {
     ImGui::CreateContext();
@@ -37,16 +49,36 @@ Gui::~Gui() {
     ImGui::DestroyContext();
 }
 
-void Gui::begin_frame() {
+void Gui::begin_frame(std::span<const int> pressed) {
     follow_display();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    hold_taps(pressed);
     ImGui::NewFrame();
 }
 
 void Gui::end_frame() {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    release_taps();
+}
+
+/// Dear ImGui sees the keys that are down when a frame begins: one that was pressed and released since the
+/// last, as on a slow frame, would be lost.
+void Gui::hold_taps(std::span<const int> pressed) {
+    ImGuiIO& io = ImGui::GetIO();
+    for (const int key : pressed) {
+        if (key < 0 || key > GLFW_KEY_LAST || io.KeysDown[key]) continue;
+        io.KeysDown[key] = true;
+        taps_.push_back(key);
+    }
+    if (!taps_.empty()) follow_modifiers();
+}
+
+void Gui::release_taps() {
+    for (const int key : taps_) ImGui::GetIO().KeysDown[key] = false;
+    if (!taps_.empty()) follow_modifiers();
+    taps_.clear();
 }
 
 bool Gui::has_input() const {
@@ -68,6 +100,14 @@ bool Gui::is_button_down() const {
 
 bool Gui::takes_text() const {
     return ImGui::GetIO().WantTextInput;
+}
+
+std::optional<Rect> Gui::popup() const {
+    const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+    if (popups.empty()) return std::nullopt;
+    const ImGuiWindow* const window = popups.back().Window;
+    if (window == nullptr || !window->Active || window->Hidden) return std::nullopt;
+    return Rect{window->Pos.x, window->Pos.y, window->Size.x, window->Size.y};
 }
 
 void Gui::follow_display() {

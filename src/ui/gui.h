@@ -1,7 +1,13 @@
 // Dear ImGui on a GLFW window: set up, fed and drawn.
 #pragma once
 
+#include <optional>
+#include <span>
+#include <vector>
+
 #include <glm/vec2.hpp>
+
+#include "ui/rect.h"
 
 struct GLFWwindow;
 
@@ -18,7 +24,8 @@ class Gui {
     Gui& operator=(const Gui&) = delete;
 
     /// Begins a frame with the input that has come since the last one.
-    void begin_frame();
+    /// \param pressed  GLFW's keys that were pressed since: those that have been released again, too
+    void begin_frame(std::span<const int> pressed);
 
     /// Draws the frame over what the window shows.
     void end_frame();
@@ -32,8 +39,11 @@ class Gui {
     /// Whether this frame has any button of the mouse down.
     bool is_button_down() const;
 
-    /// Whether a text is being typed, so that keys are no commands.
+    /// Whether what is typed goes into a field.
     bool takes_text() const;
+
+    /// The menu or question in front of all others, in screen coordinates; none unless it is shown.
+    std::optional<Rect> popup() const;
 
     /// Framebuffer pixels a screen coordinate.
     float density() const { return density_; }
@@ -42,10 +52,13 @@ class Gui {
 
   private:
     void follow_display();
+    void hold_taps(std::span<const int> pressed);
+    void release_taps();
 
     GLFWwindow* window_;
     float scale_ = 0;  ///< of the user interface, in screen coordinates
     float density_ = 0;
+    std::vector<int> taps_;  ///< keys that are held down for this frame
 };
 
 }  // namespace interleaf

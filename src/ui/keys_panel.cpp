@@ -34,11 +34,12 @@ void draw_picture(ImDrawList& list, const KeyRow& row, glm::vec2 corner) {
     // Dear ImGui names a texture by a pointer's worth of bits.
     ImTextureID texture = nullptr;
     const std::uintptr_t name = row.picture;
-    std::memcpy(&texture, &name, sizeof texture);
+    std::memcpy(static_cast<void*>(&texture), &name, sizeof texture);
     list.AddImageRounded(texture, to_imgui(corner), end, {0, 0}, {1, 1}, colors::white, scaled(4));
 }
 
-void draw_row(const KeyRow& row, std::size_t key, glm::vec2 corner, float width, bool is_active) {
+void draw_row(const KeyRow& row, std::size_t key, glm::vec2 corner, float width, bool is_active,
+              bool is_selected) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float inset = scaled(3);
     draw_picture(list, row, corner + inset);
@@ -50,10 +51,10 @@ void draw_row(const KeyRow& row, std::size_t key, glm::vec2 corner, float width,
                          to_color(key_color(key), is_active ? 1.0F : 0.45F));
     const float name_left = left + scaled(15);
     draw_text({name_left, top}, corner.x + width - name_left - scaled(6),
-              is_active ? colors::text : colors::dim_text, row.name);
+              is_active || is_selected ? colors::text : colors::dim_text, row.name);
     ImGui::PushFont(small_font());
-    draw_text({left, top + line + scaled(2)}, corner.x + width - left - scaled(6), colors::dim_text,
-              figures_text(row));
+    draw_text({left, top + line + scaled(2)}, corner.x + width - left - scaled(6),
+              is_selected ? colors::text : colors::dim_text, figures_text(row));
     ImGui::PopFont();
 }
 
@@ -69,7 +70,18 @@ void drag_row(const KeyRow& row, std::size_t key, KeysPanelResult& result) {
     }
 }
 
+/// The menu of the right mouse button on the row that is the last item, spaced as menus are.
+void show_row_menu(const KeysPanel& panel, ImVec2 spacing, KeysPanelResult& result) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, spacing);
+    if (ImGui::BeginPopupContextItem(menu_name)) {
+        result.menu_entry = menu_entries(panel.menu);
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar();
+}
+
 void show_rows(const KeysPanel& panel, KeysPanelResult& result) {
+    const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     const float width = ImGui::GetContentRegionAvail().x;
     ImGuiListClipper clipper;
@@ -92,11 +104,8 @@ void show_rows(const KeysPanel& panel, KeysPanelResult& result) {
             }
             if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) result.chosen = key;
             drag_row(panel.keys[key], key, result);
-            if (ImGui::BeginPopupContextItem(menu_name)) {
-                result.menu_entry = menu_entries(panel.menu);
-                ImGui::EndPopup();
-            }
-            draw_row(panel.keys[key], key, corner, width, is_active);
+            show_row_menu(panel, spacing, result);
+            draw_row(panel.keys[key], key, corner, width, is_active, panel.selected == key);
             ImGui::PopID();
         }
     }
@@ -126,12 +135,15 @@ KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
     const float wanted = row_height() * static_cast<float>(panel.keys.size());
     const float shown = std::min(wanted, std::max(height, row_height()));
     const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
-    result.list = {corner.x, corner.y, ImGui::GetContentRegionAvail().x, shown};
+    // In a narrow window the panel scrolls, and the list may be out of sight.
+    const float bottom = std::min(corner.y + shown, ImGui::GetWindowDrawList()->GetClipRectMax().y);
+    const float top = std::max(corner.y, ImGui::GetWindowDrawList()->GetClipRectMin().y);
+    result.list = {corner.x, top, ImGui::GetContentRegionAvail().x, std::max(bottom - top, 0.0F)};
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::BeginChild("key list", {0, shown}, false, ImGuiWindowFlags_NoNav);
+    ImGui::PopStyleVar();
     show_rows(panel, result);
     ImGui::EndChild();
-    ImGui::PopStyleVar();
     const float gap = scaled(2);
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
     result.add = ImGui::Button("Add...", {width, 0});

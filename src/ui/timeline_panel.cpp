@@ -134,6 +134,16 @@ TimeScale held_scale(const TimeScale& scale, bool is_held) {
     return scale;
 }
 
+/// The menu of the right mouse button on the name that is the last item.
+void show_time_menu(std::size_t place, TimelineResult& result) {
+    if (!ImGui::BeginPopupContextItem("time menu")) return;
+    ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[0]);
+    if (ImGui::MenuItem("Set time...")) result.asked_time = place;
+    if (ImGui::MenuItem("Take off the timeline")) result.removed = place;
+    ImGui::PopFont();
+    ImGui::EndPopup();
+}
+
 /// The names below the marks: dragging one moves its key in time, the right mouse button has a menu.
 void show_names(const Family& family, const TimeScale& scale, TimelineResult& result) {
     const Timeline& timeline = *family.timeline;
@@ -161,11 +171,7 @@ void show_names(const Family& family, const TimeScale& scale, TimelineResult& re
         const bool is_pointed = ImGui::IsItemHovered() || is_held;
         if (is_pointed) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
         if (ImGui::IsItemActive()) held_now = static_cast<int>(place);
-        if (ImGui::BeginPopupContextItem("time menu")) {
-            if (ImGui::MenuItem("Set time...")) result.asked_time = place;
-            if (ImGui::MenuItem("Take off the timeline", nullptr, false)) result.removed = place;
-            ImGui::EndPopup();
-        }
+        show_time_menu(place, result);
         ImGui::PopID();
         draw_text(corner, width + 1, is_pointed ? colors::text : colors::dim_text, name);
         label_end = left + width;

@@ -3,10 +3,12 @@
 #include <span>
 #include <stdexcept>
 
+#include <X11/XKBlib.h>
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 #include <X11/extensions/XTest.h>
+#include <X11/keysym.h>
 #include <glm/common.hpp>
 
 namespace interleaf {
@@ -83,6 +85,32 @@ void Desktop::set_key(KeyName key, bool down) const {
     XTestFakeKeyEvent(display_.get(), XKeysymToKeycode(display_.get(), key), down ? True : False,
                       CurrentTime);
     XSync(display_.get(), False);
+}
+
+void Desktop::type(const std::string& text) const {
+    // For printable ASCII the name of a key is the letter.
+    for (const char letter : text) {
+        const auto name = static_cast<KeyName>(static_cast<unsigned char>(letter));
+        const KeyCode code = XKeysymToKeycode(display_.get(), name);
+        const bool is_shifted = XkbKeycodeToKeysym(display_.get(), code, 0, 0) != name;
+        if (is_shifted) set_key(XK_Shift_L, true);
+        set_key(name, true);
+        set_key(name, false);
+        if (is_shifted) set_key(XK_Shift_L, false);
+    }
+}
+
+std::string Desktop::title(WindowName window) const {
+    Atom type = None;
+    int format = 0;
+    unsigned long count = 0;
+    unsigned long rest = 0;
+    unsigned char* bytes = nullptr;
+    XGetWindowProperty(display_.get(), window, XInternAtom(display_.get(), "_NET_WM_NAME", False), 0, 1024,
+                       False, XInternAtom(display_.get(), "UTF8_STRING", False), &type, &format, &count,
+                       &rest, &bytes);
+    const std::unique_ptr<unsigned char, FreeX> owner(bytes);
+    return bytes == nullptr ? "" : std::string(reinterpret_cast<const char*>(bytes), count);
 }
 
 Picture Desktop::picture(WindowName window, const Area& area) const {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -41,6 +42,12 @@ class Desktop {
     /// \param button  1 left, 2 middle, 3 right, 4 wheel forward, 5 wheel back
     void set_button(unsigned button, bool down) const;
     void set_key(KeyName key, bool down) const;
+
+    /// Types \p text, of ASCII, as the keyboard in use has its letters.
+    void type(const std::string& text) const;
+
+    /// What a window manager shows above \p window; UTF-8.
+    std::string title(WindowName window) const;
 
     Picture picture(WindowName window, const Area& area) const;
 

@@ -3,10 +3,13 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <thread>
 
+#include "e2e/file_drag.h"
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <signal.h>
 #include <sys/wait.h>
@@ -27,19 +30,20 @@ bool comes(const std::function<bool()>& attempt) {
     return true;
 }
 
-/// Where the program under test keeps what it keeps of its user.
-std::filesystem::path user_folder(const std::filesystem::path& trace) {
-    return trace.string() + "-user";
-}
-
-pid_t start(const std::filesystem::path& trace, const std::filesystem::path& family) {
+pid_t start(const std::filesystem::path& trace, const std::filesystem::path& home,
+            const std::vector<std::filesystem::path>& files) {
+    std::vector<std::string> arguments{INTERLEAF_PROGRAM, "view", "--trace", trace.string()};
+    for (const std::filesystem::path& file : files) arguments.push_back(file.string());
+    std::vector<char*> pointers;
+    pointers.reserve(arguments.size() + 1);
+    for (std::string& argument : arguments) pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
     const pid_t process = fork();
     if (process == 0) {
         // Settings and recoveries of the person who runs the tests are none of theirs.
-        setenv("XDG_CONFIG_HOME", user_folder(trace).c_str(), 1);
-        setenv("XDG_STATE_HOME", user_folder(trace).c_str(), 1);
-        const char* const argument = family.empty() ? nullptr : family.c_str();
-        execl(INTERLEAF_PROGRAM, INTERLEAF_PROGRAM, "view", "--trace", trace.c_str(), argument, nullptr);
+        for (const char* variable : {"HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
+            setenv(variable, home.c_str(), 1);
+        execv(INTERLEAF_PROGRAM, pointers.data());
         _exit(127);
     }
     return process;
@@ -51,11 +55,16 @@ glm::vec2 vector_of(const nlohmann::json& json) {
 
 }  // namespace
 
-RunningViewer::RunningViewer(const std::filesystem::path& family)
-    : trace_(std::filesystem::temp_directory_path() / fmt::format("interleaf-e2e-{}.trace", getpid())) {
+RunningViewer::RunningViewer(std::filesystem::path home, const std::vector<std::filesystem::path>& files)
+    : home_(std::move(home)),
+      owns_home_(home_.empty()),
+      trace_(std::filesystem::temp_directory_path() / fmt::format("interleaf-e2e-{}.trace", getpid())) {
+    if (owns_home_) {
+        home_ = trace_.string() + "-home";
+        std::filesystem::remove_all(home_);
+    }
     std::filesystem::remove(trace_);
-    std::filesystem::remove_all(user_folder(trace_));
-    process_ = start(trace_, family);
+    process_ = start(trace_, home_, files);
     if (!comes([&] { return (window_ = desktop_.window_of(process_)) != 0; })) {
         throw std::runtime_error("no window has come");
     }
@@ -63,23 +72,26 @@ RunningViewer::RunningViewer(const std::filesystem::path& family)
 }
 
 RunningViewer::~RunningViewer() {
-    if (process_ != 0) {
-        kill(process_, SIGKILL);
-        waitpid(process_, nullptr, 0);
-    }
+    kill();
     std::filesystem::remove(trace_);
-    std::filesystem::remove_all(user_folder(trace_));
+    if (owns_home_) std::filesystem::remove_all(home_);
+}
+
+void RunningViewer::kill() {
+    if (process_ == 0) return;
+    ::kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+    process_ = 0;
 }
 
 RunningViewer::State RunningViewer::state() const {
     std::ifstream file(trace_);
-    std::string line;
-    State last;
+    std::string lines{std::istreambuf_iterator<char>(file), {}};
     // The line that is being written has no end yet.
-    while (std::getline(file, line) && !file.eof()) {
-        last = State::parse(line);
-    }
-    return last;
+    const std::size_t end = lines.rfind('\n');
+    if (end == std::string::npos) return {};
+    lines.resize(end);
+    return State::parse(lines.substr(lines.rfind('\n') + 1));
 }
 
 RunningViewer::State RunningViewer::wait_for(const std::string& what, const Condition& condition) const {
@@ -135,17 +147,35 @@ void RunningViewer::drag(glm::vec2 from, glm::vec2 to, unsigned button) const {
     set_button(button, false);
 }
 
+void RunningViewer::click(glm::vec2 at, unsigned button) const {
+    point_at(at);
+    set_button(button, true);
+    set_button(button, false);
+}
+
 void RunningViewer::turn_wheel(bool forward) const {
     const unsigned button = forward ? 4 : 5;
     desktop_.set_button(button, true);
     desktop_.set_button(button, false);
 }
 
-void RunningViewer::press(KeyName key, KeyName modifier) const {
+void RunningViewer::press(KeyName key, KeyName modifier, KeyName second_modifier) const {
     if (modifier != 0) desktop_.set_key(modifier, true);
+    if (second_modifier != 0) desktop_.set_key(second_modifier, true);
     desktop_.set_key(key, true);
     desktop_.set_key(key, false);
+    if (second_modifier != 0) desktop_.set_key(second_modifier, false);
     if (modifier != 0) desktop_.set_key(modifier, false);
+}
+
+void RunningViewer::type(const std::string& text) const {
+    wait_for("a field to type in", [](const State& s) { return s["takes_text"] == true; });
+    desktop_.type(text);
+}
+
+void RunningViewer::drop(std::span<const std::filesystem::path> files, glm::vec2 at) const {
+    desktop_.move_pointer(window_, at);
+    drop_files(window_, glm::ivec2(glm::round(at)), files);
 }
 
 int RunningViewer::exit_status() {

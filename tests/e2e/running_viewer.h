@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "e2e/desktop.h"
 #include <nlohmann/json.hpp>
@@ -13,8 +15,11 @@ namespace interleaf {
 
 class RunningViewer {
   public:
-    /// Starts it on \p family, the built-in one if that is empty, and waits for the first frame.
-    explicit RunningViewer(const std::filesystem::path& family = {});
+    /// Starts it and waits for the first frame.
+    /// \param home   its user's home with settings and recoveries; if empty, one that goes with it
+    /// \param files  to open; none for the built-in family
+    explicit RunningViewer(std::filesystem::path home = {},
+                           const std::vector<std::filesystem::path>& files = {});
     ~RunningViewer();
     RunningViewer(const RunningViewer&) = delete;
     RunningViewer& operator=(const RunningViewer&) = delete;
@@ -46,10 +51,28 @@ class RunningViewer {
     /// Presses the left button (or another) at \p from, moves in steps to \p to, and releases.
     void drag(glm::vec2 from, glm::vec2 to, unsigned button = 1) const;
 
+    /// Presses and releases a button at \p at.
+    void click(glm::vec2 at, unsigned button = 1) const;
+
     void turn_wheel(bool forward) const;
 
-    /// Presses and releases \p key, held down with \p modifier if any.
-    void press(KeyName key, KeyName modifier = 0) const;
+    /// Presses and releases \p key, held down with the modifiers if any.
+    void press(KeyName key, KeyName modifier = 0, KeyName second_modifier = 0) const;
+
+    /// Types \p text, of ASCII, once there is a field for it.
+    void type(const std::string& text) const;
+
+    /// Types \p text where no field takes it: in a list, or at a question with buttons only.
+    void type_keys(const std::string& text) const { desktop_.type(text); }
+
+    /// Drags files from another program and drops them at \p at.
+    void drop(std::span<const std::filesystem::path> files, glm::vec2 at) const;
+
+    /// Of the window.
+    std::string title() const { return desktop_.title(window_); }
+
+    /// Ends it as a crash would.
+    void kill();
 
     /// Waits for the program to end.
     /// \return its exit status
@@ -59,6 +82,8 @@ class RunningViewer {
     Area view_area() const;
 
     Desktop desktop_;
+    std::filesystem::path home_;
+    bool owns_home_;
     std::filesystem::path trace_;
     pid_t process_ = 0;  ///< 0 when it has ended
     WindowName window_ = 0;

@@ -224,7 +224,7 @@ TEST_CASE("colours of an OBJ are shown as a field, with the value under the poin
         std::filesystem::temp_directory_path() / fmt::format("interleaf-e2e-{}.obj", getpid());
     std::ofstream(file) << "v 1 1 1 1 0 0\nv -1 -1 1 0 1 0\nv -1 1 -1 0 0 1\nv 1 -1 -1 1 1 1\n"
                            "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-    const RunningViewer viewer(file);
+    const RunningViewer viewer({}, {file});
     const State start = viewer.state();
     CHECK(start["display"]["field"] == "color");
     viewer.point_at(view_pixel(start));

@@ -1,0 +1,223 @@
+// End-to-end tests of the files of the document: dropped, opened, changed on disk, left unsaved, lost in a
+// crash and recovered.
+#include <fstream>
+#include <vector>
+
+#include "e2e/person.h"
+#include <X11/keysym.h>
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+using namespace interleaf;
+using State = RunningViewer::State;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool message_has(const State& state, const std::string& text) {
+    return state["message"].get<std::string>().find(text) != std::string::npos;
+}
+
+/// A copy of the built-in family in \p folder.
+fs::path family_copy(const fs::path& folder) {
+    fs::copy(INTERLEAF_BUILTIN_FAMILY, folder);
+    return folder;
+}
+
+/// Keeps the blend that is shown: an edit.
+State keep_blend(const RunningViewer& viewer) {
+    viewer.point_at(view_middle(viewer.state()));
+    const std::size_t count = viewer.state()["document"]["keys"].size();
+    viewer.press(XK_k, XK_Control_L);
+    return wait_for_keys(viewer, count + 1);
+}
+
+std::vector<fs::path> recoveries(const fs::path& home) {
+    std::vector<fs::path> found;
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(home / "interleaf" / "recovery", ignored))
+        found.push_back(entry.path());
+    return found;
+}
+
+/// Waits until \p count keys are in an autosave: the recovery's note comes last.
+void wait_for_autosave(const RunningViewer& viewer, const fs::path& home, std::size_t count) {
+    viewer.wait_for("the autosave", [&](const State&) {
+        for (const fs::path& recovery : recoveries(home)) {
+            std::ifstream file(recovery / "family" / "family.json");
+            const State family = State::parse(file, nullptr, false);
+            const bool has_keys = family.is_object() && family["keys"].size() == count;
+            if (has_keys && fs::exists(recovery / "recovery.json")) return true;
+        }
+        return false;
+    });
+}
+
+/// The names with what a list of URIs must escape.
+const std::vector<std::string>& awkward_names() {
+    static const std::vector<std::string> names{"star 1.ilh", "b\u00f6ne \u2013 two.ilh", "cush%41ion.ilh"};
+    return names;
+}
+
+}  // namespace
+
+TEST_CASE("files dropped on the view are a new family; dropped on the list, they are keys of it") {
+    const TemporaryFolder home;
+    const fs::path folder = home.path() / "a folder, 100%";
+    fs::create_directory(folder);
+    std::vector<fs::path> files;
+    const std::vector<std::string> sources{"star.ilh", "bone.ilh", "cushion.ilh"};
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        files.push_back(folder / awkward_names()[i]);
+        fs::copy(builtin_file(sources[i]), files.back());
+    }
+    const RunningViewer viewer(home.path());
+    viewer.drop(files, view_middle(viewer.state()));
+    State state = wait_for_keys(viewer, 3);
+    CHECK(state["document"]["keys"] == State({"star 1", "b\u00f6ne \u2013 two", "cush%41ion"}));
+    CHECK(state["document"]["times"].size() >= 3);
+    CHECK(state["document"]["domain"].size() == 3);
+    CHECK(state["document"]["changed"] == false);
+    CHECK(state["document"]["folder"].is_null());
+    CHECK(state["message"] == "");
+
+    viewer.drop(std::vector{builtin_file("sphere.ilh"), builtin_file("star.ilh")}, row_pixel(state, 1));
+    state = wait_for_keys(viewer, 5);
+    CHECK(state["document"]["keys"][3] == "sphere");
+    CHECK(state["document"]["undo"] == "Add 2 keys");
+    CHECK(state["document"]["changed"] == true);
+    viewer.press(XK_z, XK_Control_L);
+    state = wait_for_keys(viewer, 3);
+
+    // A broken file is refused wherever it is dropped, and all stays as it was.
+    const fs::path broken = folder / "broken.ilh";
+    fs::copy(builtin_file("star.ilh"), broken);
+    fs::resize_file(broken, 3000);
+    const State before = family_of(state);
+    for (const glm::vec2 at : {row_pixel(state, 1), view_middle(state)}) {
+        viewer.drop(std::vector{broken}, at);
+        state = viewer.wait_for("a message", [&](const State& s) { return message_has(s, broken.string()); });
+        CHECK(message_has(state, "size: 3000 bytes, expected"));
+        CHECK(family_of(state) == before);
+        viewer.press(XK_Escape);
+        viewer.wait_for("no message", [](const State& s) { return s["message"] == ""; });
+    }
+
+    // Recent files, by the menu: File, then its second line, then the last but one that was opened.
+    viewer.drop(std::vector{builtin_file("family.json")}, view_middle(state));
+    wait_for_keys(viewer, 5);
+    viewer.click({20, 10});
+    choose_in_menu(viewer, 1, 6);
+    const State menu = viewer.wait_for("recent files", [](const State& s) {
+        return !s["rects"]["popup"].is_null() && s["rects"]["popup"][0].get<float>() > 40;
+    });
+    choose_in_menu(viewer, 1, 2);
+    state = wait_for_keys(viewer, 1);
+    CHECK(state["document"]["keys"] == State({"star 1"}));
+}
+
+TEST_CASE(
+    "leaving unsaved changes asks: cancelled it goes on, declined they are gone, saved they are there") {
+    const TemporaryFolder home;
+    const fs::path folder = family_copy(home.path() / "family");
+    {
+        RunningViewer viewer(home.path(), {folder});
+        keep_blend(viewer);
+        CHECK(viewer.title() == "\u2022 Five keys \u2013 Interleaf");
+        viewer.press(XK_q, XK_Control_L);
+        wait_for_question(viewer);
+        viewer.press(XK_Escape);
+        wait_for_no_question(viewer);
+        CHECK(viewer.state()["document"]["keys"].size() == 6);
+        wait_for_autosave(viewer, home.path(), 6);
+        viewer.press(XK_q, XK_Control_L);
+        wait_for_question(viewer);
+        viewer.type_keys("d");
+        CHECK(viewer.exit_status() == 0);
+        CHECK(recoveries(home.path()).empty());
+    }
+    RunningViewer viewer(home.path(), {folder});
+    const State state = viewer.state();
+    CHECK(state["asking"] == false);
+    CHECK(state["document"]["keys"].size() == 5);
+    keep_blend(viewer);
+    viewer.press(XK_q, XK_Control_L);
+    wait_for_question(viewer);
+    viewer.press(XK_Return);
+    CHECK(viewer.exit_status() == 0);
+    CHECK(recoveries(home.path()).empty());
+    std::ifstream file(folder / "family.json");
+    CHECK(State::parse(file)["keys"].size() == 6);
+}
+
+TEST_CASE("what a crash has left is offered, recovered unsaved, and offered no more once saved") {
+    const TemporaryFolder home;
+    const fs::path folder = family_copy(home.path() / "family");
+    State composed;
+    {
+        RunningViewer viewer(home.path(), {folder});
+        composed = family_of(keep_blend(viewer));
+        wait_for_autosave(viewer, home.path(), 6);
+        viewer.kill();
+    }
+    {
+        RunningViewer viewer(home.path());
+        wait_for_question(viewer);
+        viewer.press(XK_Return);
+        const State state = wait_for_keys(viewer, 6);
+        CHECK(family_of(state) == composed);
+        CHECK(state["document"]["changed"] == true);
+        CHECK(state["document"]["folder"] == folder.string());
+        wait_for_no_question(viewer);
+        viewer.press(XK_s, XK_Control_L);
+        viewer.wait_for("it saved", [](const State& s) { return s["document"]["changed"] == false; });
+        viewer.press(XK_q, XK_Control_L);
+        CHECK(viewer.exit_status() == 0);
+        CHECK(recoveries(home.path()).empty());
+    }
+    {
+        RunningViewer viewer(home.path(), {folder});
+        CHECK(viewer.state()["asking"] == false);
+        CHECK(family_of(viewer.state()) == composed);
+        keep_blend(viewer);
+        wait_for_autosave(viewer, home.path(), 7);
+        viewer.kill();
+    }
+    RunningViewer viewer(home.path());
+    wait_for_question(viewer);
+    viewer.type_keys("d");
+    wait_for_no_question(viewer);
+    CHECK(recoveries(home.path()).empty());
+    CHECK(viewer.state()["document"]["keys"].size() == 5);
+    CHECK(viewer.state()["document"]["changed"] == false);
+}
+
+TEST_CASE("a file that another program has changed is named, and Ctrl+R reads it again") {
+    const TemporaryFolder home;
+    const fs::path folder = family_copy(home.path() / "family");
+    const RunningViewer viewer(home.path(), {folder});
+    const State before = family_of(viewer.state());
+    const fs::path file = folder / "family.json";
+    State family = State::parse(std::ifstream(file));
+    family["name"] = "Renamed elsewhere";
+    std::ofstream(file) << family.dump(2);
+    const State told =
+        viewer.wait_for("a message", [&](const State& s) { return message_has(s, file.string()); });
+    CHECK(message_has(told, "Ctrl+R"));
+    CHECK(family_of(told) == before);
+    viewer.point_at(view_middle(told));
+    viewer.press(XK_r, XK_Control_L);
+    const State again = viewer.wait_for(
+        "the new name", [](const State& s) { return s["document"]["name"] == "Renamed elsewhere"; });
+    CHECK(again["document"]["changed"] == false);
+    CHECK(again["message"] == "");
+
+    // Broken meanwhile, it is refused, and what is open stays.
+    std::ofstream(file) << "{\"format\": 3";
+    viewer.press(XK_r, XK_Control_L);
+    const State refused = viewer.wait_for("a message", [&](const State& s) {
+        return message_has(s, file.string()) && message_has(s, "line 1");
+    });
+    CHECK(family_of(refused) == family_of(again));
+}
