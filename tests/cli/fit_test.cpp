@@ -126,7 +126,7 @@ TEST_CASE("several meshes become a family over the same roots, three of them wit
     outcome = run_interleaf({"fit", star, star, "-o", folder / "two", "--leaves", "500"});
     REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
     const Family two = read_family(folder / "two");
-    CHECK(two.keys[1].name == "star-2");
+    CHECK(two.keys[1].name == "star 2");
     CHECK_FALSE(two.domain);
 }
 

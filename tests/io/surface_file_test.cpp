@@ -130,7 +130,7 @@ TEST_CASE("the same surface is read from every form") {
     check_pyramid(parse_ply(binary_ply(pyramid(), true), "p"));
 }
 
-TEST_CASE("colours are read where every vertex has one") {
+TEST_CASE("colours are read; in an OBJ a vertex without one is white") {
     const ScratchFolder folder;
     put(folder / "p.obj", obj);
     const std::vector<glm::vec3> expected = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5F, 0.5F, 0.5F}, {1, 1, 1}};
@@ -145,7 +145,8 @@ TEST_CASE("colours are read where every vertex has one") {
     CHECK(coff.colors[0].z == doctest::Approx(0.2));
     CHECK(coff.colors[1] == glm::vec3(0.5F, 1, 0));
     put(folder / "some.obj", "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n");
-    CHECK(read_surface(folder / "some.obj").colors.empty());
+    CHECK(read_surface(folder / "some.obj").colors ==
+          std::vector<glm::vec3>{{1, 0, 0}, {1, 1, 1}, {1, 1, 1}});
     CHECK(parse_off(off, "p").colors.empty());
 }
 
