@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/fit_files.h"
 #include "app/held_interrupts.h"
 #include "app/output.h"
 #include "app/progress_line.h"
@@ -15,7 +16,6 @@
 #include "hierarchy/error.h"
 #include "io/family_file.h"
 #include "io/mesh_file.h"
-#include "io/surface_file.h"
 #include "shapes/icosahedron.h"
 
 namespace interleaf {
@@ -60,16 +60,6 @@ glm::dmat3 matrix_of(const AxisTurn& turn) {
     glm::dvec3 axis(0);
     axis[turn.axis] = 1;
     return glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(turn.degrees), axis));
-}
-
-FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options, const Progress& progress) {
-    SurfaceFile surface = read_surface(file);
-    try {
-        return fit({std::move(surface.positions), std::move(surface.triangles), std::move(surface.colors)},
-                   options, progress);
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-    }
 }
 
 /// Fits every mesh. Cancelled when an interrupt waits.
@@ -141,7 +131,7 @@ void print_report(const std::filesystem::path& file, const FittedKey& key) {
     fmt::print("  key: {} leaves, at most {:.3g} % of the box diagonal from the mesh, {:.3g} % in the mean\n",
                key.hierarchy.leaf_count(), 100 * report.quality.hausdorff,
                100 * report.quality.root_mean_square);
-    fmt::print("  least angle {:.3g} degrees, {} flipped leaves, {:.2g} s\n", report.quality.least_angle,
+    fmt::print("  least angle {:.3g} degrees, flipped leaves: {}, {:.2g} s\n", report.quality.least_angle,
                report.quality.flipped_leaves, whole);
 }
 

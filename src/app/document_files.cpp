@@ -1,6 +1,7 @@
 #include "app/document_files.h"
 
 #include <algorithm>
+#include <charconv>
 #include <ctime>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "app/edit_commands.h"
 #include "app/open_family.h"
 #include "app/user_folders.h"
+#include "family/new_family.h"
 #include "hierarchy/error.h"
 #include "io/family_file.h"
 
@@ -25,9 +27,10 @@ constexpr double autosave_rest = 1;
 constexpr double look_interval = 2;
 
 const std::vector<FileType>& openable_types() {
-    static const std::vector<FileType> types{{"Families, keys and meshes", {".json", ".ilh", ".obj"}},
-                                             {"Families and keys", {".json", ".ilh"}},
-                                             {"Meshes", {".obj"}}};
+    static const std::vector<FileType> types{
+        {"Families, keys and meshes", {".json", ".ilh", ".obj", ".ply", ".stl", ".off"}},
+        {"Families and keys", {".json", ".ilh"}},
+        {"Meshes", {".obj", ".ply", ".stl", ".off"}}};
     return types;
 }
 
@@ -44,6 +47,35 @@ std::vector<fs::path> watched_files(const std::vector<fs::path>& sources) {
         }
     }
     return files;
+}
+
+/// Whether \p files are meshes that differ in their faces, so that they are no keys as they are.
+bool are_unlike_meshes(const std::vector<fs::path>& files) {
+    if (std::ranges::any_of(files, is_surface_file))
+        return std::ranges::all_of(files, [](const fs::path& file) {
+            return is_surface_file(file) || lower_case_extension(file) == ".obj";
+        });
+    if (files.size() < 2) return false;
+    if (!std::ranges::all_of(files,
+                             [](const fs::path& file) { return lower_case_extension(file) == ".obj"; }))
+        return false;
+    try {
+        open_family(files);
+        return false;
+    } catch (const InputError&) {
+        return true;
+    }
+}
+
+constexpr Index least_leaves = 12;
+constexpr Index most_leaves = 10'000'000;
+
+std::optional<Index> leaves_in(const std::string& text) {
+    Index leaves = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), leaves);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    if (leaves < least_leaves || leaves > most_leaves) return std::nullopt;
+    return leaves;
 }
 
 std::string folder_name(std::string name) {
@@ -131,6 +163,7 @@ void DocumentFiles::show(const Rect& area, double now) {
         std::exchange(on_choice_, nullptr)(*choice);
     }
     if (const auto answer = dialog_.show(area)) std::exchange(on_answer_, nullptr)(*answer);
+    if (const auto error = fitting_.show(area, now)) complain(*error);
 }
 
 void DocumentFiles::look_after(double now) {
@@ -228,6 +261,10 @@ void DocumentFiles::browse_to_add() {
 
 void DocumentFiles::open(std::vector<fs::path> files) {
     leave_document([this, files = std::move(files)] {
+        if (are_unlike_meshes(files)) {
+            offer_fit(files, [this, files](std::vector<Key> keys) { open_fitted(files, std::move(keys)); });
+            return;
+        }
         try {
             Family family = open_family(files);
             remember(files.front());
@@ -250,11 +287,49 @@ void DocumentFiles::reopen() {
 }
 
 void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
+    if (are_unlike_meshes(files)) {
+        offer_fit(files,
+                  [this](std::vector<Key> keys) { interleaf::add_keys(state_, std::move(keys), now_); });
+        return;
+    }
     try {
         interleaf::add_keys(state_, open_family(files).keys, now);
     } catch (const std::runtime_error& error) {
         complain(error.what());
     }
+}
+
+/// Asks how finely to fit \p meshes, over the roots of a cube, and does it.
+void DocumentFiles::offer_fit(const std::vector<fs::path>& meshes, MeshFitting::Receiver receiver) {
+    const bool is_single = meshes.size() == 1;
+    ask({.text = is_single ? fmt::format("Fit a key to {}?", meshes.front().filename().string())
+                           : fmt::format("Fit keys to these {} meshes?", meshes.size()),
+         .detail =
+             fmt::format("{} mapped to the sphere and sampled over the roots of a cube, with at most so many "
+                         "leaves{}. For closed surfaces without handles.",
+                         is_single ? "It is" : "Their faces differ. Each is", is_single ? "" : " each"),
+         .buttons = {"Fit", "Cancel"},
+         .entry = "20000",
+         .fault =
+             [](const std::string& text) {
+                 return leaves_in(text)
+                            ? std::string()
+                            : fmt::format("a number of leaves, {} to {}", least_leaves, most_leaves);
+             }},
+        [this, meshes, receiver = std::move(receiver)](const Answer& answer) {
+            if (answer.button != 0) return;
+            FitOptions options;
+            options.leaves = leaves_in(answer.entry);
+            fitting_.start(meshes, std::move(options), receiver, now_);
+        });
+}
+
+/// The fitted keys as a new document, which is nowhere on disk yet.
+void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, std::vector<Key> keys) {
+    const std::string name = keys.size() == 1 ? keys.front().name : "Fitted meshes";
+    for (const fs::path& mesh : meshes) remember(mesh);
+    replace_document(family_of_keys(name, std::move(keys)), {});
+    state_.document.mark_unsaved();
 }
 
 void DocumentFiles::replace_document(Family family, std::vector<fs::path> sources) {

@@ -14,6 +14,7 @@
 
 #include "app/autosave_writer.h"
 #include "app/file_stamps.h"
+#include "app/mesh_fitting.h"
 #include "app/recovery.h"
 #include "app/settings.h"
 #include "app/viewer_state.h"
@@ -42,7 +43,10 @@ class DocumentFiles {
     const std::vector<std::filesystem::path>& recent_files() const { return settings_.recent_files; }
 
     /// Whether a question or the file browser has the keyboard.
-    bool is_asking() const { return browser_.is_open() || dialog_.is_open(); }
+    bool is_asking() const { return browser_.is_open() || dialog_.is_open() || is_working(); }
+
+    /// Whether work goes on that shows how far it is.
+    bool is_working() const { return fitting_.is_running(); }
 
     /// Where the file browser's cursor is, while it is open.
     std::optional<std::filesystem::path> browsed() const { return browser_.cursor_path(); }
@@ -69,6 +73,8 @@ class DocumentFiles {
     void browse_to_open();
     void browse_to_add();
     void reopen();
+    void offer_fit(const std::vector<std::filesystem::path>& meshes, MeshFitting::Receiver receiver);
+    void open_fitted(const std::vector<std::filesystem::path>& meshes, std::vector<Key> keys);
     void replace_document(Family family, std::vector<std::filesystem::path> sources);
     void set_sources(std::vector<std::filesystem::path> sources);
     void forget_unsaved();
@@ -88,12 +94,13 @@ class DocumentFiles {
     std::function<void(const FileChoice&)> on_choice_;
     Dialog dialog_;
     std::function<void(const Answer&)> on_answer_;
+    MeshFitting fitting_;
     double now_ = 0;
 
     std::optional<AutosaveWriter> autosave_;
     std::shared_ptr<const Family> autosaved_;  ///< the state that the autosave has taken care of
-    std::shared_ptr<const Family> seen_;  ///< the document's state of the last frame,
-    double seen_since_ = 0;               ///< and since when
+    std::shared_ptr<const Family> seen_;       ///< the document's state of the last frame,
+    double seen_since_ = 0;                    ///< and since when
     std::vector<Recovery> abandoned_;
     std::optional<Recovery> recovered_;  ///< what the document was recovered from, until it is saved
 };

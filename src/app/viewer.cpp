@@ -53,6 +53,9 @@ constexpr int settling_frames = 3;
 /// However still it is, autosave and the files on disk are looked after this often; seconds.
 constexpr double longest_wait = 1;
 
+/// How often it is shown how far work is; seconds.
+constexpr double work_interval = 0.05;
+
 std::vector<std::string> key_names(const Family& family) {
     std::vector<std::string> names;
     for (const Key& key : family.keys) names.push_back(key.name);
@@ -125,6 +128,7 @@ class Viewer {
     TracePlaces places_;
     KeysPanelResult keys_in_sight_;
     bool pointed_at_view_ = false;
+    bool is_asking_ = false;  ///< a question or the file browser is open
     std::size_t frame_ = 0;
     double frame_milliseconds_ = 0;
     int settling_ = settling_frames;
@@ -180,8 +184,10 @@ void Viewer::wait() {
         --settling_;
         glfwPollEvents();
     } else {
-        glfwWaitEventsTimeout(longest_wait);
-        settling_ = settling_frames;
+        const double longest = files_.is_working() ? work_interval : longest_wait;
+        const double before = glfwGetTime();
+        glfwWaitEventsTimeout(longest);
+        if (glfwGetTime() - before < longest) settling_ = settling_frames;  // something has come
     }
 }
 
@@ -209,7 +215,9 @@ void Viewer::frame() {
     show_panels(now);
     files_.grant(std::exchange(state_.file_wish, FileWish::none));
     files_.look_after(now);
-    places_.is_asking = files_.is_asking();
+    const bool was_asking = std::exchange(is_asking_, files_.is_asking());
+    if (is_asking_ != was_asking) settling_ = settling_frames;
+    places_.is_asking = is_asking_ && was_asking;  // in the first frame it takes no keys yet
     places_.takes_text = gui_.takes_text();
     places_.popup = gui_.popup();
     places_.browsed = files_.browsed();
@@ -225,7 +233,7 @@ void Viewer::frame() {
     glfwSwapBuffers(window_.handle());
 
     frame_milliseconds_ = 1000 * (glfwGetTime() - now);
-    if (state_.session.is_playing() || gui_.has_input() || files_.is_asking()) settling_ = settling_frames;
+    if (state_.session.is_playing() || gui_.has_input()) settling_ = settling_frames;
     ++frame_;
     if (trace_) trace_->record(frame_, state_, surface_.figures(), camera_.eye(), places_);
 }

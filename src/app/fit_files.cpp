@@ -1,0 +1,70 @@
+#include "app/fit_files.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "hierarchy/error.h"
+#include "io/family_file.h"
+#include "io/surface_file.h"
+
+namespace interleaf {
+
+bool is_surface_file(const std::filesystem::path& file) {
+    const std::string extension = lower_case_extension(file);
+    return extension == ".ply" || extension == ".stl" || extension == ".off";
+}
+
+FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options, const Progress& progress) {
+    SurfaceFile surface = read_surface(file);
+    try {
+        return fit({std::move(surface.positions), std::move(surface.triangles), std::move(surface.colors)},
+                   options, progress);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+}
+
+FitJob::FitJob(std::vector<std::filesystem::path> meshes, FitOptions options)
+    : meshes_(std::move(meshes)),
+      options_(std::move(options)),
+      thread_([this](const std::stop_token& stop) { work(stop); }) {}
+
+FitJob::State FitJob::state() const {
+    const std::scoped_lock lock(mutex_);
+    return state_;
+}
+
+std::vector<Key> FitJob::take() {
+    const std::scoped_lock lock(mutex_);
+    if (error_) std::rethrow_exception(error_);
+    return std::move(keys_);
+}
+
+void FitJob::work(const std::stop_token& stop) {
+    std::exception_ptr error;
+    try {
+        for (std::size_t i = 0; i < meshes_.size(); ++i) {
+            const std::filesystem::path& mesh = meshes_[i];
+            FittedKey fitted = fit_file(mesh, options_, [&](std::string_view stage, double part) {
+                report(mesh, stage, (static_cast<double>(i) + part) / static_cast<double>(meshes_.size()));
+                return !stop.stop_requested();
+            });
+            const std::scoped_lock lock(mutex_);
+            keys_.push_back({mesh.stem().string(), std::move(fitted.hierarchy)});
+        }
+    } catch (...) {
+        error = std::current_exception();  // for take(), on the other thread
+    }
+    const std::scoped_lock lock(mutex_);
+    error_ = error;
+    state_.is_done = true;
+}
+
+void FitJob::report(const std::filesystem::path& mesh, std::string_view stage, double part) {
+    const std::scoped_lock lock(mutex_);
+    state_.stage = fmt::format("{}: {}", mesh.filename().string(), stage);
+    state_.part = part;
+}
+
+}  // namespace interleaf

@@ -1,0 +1,62 @@
+// Meshes from files made keys: what `interleaf fit` does, and the window on a thread of its own.
+#pragma once
+
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "family/family.h"
+#include "fit/fit.h"
+
+namespace interleaf {
+
+/// Whether \p file is called as a mesh that only fit() makes a key of: .ply, .stl or .off.
+bool is_surface_file(const std::filesystem::path& file);
+
+/// The key of the mesh in \p file.
+/// \throw InputError naming the file, UsageError, MachineError, Cancelled as read_surface() and fit()
+FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options, const Progress& progress);
+
+/// Fits several meshes, one after the other, on a thread of its own. Its members are called from one thread.
+class FitJob {
+  public:
+    FitJob(std::vector<std::filesystem::path> meshes, FitOptions options);
+
+    /// Cancels what is not done.
+    ~FitJob() = default;
+    FitJob(const FitJob&) = delete;
+    FitJob& operator=(const FitJob&) = delete;
+
+    struct State {
+        std::string stage;  ///< "bunny.off: sampling"
+        double part = 0;    ///< of the whole, 0 to 1
+        bool is_done = false;
+    };
+    State state() const;
+
+    /// It is done soon after.
+    void cancel() { thread_.request_stop(); }
+
+    /// The keys, named as their files. \pre it is done
+    /// \throw what fit_file() threw
+    std::vector<Key> take();
+
+  private:
+    void work(const std::stop_token& stop);
+    void report(const std::filesystem::path& mesh, std::string_view stage, double part);
+
+    const std::vector<std::filesystem::path> meshes_;
+    const FitOptions options_;
+
+    mutable std::mutex mutex_;  ///< of what follows
+    State state_;
+    std::vector<Key> keys_;
+    std::exception_ptr error_;
+
+    std::jthread thread_;  ///< last, so that it ends before what it uses
+};
+
+}  // namespace interleaf
