@@ -21,6 +21,16 @@ void TextField::set(std::string text, std::size_t selected) {
     text_ = std::move(text);
     selected_ = selected;
     has_new_text_ = true;
+    is_set_now_ = true;
+}
+
+/// The widget takes a frame or two to become active; what is typed meanwhile must not be lost.
+void TextField::take_early_letters() {
+    const std::string typed = typed_letters();
+    if (typed.empty()) return;
+    text_ = selected_ > 0 ? typed + text_.substr(selected_) : text_ + typed;
+    selected_ = 0;
+    has_new_text_ = true;
 }
 
 int TextField::edit(ImGuiInputTextCallbackData* data) {
@@ -50,6 +60,8 @@ int TextField::edit(ImGuiInputTextCallbackData* data) {
 TextFieldResult TextField::show(const char* name, const char* hint, float width, bool focused,
                                 const Completion& completion) {
     if (focused && !had_focus_) ImGui::SetKeyboardFocusHere();
+    // What was typed in the frame that set the text has led to it.
+    if (!std::exchange(is_set_now_, false) && focused && !was_active_) take_early_letters();
     Edit edit{.field = *this, .completion = completion};
     // The callback may set the widget's text from text_, which the widget writes to.
     ImGui::SetNextItemWidth(width);
@@ -61,6 +73,7 @@ TextFieldResult TextField::show(const char* name, const char* hint, float width,
                                  &TextField::edit, &edit);
     result.tabbed = edit.tabbed;
     const bool is_active = ImGui::IsItemActive();
+    was_active_ = is_active;
     result.clicked = !focused && is_active && ImGui::IsItemActivated();
     if (focused || is_active) draw_focus();
     if (!focused && is_active && !result.clicked) ImGui::ClearActiveID();

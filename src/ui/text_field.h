@@ -36,9 +36,12 @@ class TextField {
   private:
     struct Edit;
     static int edit(ImGuiInputTextCallbackData* data);
+    void take_early_letters();
 
     std::string text_;
     std::size_t selected_ = 0;
+    bool is_set_now_ = false;    ///< in this frame
+    bool was_active_ = false;    ///< in the frame before
     bool has_new_text_ = false;  ///< that the widget does not know yet
     bool had_focus_ = false;
 };
