@@ -88,6 +88,7 @@ std::string folder_name(const std::filesystem::path& folder) {
 
 Family family_of(const FitCommandOptions& options, const std::vector<FittedKey>& fitted) {
     std::vector<Key> keys;
+    keys.reserve(fitted.size());
     for (std::size_t i = 0; i < fitted.size(); ++i)
         keys.push_back({options.meshes[i].stem().string(), fitted[i].hierarchy});
     return family_of_keys(folder_name(options.output), std::move(keys));

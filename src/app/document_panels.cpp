@@ -63,6 +63,7 @@ KeysPanelResult show_keys(ViewerState& state, const std::vector<KeyPortrait>& po
     }
     const std::vector<const Command*> menu = key_commands();
     std::vector<MenuEntry> entries;
+    entries.reserve(menu.size());
     for (const Command* const command : menu) entries.push_back(menu_entry(*command, state));
 
     const KeysPanelResult result = keys_panel(

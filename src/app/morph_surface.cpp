@@ -12,6 +12,7 @@ namespace interleaf {
 void MorphSurface::update(const Family& family, const Weights& weights, const FieldName* field) {
     std::vector<std::size_t> keys = active_keys(weights);
     std::vector<SharedHierarchy> hierarchies;
+    hierarchies.reserve(keys.size());
     for (const std::size_t key : keys) hierarchies.push_back(family.keys[key].hierarchy);
     const bool is_same = keys == figures_.keys &&
                          std::ranges::equal(hierarchies, hierarchies_,

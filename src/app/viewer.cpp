@@ -58,6 +58,7 @@ constexpr double work_interval = 0.05;
 
 std::vector<std::string> key_names(const Family& family) {
     std::vector<std::string> names;
+    names.reserve(family.keys.size());
     for (const Key& key : family.keys) names.push_back(key.name);
     return names;
 }

@@ -8,9 +8,9 @@
 
 namespace interleaf {
 
-AdaptiveMesh::AdaptiveMesh(RootComplex roots, std::span<const glm::vec3> positions,
+AdaptiveMesh::AdaptiveMesh(const RootComplex& roots, std::span<const glm::vec3> positions,
                            PlaceVertices place_vertices)
-    : roots_(std::move(roots)), positions_(positions), place_vertices_(std::move(place_vertices)) {
+    : roots_(roots), positions_(positions), place_vertices_(std::move(place_vertices)) {
     assert(positions_.size() == roots_.vertex_count());
     const Index count = roots_.triangle_count();
     for (Index t = 0; t < count; ++t)

@@ -56,16 +56,16 @@ class AdaptiveMesh {
     /// The roots, unrefined. \p positions holds one position a root vertex. New vertices are put where \p
     /// rule says.
     template <MidpointRule Rule>
-    AdaptiveMesh(RootComplex roots, std::span<const glm::vec3> positions, Rule rule)
-        : AdaptiveMesh(std::move(roots), positions,
+    AdaptiveMesh(const RootComplex& roots, std::span<const glm::vec3> positions, Rule rule)
+        : AdaptiveMesh(roots, positions,
                        PlaceVertices([this, rule](std::span<const NewVertex> vertices) mutable {
                            for (const auto& [a, b, midpoint] : vertices)
                                positions_[midpoint] = rule(a, b, midpoint);
                        })) {}
 
     /// The same with new vertices at the mean of the ends of their edge.
-    AdaptiveMesh(RootComplex roots, std::span<const glm::vec3> positions)
-        : AdaptiveMesh(std::move(roots), positions,
+    AdaptiveMesh(const RootComplex& roots, std::span<const glm::vec3> positions)
+        : AdaptiveMesh(roots, positions,
                        [this](Index a, Index b, Index) { return (positions_[a] + positions_[b]) * 0.5F; }) {}
 
     Index leaf_count() const { return leaf_bound() - static_cast<Index>(free_leaves_.size()); }
@@ -129,7 +129,8 @@ class AdaptiveMesh {
     /// Gives positions to vertices in their order: one call for many, with the caller's rule inlined in it.
     using PlaceVertices = std::function<void(std::span<const NewVertex>)>;
 
-    AdaptiveMesh(RootComplex roots, std::span<const glm::vec3> positions, PlaceVertices place_vertices);
+    AdaptiveMesh(const RootComplex& roots, std::span<const glm::vec3> positions,
+                 PlaceVertices place_vertices);
 
     static constexpr std::uint8_t no_level = 0xff;
 

@@ -116,11 +116,11 @@ std::vector<Leaf> leaves_of(const Hierarchy& hierarchy) {
     return leaves;
 }
 
-Hierarchy unrefined(RootComplex roots, const std::vector<glm::vec3>& positions) {
+Hierarchy unrefined(const RootComplex& roots, const std::vector<glm::vec3>& positions) {
     Hierarchy hierarchy;
     hierarchy.bits.assign((roots.triangle_count() + 63) / 64, 0);
     hierarchy.positions.assign(positions.begin(), positions.end());
-    hierarchy.roots = std::move(roots);
+    hierarchy.roots = roots;
     return hierarchy;
 }
 

@@ -60,6 +60,6 @@ Hierarchy hierarchy_from_leaves(const RootComplex& roots, const std::vector<Leaf
 std::vector<Leaf> leaves_of(const Hierarchy& hierarchy);
 
 /// The root complex alone, not bisected, as a hierarchy. \p positions holds one position a root vertex.
-Hierarchy unrefined(RootComplex roots, const std::vector<glm::vec3>& positions);
+Hierarchy unrefined(const RootComplex& roots, const std::vector<glm::vec3>& positions);
 
 }  // namespace interleaf
