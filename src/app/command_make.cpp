@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "app/builtin_family.h"
 #include "hierarchy/error.h"

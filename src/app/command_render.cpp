@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "app/family_extent.h"
 #include "app/open_family.h"

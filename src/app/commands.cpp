@@ -7,7 +7,7 @@
 #include <cassert>
 
 #include <GLFW/glfw3.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "app/edit_commands.h"
 

@@ -1,6 +1,6 @@
 #include "app/morph_selection.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "hierarchy/error.h"
 

@@ -1,6 +1,6 @@
 #include "app/open_family.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "app/builtin_family.h"
 #include "hierarchy/error.h"

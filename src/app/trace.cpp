@@ -1,6 +1,6 @@
 #include "app/trace.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "hierarchy/error.h"

@@ -1,6 +1,6 @@
 #include "fit/half_edge_mesh.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "hierarchy/error.h"
 

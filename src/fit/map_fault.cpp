@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 #include "fit/orientation.h"

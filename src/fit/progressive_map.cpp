@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 #include "fit/decimation.h"

@@ -1,6 +1,6 @@
 #include "fit/sphere_roots.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 #include "fit/spherical_map.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "fit/curvature_flow.h"
 #include "fit/half_edge_mesh.h"

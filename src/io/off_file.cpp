@@ -1,7 +1,7 @@
 // The Object File Format of Geomview: a header, counts, a line for each vertex and each face. Read in its
 // text form with three coordinates; the letters N and C before OFF tell of normals, which are left out, and
 // of colours.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "hierarchy/error.h"
 #include "io/json_place.h"

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <memory>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <zstd.h>
 
 #include "hierarchy/error.h"

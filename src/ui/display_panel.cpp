@@ -1,6 +1,8 @@
 #include "ui/display_panel.h"
 
-#include <fmt/format.h>
+#include <cmath>
+
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include "ui/field_panel.h"

@@ -4,7 +4,7 @@
 #include <cwctype>
 #include <optional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <locale.h>
 
 namespace interleaf {

@@ -5,7 +5,7 @@
 #include <ctime>
 #include <system_error>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <sys/stat.h>
 
 #include "ui/file_name.h"

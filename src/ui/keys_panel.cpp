@@ -1,9 +1,10 @@
 #include "ui/keys_panel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include "render/palette.h"

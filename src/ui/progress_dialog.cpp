@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include <GLFW/glfw3.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include "ui/modal.h"

@@ -1,6 +1,8 @@
 #include "ui/status_line.h"
 
-#include <fmt/format.h>
+#include <cmath>
+
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include "ui/number_text.h"

@@ -1,8 +1,9 @@
 #include "ui/weights_panel.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include "render/palette.h"

@@ -7,7 +7,7 @@
 #include "cli/process.h"
 #include "cli/temporary_folder.h"
 #include <doctest/doctest.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 #include <sys/wait.h>
 

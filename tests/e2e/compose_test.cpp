@@ -6,7 +6,7 @@
 #include "e2e/person.h"
 #include <X11/keysym.h>
 #include <doctest/doctest.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 using namespace interleaf;
 using State = RunningViewer::State;

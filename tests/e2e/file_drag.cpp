@@ -9,7 +9,7 @@
 
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace interleaf {
 

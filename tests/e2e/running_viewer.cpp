@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "e2e/file_drag.h"
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <signal.h>

@@ -10,7 +10,7 @@
 #include "e2e/running_viewer.h"
 #include <X11/keysym.h>
 #include <doctest/doctest.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "family/domain_edits.h"
 #include "hierarchy/error.h"

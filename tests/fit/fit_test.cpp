@@ -156,8 +156,8 @@ TEST_CASE("it ends at whatever call of progress says so, and says how far it is"
         return true;
     });
     REQUIRE(calls > 20);
-    // Every call for the first hundred, then more sparsely.
-    for (int stop = 1; stop <= calls; stop += stop < 100 ? 1 + calls / 200 : 1 + calls / 20) {
+    // Every call for the first twenty, then more sparsely.
+    for (int stop = 1; stop <= calls; stop += stop < 20 ? 1 : 1 + calls / 25) {
         int left = stop;
         CHECK_THROWS_AS(fit(mesh, {.leaves = 500}, [&](std::string_view, double) { return --left > 0; }),
                         Cancelled);

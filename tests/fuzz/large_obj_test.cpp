@@ -3,7 +3,7 @@
 
 #include "fuzz/target.h"
 #include <doctest/doctest.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace interleaf::fuzz {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "hierarchy/adaptive_mesh.h"
 #include "io/hierarchy_file.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "fuzz/allocation_count.h"
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "hierarchy/error.h"
 

@@ -9,7 +9,7 @@
 #include <set>
 
 #include <doctest/doctest.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 #include "hierarchy/checker.h"
