@@ -81,8 +81,10 @@ bool is_same(const Family& a, const Family& b) {
 
 #ifdef __SANITIZE_ADDRESS__
 constexpr unsigned random_kills = 60;  // a process takes many times as long to begin and to end
+constexpr bool calls_repeat = false;   // its allocator makes system calls when it sees fit
 #else
 constexpr unsigned random_kills = 500;
+constexpr bool calls_repeat = true;  // the same system calls in every run, so what is new stays new
 #endif
 
 /// Two families to save over one another: one key stays, one changes, one comes or goes.
@@ -114,7 +116,7 @@ TEST_CASE("a key whose save is killed at any system call is the old one or the n
         const Hierarchy key = read_hierarchy(folder / "key.ilh");
         const bool is_new = is_same(key, new_key);
         CHECK((is_new || is_same(key, old_key)));
-        CHECK((is_new || times_new == 0));
+        if (calls_repeat) CHECK((is_new || times_new == 0));
         CHECK(folder.entry_count() <= 2);
         times_new += is_new;
     }
@@ -135,7 +137,7 @@ TEST_CASE("a family whose save is killed at any system call is the old one or th
         const Family family = read_family(folder.path());
         const bool is_new = is_same(family, families.second);
         CHECK((is_new || is_same(family, families.first)));
-        CHECK((is_new || times_new == 0));
+        if (calls_repeat) CHECK((is_new || times_new == 0));
         times_new += is_new;
 
         write_family(families.first, folder.path());
