@@ -184,7 +184,8 @@ void DocumentFiles::look_after(double now) {
         }
         if (const auto error = autosave_->take_error()) complain(*error);
     }
-    if (now - looked_ < look_interval) return;
+    // A message that is there is not replaced: the change is told once it has been read.
+    if (now - looked_ < look_interval || !state_.message.empty()) return;
     looked_ = now;
     if (const auto file = stamps_.take_changed())
         complain(fmt::format("{} has changed on disk: Ctrl+R reads it again", file->string()));
