@@ -156,14 +156,12 @@ void add_view(CLI::App& program) {
     const auto options = std::make_shared<ViewOptions>();
     CLI::App* command = program.add_subcommand("view", "Open the viewer");
     add_family_or_keys(*command, "FAMILY", viewed_help, options->family);
-    add_text_option(*command, "--size", "Size of the window",
+    add_text_option(*command, "--size", "Size of the window; as it was last if left out",
                     [options](const std::string& text) {
                         const PictureSize size = parse_size(text);
-                        options->viewer.width = size.width;
-                        options->viewer.height = size.height;
+                        options->viewer.size = glm::ivec2(size.width, size.height);
                     })
-        ->type_name("WxH")
-        ->default_str(fmt::format("{}x{}", options->viewer.width, options->viewer.height));
+        ->type_name("WxH");
     CLI::Option* at =
         add_text_option(*command, "--at", "Begin at this point of the parameter domain",
                         [options](const std::string& text) { options->viewer.at = parse_point(text); });

@@ -49,22 +49,28 @@ std::vector<fs::path> watched_files(const std::vector<fs::path>& sources) {
     return files;
 }
 
-/// Whether \p files are meshes that differ in their faces, so that they are no keys as they are.
-bool are_unlike_meshes(const std::vector<fs::path>& files) {
-    if (std::ranges::any_of(files, is_surface_file))
-        return std::ranges::all_of(files, [](const fs::path& file) {
-            return is_surface_file(file) || lower_case_extension(file) == ".obj";
-        });
-    if (files.size() < 2) return false;
-    if (!std::ranges::all_of(files,
-                             [](const fs::path& file) { return lower_case_extension(file) == ".obj"; }))
-        return false;
-    try {
-        open_family(files);
-        return false;
-    } catch (const InputError&) {
-        return true;
-    }
+/// Whether \p files are meshes of which one, by its kind, is no key as it is.
+bool are_surfaces(const std::vector<fs::path>& files) {
+    return std::ranges::any_of(files, is_surface_file) &&
+           std::ranges::all_of(files, [](const fs::path& file) {
+               return is_surface_file(file) || lower_case_extension(file) == ".obj";
+           });
+}
+
+/// Whether \p files are several meshes, which are keys as they are only if they have the same faces.
+bool are_several_meshes(const std::vector<fs::path>& files) {
+    return files.size() > 1 && std::ranges::all_of(files, [](const fs::path& file) {
+               return lower_case_extension(file) == ".obj";
+           });
+}
+
+FileRequest request_to_open(std::string title, std::string action) {
+    FileRequest request;
+    request.title = std::move(title);
+    request.action = std::move(action);
+    request.several = true;
+    request.types = openable_types();
+    return request;
 }
 
 constexpr Index least_leaves = 12;
@@ -196,8 +202,7 @@ void DocumentFiles::remember_window(glm::ivec2 size) {
         change_settings([size](Settings& settings) { settings.window_size = size; });
 }
 
-// ---- questions
-// ---------------------------------------------------------------------------------------------
+// ---- questions ----
 
 void DocumentFiles::ask(Question question, std::function<void(const Answer&)> answer) {
     if (dialog_.is_open()) return;
@@ -231,48 +236,41 @@ void DocumentFiles::leave_document(const Action& next) {
         });
 }
 
-// ---- opening
-// -----------------------------------------------------------------------------------------------
+// ---- opening ----
 
 void DocumentFiles::browse_to_open() {
-    browse({.title = "Open",
-            .action = "Open",
-            .purpose = FilePurpose::open,
-            .several = true,
-            .types = openable_types(),
-            .places = {},
-            .recent_folders = {},
-            .folder = {},
-            .name = {}},
-           [this](const FileChoice& choice) { open(choice.files); });
+    browse(request_to_open("Open", "Open"), [this](const FileChoice& choice) { open(choice.files); });
 }
 
 void DocumentFiles::browse_to_add() {
-    browse({.title = "Add keys",
-            .action = "Add",
-            .purpose = FilePurpose::open,
-            .several = true,
-            .types = openable_types(),
-            .places = {},
-            .recent_folders = {},
-            .folder = {},
-            .name = {}},
+    browse(request_to_open("Add keys", "Add"),
            [this](const FileChoice& choice) { add_keys(choice.files, now_); });
+}
+
+/// Gives \p receiver the family that \p files hold; to meshes that are no keys as they are it offers a fit.
+void DocumentFiles::read_or_fit(const std::vector<fs::path>& files,
+                                const std::function<void(Family)>& receiver,
+                                const MeshFitting::Receiver& fitted) {
+    if (are_surfaces(files)) return offer_fit(files, fitted);
+    try {
+        receiver(open_family(files));
+    } catch (const InputError& error) {
+        if (are_several_meshes(files)) return offer_fit(files, fitted);
+        complain(error.what());
+    } catch (const std::runtime_error& error) {
+        complain(error.what());
+    }
 }
 
 void DocumentFiles::open(std::vector<fs::path> files) {
     leave_document([this, files = std::move(files)] {
-        if (are_unlike_meshes(files)) {
-            offer_fit(files, [this, files](std::vector<Key> keys) { open_fitted(files, std::move(keys)); });
-            return;
-        }
-        try {
-            Family family = open_family(files);
-            remember(files.front());
-            replace_document(std::move(family), files);
-        } catch (const std::runtime_error& error) {
-            complain(error.what());
-        }
+        read_or_fit(
+            files,
+            [&](Family family) {
+                remember(files.front());
+                replace_document(std::move(family), files);
+            },
+            [this, files](std::vector<Key> keys) { open_fitted(files, std::move(keys)); });
     });
 }
 
@@ -288,16 +286,9 @@ void DocumentFiles::reopen() {
 }
 
 void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
-    if (are_unlike_meshes(files)) {
-        offer_fit(files,
-                  [this](std::vector<Key> keys) { interleaf::add_keys(state_, std::move(keys), now_); });
-        return;
-    }
-    try {
-        interleaf::add_keys(state_, open_family(files).keys, now);
-    } catch (const std::runtime_error& error) {
-        complain(error.what());
-    }
+    read_or_fit(
+        files, [&](Family family) { interleaf::add_keys(state_, std::move(family.keys), now); },
+        [this](std::vector<Key> keys) { interleaf::add_keys(state_, std::move(keys), now_); });
 }
 
 /// Asks how finely to fit \p meshes, over the roots of a cube, and does it.
@@ -347,8 +338,7 @@ void DocumentFiles::set_sources(std::vector<fs::path> sources) {
     sources_ = std::move(sources);
 }
 
-// ---- saving
-// ------------------------------------------------------------------------------------------------
+// ---- saving ----
 
 void DocumentFiles::save(const Action& next) {
     if (state_.document.folder()) {
@@ -359,15 +349,13 @@ void DocumentFiles::save(const Action& next) {
 }
 
 void DocumentFiles::save_as(Action next) {
-    browse({.title = "Save the family in a folder of its own",
-            .action = "Save",
-            .purpose = FilePurpose::save_folder,
-            .several = false,
-            .types = openable_types(),
-            .places = {},
-            .recent_folders = {},
-            .folder = {},
-            .name = folder_name(state_.document.family().name)},
+    FileRequest request;
+    request.title = "Save the family in a folder of its own";
+    request.action = "Save";
+    request.purpose = FilePurpose::save_folder;
+    request.types = openable_types();
+    request.name = folder_name(state_.document.family().name);
+    browse(std::move(request),
            [this, next = std::move(next)](const FileChoice& choice) { write(choice.files.front(), next); });
 }
 
@@ -386,8 +374,7 @@ void DocumentFiles::write(const fs::path& folder, const Action& next) {
     next();
 }
 
-// ---- what the user is not to lose
-// --------------------------------------------------------------------------
+// ---- what the user is not to lose ----
 
 /// Nothing unsaved is worth recovering any more.
 void DocumentFiles::forget_unsaved() {

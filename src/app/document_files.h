@@ -57,6 +57,8 @@ class DocumentFiles {
     /// Writes the autosave and looks for changes on disk, when it is time to; call it in every frame.
     void look_after(double now);
 
+    /// Of the window when the program ended last, screen coordinates.
+    std::optional<glm::ivec2> window_size() const { return settings_.window_size; }
     void remember_window(glm::ivec2 size);
 
   private:
@@ -72,6 +74,8 @@ class DocumentFiles {
     void browse(FileRequest request, std::function<void(const FileChoice&)> answer);
     void browse_to_open();
     void browse_to_add();
+    void read_or_fit(const std::vector<std::filesystem::path>& files,
+                     const std::function<void(Family)>& receiver, const MeshFitting::Receiver& fitted);
     void reopen();
     void offer_fit(const std::vector<std::filesystem::path>& meshes, MeshFitting::Receiver receiver);
     void open_fitted(const std::vector<std::filesystem::path>& meshes, std::vector<Key> keys);

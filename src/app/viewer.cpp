@@ -50,6 +50,9 @@ namespace {
 /// Frames drawn after the last input: Dear ImGui needs one more to settle, a window may need one to appear.
 constexpr int settling_frames = 3;
 
+/// Of the window when it is opened for the first time, screen coordinates.
+constexpr glm::ivec2 first_size{1280, 800};
+
 /// However still it is, autosave and the files on disk are looked after this often; seconds.
 constexpr double longest_wait = 1;
 
@@ -155,12 +158,14 @@ GLFWwindow* watch_input(GLFWwindow* window, Input& input) {
 }
 
 Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources, const ViewerOptions& options)
-    : window_("Interleaf", options.width, options.height),
+    : window_("Interleaf", options.size.value_or(first_size).x, options.size.value_or(first_size).y),
       state_(std::move(family), family_folder(sources)),
-      files_(state_, std::move(sources), options.is_alone || options.picture),
+      files_(state_, std::move(sources), options.picture.has_value()),
       gui_(watch_input(window_.handle(), input_)),
       picture_file_(options.picture) {
     if (options.trace) trace_.emplace(*options.trace);
+    if (const auto last = files_.window_size(); last && !options.size)
+        glfwSetWindowSize(window_.handle(), last->x, last->y);
     state_.session.display = options.display;
     if (options.time) state_.session.seek(*options.time, glfwGetTime());
     if (options.at) state_.session.move_point(*options.at, glfwGetTime());
@@ -178,6 +183,7 @@ void Viewer::run() {
         files_.grant(FileWish::quit);
         settling_ = settling_frames;
     }
+    files_.remember_window(places_.window);
 }
 
 void Viewer::wait() {

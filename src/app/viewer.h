@@ -13,15 +13,13 @@
 namespace interleaf {
 
 struct ViewerOptions {
-    int width = 1280;  ///< of the window, screen coordinates
-    int height = 800;
-    std::optional<glm::dvec2> at;  ///< where the point begins; needs a domain
-    std::optional<double> time;    ///< where the timeline begins, seconds; needs one
-    Display display;               ///< what is shown at first
+    std::optional<glm::ivec2> size;  ///< of the window, screen coordinates; by default as it was last
+    std::optional<glm::dvec2> at;    ///< where the point begins; needs a domain
+    std::optional<double> time;      ///< where the timeline begins, seconds; needs one
+    Display display;                 ///< what is shown at first
     std::optional<std::filesystem::path>
         picture;  ///< a PNG of the window, written once it rests; then it closes
     std::optional<std::filesystem::path> trace;  ///< gets a JSON line at every change of state
-    bool is_alone = false;  ///< leaves the user's settings and recoveries alone, and does not autosave
 };
 
 /// Opens a window on \p family, read from \p sources (none for the built-in family), and returns when it is
