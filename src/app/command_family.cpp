@@ -11,7 +11,7 @@ namespace interleaf {
 void run_family(const FamilyOptions& options) {
     std::vector<std::string> changes;
     const Family family = open_family(options.keys, &changes);
-    write_family(family, options.output);
+    write_family(family, options.output, options.form);
     for (const std::string& change : changes) print_error(change);
 }
 

@@ -4,11 +4,14 @@
 #include <filesystem>
 #include <vector>
 
+#include "io/hierarchy_file.h"
+
 namespace interleaf {
 
 struct FamilyOptions {
     std::vector<std::filesystem::path> keys;  ///< what open_family() takes
     std::filesystem::path output;             ///< the folder
+    HierarchyFileOptions form;                ///< of the key files
 };
 
 /// Opens the keys, puts them over the same roots and writes the family. Says on standard error which keys

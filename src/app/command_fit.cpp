@@ -34,9 +34,8 @@ void check_options(const FitCommandOptions& options) {
                         options.rotations.size(), options.meshes.size()));
     if (options.meshes.size() == 1) {
         format_of({options.output, options.output == "-" ? "ilh" : ""}, formats);
-    } else {
-        if (options.output == "-") throw UsageError("fit: -o must name a folder for several meshes");
-        if (options.form.compressed) throw UsageError("fit: --compress is for one mesh");
+    } else if (options.output == "-") {
+        throw UsageError("fit: -o must name a folder for several meshes");
     }
 }
 
@@ -163,7 +162,7 @@ void run_fit(const FitCommandOptions& options) {
     if (keys.size() == 1)
         write_output({options.output, "ilh"}, serialize_hierarchy(keys[0].hierarchy, options.form));
     else
-        write_family(family_of(options, keys), options.output);
+        write_family(family_of(options, keys), options.output, options.form);
     print_reports(options, keys);
 }
 

@@ -115,7 +115,7 @@ void add_output(CLI::App& command, Output& output, const std::string& files, con
 
 void add_form(CLI::App& command, HierarchyFileOptions& form) {
     CLI::Option* compress =
-        command.add_flag("--compress", form.compressed, "Write the compressed form of an .ilh file");
+        command.add_flag("--compress", form.compressed, "Write .ilh files in the compressed form");
     add_text_option(command, "--bits",
                     "With --compress, round coordinates to N bits of the box's longest side, 8 to 24",
                     [&form](const std::string& text) { form.rounding_bits = parse_bits(text); })
@@ -299,6 +299,7 @@ void add_family_command(CLI::App& program) {
             "The folder to write")
         ->required()
         ->type_name("FOLDER");
+    add_form(*command, options->form);
     command->final_callback([options] { run_family(*options); });
     command->footer(
         "Examples:\n"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "family/family.h"
+#include "io/hierarchy_file.h"
 
 namespace interleaf {
 
@@ -32,10 +33,11 @@ std::vector<std::filesystem::path> key_files(const std::filesystem::path& path);
 /// The extension of \p file as read_family() takes it: ".ILH" as ".ilh".
 std::string lower_case_extension(const std::filesystem::path& file);
 
-/// Writes family.json and the keys as NAME.ilh into \p folder, which is made if missing. Key files that the
-/// family.json found there names stay until the new one is in place; then those it does not name are removed.
-/// \throw InputError   if check() finds fault with the family, or a name is not UTF-8 without control
-/// characters \throw MachineError when something cannot be written
-void write_family(const Family& family, const std::filesystem::path& folder);
+/// Writes family.json and the keys as NAME.ilh of this form into \p folder, which is made if missing. Key
+/// files that the family.json found there names stay until the new one is in place; then those it does not
+/// name are removed. \throw InputError   if check() finds fault with the family, or a name is not UTF-8
+/// without control characters \throw MachineError when something cannot be written
+void write_family(const Family& family, const std::filesystem::path& folder,
+                  const HierarchyFileOptions& form = {});
 
 }  // namespace interleaf

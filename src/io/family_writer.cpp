@@ -69,8 +69,9 @@ struct KeyFile {
 
 /// The file for \p key in \p folder: one that holds just this key, or one that is not there, so that what an
 /// earlier family.json names stays as it is; none in \p taken, to which its name is added.
-KeyFile choose_file(const Key& key, const fs::path& folder, std::set<std::string>& taken) {
-    const std::vector<std::byte> bytes = serialize_hierarchy(*key.hierarchy);
+KeyFile choose_file(const Key& key, const fs::path& folder, const HierarchyFileOptions& form,
+                    std::set<std::string>& taken) {
+    const std::vector<std::byte> bytes = serialize_hierarchy(*key.hierarchy, form);
     const std::string stem = file_stem(key.name);
     for (unsigned number = 1;; ++number) {
         const std::string name = number == 1 ? stem + ".ilh" : fmt::format("{}-{}.ilh", stem, number);
@@ -83,11 +84,12 @@ KeyFile choose_file(const Key& key, const fs::path& folder, std::set<std::string
     }
 }
 
-std::vector<KeyFile> choose_files(const Family& family, const fs::path& folder) {
+std::vector<KeyFile> choose_files(const Family& family, const fs::path& folder,
+                                  const HierarchyFileOptions& form) {
     std::set<std::string> taken;
     std::vector<KeyFile> files;
     files.reserve(family.keys.size());
-    for (const Key& key : family.keys) files.push_back(choose_file(key, folder, taken));
+    for (const Key& key : family.keys) files.push_back(choose_file(key, folder, form, taken));
     return files;
 }
 
@@ -150,25 +152,26 @@ std::string family_text(const Family& family, const std::vector<KeyFile>& files)
 }
 
 /// \pre  nobody else saves into \p folder
-void save(const Family& family, const fs::path& folder) {
-    const std::vector<KeyFile> files = choose_files(family, folder);
+void save(const Family& family, const fs::path& folder, const HierarchyFileOptions& form) {
+    const std::vector<KeyFile> files = choose_files(family, folder, form);
     begin_save(folder, unsettled_files(files, folder));
     for (std::size_t i = 0; i < files.size(); ++i)
         if (!files[i].is_present)
-            write_hierarchy(*family.keys[i].hierarchy, folder / family_format::path_of(files[i].mark.name));
+            write_hierarchy(*family.keys[i].hierarchy, folder / family_format::path_of(files[i].mark.name),
+                            form);
     write_file(folder / "family.json", family_text(family, files));
 }
 
 }  // namespace
 
-void write_family(const Family& family, const fs::path& folder) {
+void write_family(const Family& family, const fs::path& folder, const HierarchyFileOptions& form) {
     check_writable(family, folder);
     try {
         fs::create_directories(folder);
         const FolderLock lock(folder);
         finish_save(folder);  // one that was killed
         try {
-            save(family, folder);
+            save(family, folder, form);
         } catch (...) {
             finish_save(folder);
             throw;

@@ -86,6 +86,7 @@ TEST_CASE("a faulty command line exits with 2 and one message that names the wor
         {{"make", "five-keys", "-o", "a", "--leaves", "100"}, "--leaves"},
         {{"make", "five-keys", "-o", "a", "--compress"}, "--compress"},
         {{"make", "star", "-o", "a.ilh", "--bits", "16"}, "--compress"},
+        {{"family", "a.ilh", "-o", "a", "--bits", "16"}, "--compress"},
         {{"make", "star", "-o", "a.ilh", "--compress", "--bits", "7"}, "--bits"},
         {{"make", "star", "-o", "a.ilh", "--compress", "--bits", "many"}, "--bits"},
     };

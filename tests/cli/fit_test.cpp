@@ -123,10 +123,11 @@ TEST_CASE("several meshes become a family over the same roots, three of them wit
     CHECK(three.timeline->keys().size() == 3);
     CHECK(three.domain->triangles().size() == 1);
 
-    outcome = run_interleaf({"fit", star, star, "-o", folder / "two", "--leaves", "500"});
+    outcome = run_interleaf({"fit", star, star, "-o", folder / "two", "--leaves", "500", "--compress"});
     REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
     const Family two = read_family(folder / "two");
     CHECK(two.keys[1].name == "star 2");
+    CHECK(is_compressed_hierarchy(folder / "two/star.ilh"));
     CHECK_FALSE(two.domain);
 }
 

@@ -41,6 +41,22 @@ TEST_CASE("family makes a folder of keys that can be opened") {
     CHECK(run_interleaf({"export", folder / "three", "--at", "0,0", "-o", folder / "u.obj"}).status == 0);
 }
 
+TEST_CASE("a family of compressed keys is the same family in fewer bytes") {
+    const TemporaryFolder folder;
+    REQUIRE(run_interleaf({"family", names[0], names[1], "-o", folder / "plain"}).status == 0);
+    REQUIRE(run_interleaf({"family", names[0], names[1], "--compress", "-o", folder / "small"}).status == 0);
+    const Family plain = read_family(folder / "plain");
+    const Family small = read_family(folder / "small");
+    REQUIRE(small.keys.size() == 2);
+    for (const std::size_t key : {0, 1}) {
+        CHECK(small.keys[key].hierarchy->bits == plain.keys[key].hierarchy->bits);
+        CHECK(small.keys[key].hierarchy->positions == plain.keys[key].hierarchy->positions);
+    }
+    CHECK(is_compressed_hierarchy(folder / "small/star.ilh"));
+    CHECK_FALSE(is_compressed_hierarchy(folder / "plain/star.ilh"));
+    CHECK(run_interleaf({"check", folder / "small"}).output == folder / "small" + ": sound, 2 keys\n");
+}
+
 TEST_CASE("keys in another numbering are put over the roots of the first, and check and family say so") {
     const TemporaryFolder folder;
     const Hierarchy star = read_hierarchy(names[1]);
