@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 
 #include "fit/alignment.h"
+#include "fit/leaf_smoothing.h"
 #include "fit/sphere_location.h"
 #include "fit/spherical_map.h"
 #include "fit/surface_sampling.h"
@@ -89,7 +90,9 @@ struct Mapped {
     const SphereRoots& roots;
 
     SampledSurface sample(const SamplingOptions& options, const Progress& progress) const {
-        return sample_surface(mesh, points, location, roots, options, progress);
+        SampledSurface surface = sample_surface(mesh, points, location, roots, options, progress);
+        smooth_leaves(mesh, points, location, roots.complex.vertex_count(), surface, progress);
+        return surface;
     }
     FitQuality quality(const SampledSurface& surface, const Progress& progress) const {
         return measure_quality(mesh, location, surface, progress);

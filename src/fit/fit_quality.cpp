@@ -10,6 +10,7 @@
 
 #include "fit/progress_meter.h"
 #include "fit/surface_distance.h"
+#include "fit/surface_normals.h"
 #include "hierarchy/measure.h"
 
 namespace interleaf {
@@ -75,26 +76,12 @@ Distances distances(const Flat& from, const Flat& to, const Progress& progress, 
     return found;
 }
 
-/// Leaves whose normal does not point to the side of the surface's normal there: the mean over a few places
-/// of the leaf, by the map. Leaves of no area count.
 std::size_t count_flipped(const Flat& mesh, const SphereLocation& location, const SampledSurface& surface,
                           const Flat& key) {
-    std::size_t flipped = 0;
-    for (const Triangle& triangle : key.triangles) {
-        const auto& [u, v, w] =
-            std::array{surface.sphere_points[triangle[0]], surface.sphere_points[triangle[1]],
-                       surface.sphere_points[triangle[2]]};
-        glm::dvec3 normal(0);
-        Index guess = surface.mesh_points[triangle[0]].triangle;
-        for (const glm::dvec3& inside : {u + v + w, 4.0 * u + v + w, u + 4.0 * v + w, u + v + 4.0 * w}) {
-            guess = location.locate(glm::normalize(inside), guess).triangle;
-            const glm::dvec3 here = doubled_area(mesh, mesh.triangles[guess]);
-            const double length = glm::length(here);
-            if (length > 0) normal += here / length;
-        }
-        if (!(glm::dot(normal, doubled_area(key, triangle)) > 0)) ++flipped;
-    }
-    return flipped;
+    const std::vector<glm::dvec3> normals = unit_normals(mesh.triangles, mesh.positions);
+    return static_cast<std::size_t>(std::ranges::count_if(key.triangles, [&](const Triangle& leaf) {
+        return is_turned_over(leaf, surface, location, normals);
+    }));
 }
 
 }  // namespace

@@ -1,0 +1,338 @@
+#include "fit/leaf_smoothing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "fit/progress_meter.h"
+#include "fit/surface_distance.h"
+#include "fit/surface_normals.h"
+#include "fit/triangle_distance.h"
+
+namespace interleaf {
+namespace {
+
+/// Leaves with a smaller angle than this, in degrees, are smoothed.
+constexpr double wanted_angle = 18;
+
+constexpr int most_rounds = 6;
+
+/// Parts of the way to a neighbour that are tried, towards it and away from it.
+constexpr std::array<double, 10> way_parts = {0.4, -0.4, 0.2, -0.2, 0.1, -0.1, 0.05, -0.05, 0.025, -0.025};
+
+/// Places of a vertex, those of the best angles first, that are looked at closely.
+constexpr std::size_t most_places = 8;
+
+/// After a move no place of the star may be farther than this part of the largest distance there is: a
+/// margin, since distances are measured at some places only.
+constexpr double near_enough = 0.75;
+
+/// Where on a leaf distances are measured: all places whose coordinates are fourths, but for the corners.
+constexpr std::array<glm::dvec3, 12> places_of_leaf = {{{0, 0.5, 0.5},
+                                                        {0, 0.25, 0.75},
+                                                        {0.25, 0.25, 0.5},
+                                                        {0.25, 0, 0.75},
+                                                        {0.5, 0, 0.5},
+                                                        {0.75, 0, 0.25},
+                                                        {0.5, 0.25, 0.25},
+                                                        {0.75, 0.25, 0},
+                                                        {0.5, 0.5, 0},
+                                                        {0.25, 0.75, 0},
+                                                        {0.25, 0.5, 0.25},
+                                                        {0, 0.75, 0.25}}};
+
+/// Three corners in space.
+using LeafCorners = std::array<glm::dvec3, 3>;
+
+/// The cosine of the least angle; 1 for a triangle without area.
+double largest_cosine(const LeafCorners& corners) {
+    double largest = -1;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 a = corners[(i + 1) % 3] - corners[i];
+        const glm::dvec3 b = corners[(i + 2) % 3] - corners[i];
+        const double lengths = std::sqrt(glm::dot(a, a) * glm::dot(b, b));
+        if (!(lengths > 0)) return 1;
+        largest = std::max(largest, glm::dot(a, b) / lengths);
+    }
+    return largest;
+}
+
+/// What is wrong with some leaves.
+struct Fault {
+    int turned_over = 0;
+    double cosine = -1;  ///< of the least angle, or of the wanted one where that is smaller
+
+    bool is_less_than(const Fault& other) const {
+        return turned_over <= other.turned_over && cosine <= other.cosine &&
+               (turned_over < other.turned_over || cosine < other.cosine);
+    }
+};
+
+/// Where a vertex of the key lies.
+struct Place {
+    glm::dvec3 direction;
+    MeshPoint point;
+    glm::vec3 position;
+};
+
+class Smoothing {
+  public:
+    Smoothing(const SurfaceMesh& mesh, std::span<const glm::dvec3> points, const SphereLocation& location,
+              SampledSurface& surface)
+        : mesh_(mesh),
+          points_(points),
+          location_(location),
+          surface_(surface),
+          normals_(unit_normals(mesh.triangles, mesh.positions)),
+          at_rest_(surface.positions.size(), false),
+          to_mesh_(mesh.triangles, mesh.positions) {
+        for (const Leaf& leaf : surface.leaves) leaves_.push_back(leaf.vertices);
+        gather_stars();
+        assign_vertices();
+        allowed_distance_ = near_enough * largest_distance();
+    }
+
+    void run(std::size_t fixed_vertices, ProgressMeter& meter) {
+        bool moved = true;
+        for (int round = 0; round < most_rounds && moved; ++round) {
+            moved = false;
+            for (const Index leaf : faulty_leaves(meter))
+                for (const Index vertex : leaves_[leaf]) {
+                    if (vertex < fixed_vertices || at_rest_[vertex] || !is_faulty(leaf)) continue;
+                    moved = improve(vertex) || moved;
+                    meter.step(5000);
+                }
+        }
+    }
+
+  private:
+    void gather_stars() {
+        star_begin_.assign(surface_.positions.size() + 1, 0);
+        for (const Triangle& leaf : leaves_)
+            for (const Index vertex : leaf) ++star_begin_[vertex + 1];
+        for (std::size_t v = 1; v < star_begin_.size(); ++v) star_begin_[v] += star_begin_[v - 1];
+        stars_.resize(star_begin_.back());
+        std::vector<Index> next(star_begin_.begin(), star_begin_.end() - 1);
+        for (Index leaf = 0; leaf < leaves_.size(); ++leaf)
+            for (const Index vertex : leaves_[leaf]) stars_[next[vertex]++] = leaf;
+    }
+    std::span<const Index> star(Index vertex) const {
+        return std::span(stars_).subspan(star_begin_[vertex], star_begin_[vertex + 1] - star_begin_[vertex]);
+    }
+
+    void assign_vertices();
+    void assign_anew(std::span<const Index> star);
+    std::vector<Index> faulty_leaves(ProgressMeter& meter) const;
+    bool improve(Index vertex);
+    std::vector<Place> better_places(Index vertex, const Fault& before);
+    double largest_distance() const;
+    bool is_near(std::span<const Index> star) const;
+
+    LeafCorners corners(Index leaf) const {
+        const auto& [a, b, c] = leaves_[leaf];
+        return {surface_.positions[a], surface_.positions[b], surface_.positions[c]};
+    }
+    std::array<glm::dvec3, 3> directions(Index leaf) const {
+        const auto& [a, b, c] = leaves_[leaf];
+        return {surface_.sphere_points[a], surface_.sphere_points[b], surface_.sphere_points[c]};
+    }
+    glm::dvec3 on_surface(const MeshPoint& point) const {
+        return point.of(std::span<const Triangle>(mesh_.triangles), std::span(mesh_.positions));
+    }
+    bool is_one_to_one(std::span<const Index> star) const {
+        return std::ranges::all_of(star, [&](Index leaf) {
+            const auto [u, v, w] = directions(leaf);
+            return side_of_arc(u, v, w) > 0;
+        });
+    }
+    Fault fault(std::span<const Index> star) const {
+        Fault found{0, good_cosine_};
+        for (const Index leaf : star) {
+            found.turned_over += is_turned_over(leaves_[leaf], surface_, location_, normals_);
+            found.cosine = std::max(found.cosine, largest_cosine(corners(leaf)));
+        }
+        return found;
+    }
+    bool is_faulty(Index leaf) const {
+        return largest_cosine(corners(leaf)) > good_cosine_ ||
+               is_turned_over(leaves_[leaf], surface_, location_, normals_);
+    }
+    Place place_of(Index vertex) const {
+        return {surface_.sphere_points[vertex], surface_.mesh_points[vertex], surface_.positions[vertex]};
+    }
+    Place place_at(const glm::dvec3& direction, Index guess) const {
+        const MeshPoint point = location_.locate(direction, guess);
+        return {direction, point, glm::vec3(on_surface(point))};
+    }
+    void put(Index vertex, const Place& place) {
+        surface_.sphere_points[vertex] = place.direction;
+        surface_.mesh_points[vertex] = place.point;
+        surface_.positions[vertex] = place.position;
+    }
+
+    const double good_cosine_ = std::cos(wanted_angle * std::numbers::pi / 180);
+    const SurfaceMesh& mesh_;
+    std::span<const glm::dvec3> points_;
+    const SphereLocation& location_;
+    SampledSurface& surface_;
+    std::vector<glm::dvec3> normals_;
+    std::vector<Triangle> leaves_;
+    std::vector<Index> star_begin_;
+    std::vector<Index> stars_;   ///< leaves around vertices
+    std::vector<Index> inside_;  ///< the first of the mesh's vertices that lie in a leaf
+    std::vector<Index> next_;    ///< the one after it, by vertex
+    std::vector<bool> at_rest_;  ///< whether a vertex found no better place since its star changed
+    SurfaceDistance to_mesh_;
+    double allowed_distance_ = 0;
+};
+
+/// Puts every vertex of the mesh into the leaf it is mapped into.
+void Smoothing::assign_vertices() {
+    const SphereLocation location(leaves_, surface_.sphere_points);
+    inside_.assign(leaves_.size(), no_index);
+    next_.resize(points_.size());
+    Index leaf = no_index;
+    for (Index vertex = 0; vertex < points_.size(); ++vertex) {
+        leaf = location.locate(points_[vertex], leaf).triangle;
+        next_[vertex] = std::exchange(inside_[leaf], vertex);
+    }
+}
+
+/// The same for the vertices in a star whose middle has moved.
+void Smoothing::assign_anew(std::span<const Index> star) {
+    std::vector<Index> vertices;
+    for (const Index leaf : star)
+        for (Index vertex = std::exchange(inside_[leaf], no_index); vertex != no_index;
+             vertex = next_[vertex])
+            vertices.push_back(vertex);
+    for (const Index vertex : vertices) {
+        const auto how_far_inside = [&](Index leaf) {
+            const auto [u, v, w] = directions(leaf);
+            const glm::dvec3& point = points_[vertex];
+            return std::min({side_of_arc(u, v, point), side_of_arc(v, w, point), side_of_arc(w, u, point)});
+        };
+        const Index leaf = *std::ranges::max_element(star, {}, how_far_inside);
+        next_[vertex] = std::exchange(inside_[leaf], vertex);
+    }
+}
+
+/// The worst first.
+std::vector<Index> Smoothing::faulty_leaves(ProgressMeter& meter) const {
+    std::vector<std::pair<double, Index>> found;
+    for (Index leaf = 0; leaf < leaves_.size(); ++leaf) {
+        meter.step();
+        if (!is_faulty(leaf)) continue;
+        const Fault here = fault(std::span(&leaf, 1));
+        found.emplace_back(-here.turned_over - here.cosine, leaf);
+    }
+    std::ranges::sort(found);
+    std::vector<Index> leaves;
+    for (const auto& [ignored, leaf] : found) leaves.push_back(leaf);
+    return leaves;
+}
+
+/// Of the mesh from the key, at its vertices and at the middles of leaves.
+double Smoothing::largest_distance() const {
+    const std::vector<glm::dvec3> positions(surface_.positions.begin(), surface_.positions.end());
+    const SurfaceDistance to_key(leaves_, positions);
+    Index nearest = no_index;
+    double largest = 0;
+    for (const glm::dvec3& position : mesh_.positions) largest = std::max(largest, to_key(position, nearest));
+    for (Index leaf = 0; leaf < leaves_.size(); ++leaf) {
+        const auto [u, v, w] = directions(leaf);
+        const Index guess = surface_.mesh_points[leaves_[leaf][0]].triangle;
+        for (const glm::dvec3& inside : {u + v + w, v + w})
+            largest = std::max(largest,
+                               to_key(on_surface(location_.locate(glm::normalize(inside), guess)), nearest));
+    }
+    return largest;
+}
+
+/// Whether the mesh is near the star over it, and the star near the mesh.
+bool Smoothing::is_near(std::span<const Index> star) const {
+    const double allowed = allowed_distance_ * allowed_distance_;
+    const auto is_near_star = [&](const glm::dvec3& place) {
+        return std::ranges::any_of(
+            star, [&](Index leaf) { return squared_distance_to_triangle(place, corners(leaf)) <= allowed; });
+    };
+    for (const Index leaf : star) {
+        const auto [u, v, w] = directions(leaf);
+        const LeafCorners corner = corners(leaf);
+        Index guess = surface_.mesh_points[leaves_[leaf][0]].triangle;
+        Index nearest = guess;
+        for (const glm::dvec3& place : places_of_leaf) {
+            const MeshPoint point =
+                location_.locate(glm::normalize(place[0] * u + place[1] * v + place[2] * w), guess);
+            guess = point.triangle;
+            const glm::dvec3 on_mesh = on_surface(point);
+            const glm::dvec3 on_leaf = place[0] * corner[0] + place[1] * corner[1] + place[2] * corner[2];
+            if (glm::distance(on_mesh, on_leaf) <= allowed_distance_) continue;
+            if (!is_near_star(on_mesh) || to_mesh_(on_leaf, nearest) > allowed_distance_) return false;
+        }
+        for (Index vertex = inside_[leaf]; vertex != no_index; vertex = next_[vertex])
+            if (!is_near_star(mesh_.positions[vertex])) return false;
+    }
+    return true;
+}
+
+/// Places that leave the star one to one, with angles no worse than before; the best first.
+std::vector<Place> Smoothing::better_places(Index vertex, const Fault& before) {
+    const Place here = place_of(vertex);
+    std::vector<std::pair<double, Place>> found;
+    for (const Index leaf : star(vertex)) {
+        const Triangle& leaf_vertices = leaves_[leaf];
+        const std::size_t corner = leaf_vertices[0] == vertex ? 0 : leaf_vertices[1] == vertex ? 1 : 2;
+        const glm::dvec3 way = surface_.sphere_points[leaf_vertices[(corner + 1) % 3]] - here.direction;
+        for (const double part : way_parts) {
+            const Place place = place_at(glm::normalize(here.direction + part * way), here.point.triangle);
+            put(vertex, place);
+            if (!is_one_to_one(star(vertex))) continue;
+            double cosine = -1;
+            for (const Index other : star(vertex)) cosine = std::max(cosine, largest_cosine(corners(other)));
+            if (cosine <= before.cosine) found.emplace_back(cosine, place);
+        }
+    }
+    put(vertex, here);
+    std::ranges::stable_sort(found, {}, &std::pair<double, Place>::first);
+    std::vector<Place> places;
+    for (const auto& [ignored, place] : found) places.push_back(place);
+    return places;
+}
+
+/// Moves the vertex to the first place that is better for its star and near enough to the surface.
+bool Smoothing::improve(Index vertex) {
+    const Fault before = fault(star(vertex));
+    const Place here = place_of(vertex);
+    std::size_t tried = 0;
+    for (const Place& place : better_places(vertex, before)) {
+        if (tried++ == most_places) break;
+        put(vertex, place);
+        if (fault(star(vertex)).is_less_than(before) && is_near(star(vertex))) {
+            assign_anew(star(vertex));
+            for (const Index leaf : star(vertex))
+                for (const Index neighbor : leaves_[leaf]) at_rest_[neighbor] = false;
+            return true;
+        }
+    }
+    put(vertex, here);
+    at_rest_[vertex] = true;
+    return false;
+}
+
+}  // namespace
+
+void smooth_leaves(const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
+                   const SphereLocation& location, std::size_t fixed_vertices, SampledSurface& surface,
+                   const Progress& progress) {
+    ProgressMeter meter(progress);
+    meter.enter("smoothing", 0);
+    Smoothing(mesh, points, location, surface).run(fixed_vertices, meter);
+}
+
+}  // namespace interleaf

@@ -1,0 +1,29 @@
+// The last step of the sampling: vertices of the worst leaves move along the surface.
+//
+// Once leaves are no longer bisected, a vertex of a key may lie anywhere on the surface, as long as its
+// leaves stay one to one with their parts of the sphere. Where leaves have a small angle or are turned over
+// against the surface, their vertices look for better places nearby. Each move is one that no measure of its
+// star loses by, so none of the whole does.
+#pragma once
+
+#include <span>
+
+#include <glm/vec3.hpp>
+
+#include "fit/progress.h"
+#include "fit/sphere_location.h"
+#include "fit/surface_mesh.h"
+#include "fit/surface_sampling.h"
+
+namespace interleaf {
+
+/// Moves vertices of \p surface so that its least angle does not fall, no more leaves are turned over
+/// (surface_normals.h), and no vertex of the mesh gets farther from the key than the farthest was.
+/// \param mesh, points, location  as of sample_surface()
+/// \param fixed_vertices          the first so many stay where they are: those of the roots
+/// \throw Cancelled
+void smooth_leaves(const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
+                   const SphereLocation& location, std::size_t fixed_vertices, SampledSurface& surface,
+                   const Progress& progress);
+
+}  // namespace interleaf
