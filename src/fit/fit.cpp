@@ -90,8 +90,10 @@ struct Mapped {
     const SphereRoots& roots;
 
     SampledSurface sample(const SamplingOptions& options, const Progress& progress) const {
-        SampledSurface surface = sample_surface(mesh, points, location, roots, options, progress);
-        smooth_leaves(mesh, points, location, roots.complex.vertex_count(), surface, progress);
+        SampledSurface surface =
+            sample_surface(mesh, points, location, roots, options, part_of(progress, 0, 0.5));
+        smooth_leaves(mesh, points, location, roots.complex.vertex_count(), surface,
+                      part_of(progress, 0.5, 1));
         return surface;
     }
     FitQuality quality(const SampledSurface& surface, const Progress& progress) const {

@@ -84,7 +84,7 @@ struct Place {
 class Smoothing {
   public:
     Smoothing(const SurfaceMesh& mesh, std::span<const glm::dvec3> points, const SphereLocation& location,
-              SampledSurface& surface)
+              SampledSurface& surface, ProgressMeter& meter)
         : mesh_(mesh),
           points_(points),
           location_(location),
@@ -94,14 +94,15 @@ class Smoothing {
           to_mesh_(mesh.triangles, mesh.positions) {
         for (const Leaf& leaf : surface.leaves) leaves_.push_back(leaf.vertices);
         gather_stars();
-        assign_vertices();
-        allowed_distance_ = near_enough * largest_distance();
+        assign_vertices(meter);
+        allowed_distance_ = near_enough * largest_distance(meter);
     }
 
     void run(std::size_t fixed_vertices, ProgressMeter& meter) {
         bool moved = true;
         for (int round = 0; round < most_rounds && moved; ++round) {
             moved = false;
+            meter.set_part(double(round) / most_rounds);
             for (const Index leaf : faulty_leaves(meter))
                 for (const Index vertex : leaves_[leaf]) {
                     if (vertex < fixed_vertices || at_rest_[vertex] || !is_faulty(leaf)) continue;
@@ -126,12 +127,12 @@ class Smoothing {
         return std::span(stars_).subspan(star_begin_[vertex], star_begin_[vertex + 1] - star_begin_[vertex]);
     }
 
-    void assign_vertices();
+    void assign_vertices(ProgressMeter& meter);
     void assign_anew(std::span<const Index> star);
     std::vector<Index> faulty_leaves(ProgressMeter& meter) const;
     bool improve(Index vertex);
     std::vector<Place> better_places(Index vertex, const Fault& before);
-    double largest_distance() const;
+    double largest_distance(ProgressMeter& meter) const;
     bool is_near(std::span<const Index> star) const;
 
     LeafCorners corners(Index leaf) const {
@@ -193,7 +194,7 @@ class Smoothing {
 };
 
 /// Puts every vertex of the mesh into the leaf it is mapped into.
-void Smoothing::assign_vertices() {
+void Smoothing::assign_vertices(ProgressMeter& meter) {
     const SphereLocation location(leaves_, surface_.sphere_points);
     inside_.assign(leaves_.size(), no_index);
     next_.resize(points_.size());
@@ -201,6 +202,7 @@ void Smoothing::assign_vertices() {
     for (Index vertex = 0; vertex < points_.size(); ++vertex) {
         leaf = location.locate(points_[vertex], leaf).triangle;
         next_[vertex] = std::exchange(inside_[leaf], vertex);
+        meter.step();
     }
 }
 
@@ -233,20 +235,25 @@ std::vector<Index> Smoothing::faulty_leaves(ProgressMeter& meter) const {
     }
     std::ranges::sort(found);
     std::vector<Index> leaves;
+    leaves.reserve(found.size());
     for (const auto& [ignored, leaf] : found) leaves.push_back(leaf);
     return leaves;
 }
 
 /// Of the mesh from the key, at its vertices and at the middles of leaves.
-double Smoothing::largest_distance() const {
+double Smoothing::largest_distance(ProgressMeter& meter) const {
     const std::vector<glm::dvec3> positions(surface_.positions.begin(), surface_.positions.end());
     const SurfaceDistance to_key(leaves_, positions);
     Index nearest = no_index;
     double largest = 0;
-    for (const glm::dvec3& position : mesh_.positions) largest = std::max(largest, to_key(position, nearest));
+    for (const glm::dvec3& position : mesh_.positions) {
+        largest = std::max(largest, to_key(position, nearest));
+        meter.step();
+    }
     for (Index leaf = 0; leaf < leaves_.size(); ++leaf) {
         const auto [u, v, w] = directions(leaf);
         const Index guess = surface_.mesh_points[leaves_[leaf][0]].triangle;
+        meter.step(60);
         for (const glm::dvec3& inside : {u + v + w, v + w})
             largest = std::max(largest,
                                to_key(on_surface(location_.locate(glm::normalize(inside), guess)), nearest));
@@ -301,6 +308,7 @@ std::vector<Place> Smoothing::better_places(Index vertex, const Fault& before) {
     put(vertex, here);
     std::ranges::stable_sort(found, {}, &std::pair<double, Place>::first);
     std::vector<Place> places;
+    places.reserve(found.size());
     for (const auto& [ignored, place] : found) places.push_back(place);
     return places;
 }
@@ -332,7 +340,7 @@ void smooth_leaves(const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
                    const Progress& progress) {
     ProgressMeter meter(progress);
     meter.enter("smoothing", 0);
-    Smoothing(mesh, points, location, surface).run(fixed_vertices, meter);
+    Smoothing(mesh, points, location, surface, meter).run(fixed_vertices, meter);
 }
 
 }  // namespace interleaf
