@@ -307,10 +307,10 @@ std::vector<Place> Smoothing::better_places(Index vertex, const Fault& before) {
     }
     put(vertex, here);
     std::ranges::stable_sort(found, {}, &std::pair<double, Place>::first);
-    std::vector<Place> places;
-    places.reserve(found.size());
-    for (const auto& [ignored, place] : found) places.push_back(place);
-    return places;
+    std::vector<Place> better;
+    better.reserve(found.size());
+    for (const auto& [ignored, place] : found) better.push_back(place);
+    return better;
 }
 
 /// Moves the vertex to the first place that is better for its star and near enough to the surface.

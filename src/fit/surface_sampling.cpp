@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "fit/progress_meter.h"
+#include "fit/surface_normals.h"
 #include "fit/triangle_distance.h"
 #include "hierarchy/adaptive_mesh.h"
 #include "hierarchy/greedy.h"
@@ -35,10 +36,10 @@ class Sampler {
   public:
     Sampler(const SurfaceMesh& mesh, std::span<const glm::dvec3> points, const SphereLocation& location,
             const SphereRoots& roots)
-        : mesh_(mesh), points_(points), location_(location) {
-        normals_.reserve(mesh.triangles.size());
-        for (const auto& [a, b, c] : mesh.triangles)
-            normals_.push_back(unit_normal({mesh.positions[a], mesh.positions[b], mesh.positions[c]}));
+        : mesh_(mesh),
+          points_(points),
+          location_(location),
+          normals_(unit_normals(mesh.triangles, mesh.positions)) {
         for (const glm::dvec3& point : roots.points) add_vertex(point, no_index);
         assign_vertices(roots);
     }
