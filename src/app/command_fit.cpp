@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 1> formats = {"ilh"};
+constexpr std::array<std::string_view, 1> fit_formats = {"ilh"};
 
 void check_options(const FitCommandOptions& options) {
     if (options.json && options.output == "-")
@@ -33,7 +33,7 @@ void check_options(const FitCommandOptions& options) {
             fmt::format("fit: --rotate {} times for {} meshes, expected one for each, x,0 for none",
                         options.rotations.size(), options.meshes.size()));
     if (options.meshes.size() == 1) {
-        format_of({options.output, options.output == "-" ? "ilh" : ""}, formats);
+        format_of({options.output, options.output == "-" ? "ilh" : ""}, fit_formats);
     } else {
         if (options.output == "-") throw UsageError("fit: -o must name a folder for several meshes");
         if (options.form.compressed) throw UsageError("fit: --compress is for one mesh");

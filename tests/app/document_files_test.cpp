@@ -17,12 +17,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Family named(const std::string& name) {
-    Family family = sample_family();
-    family.name = name;
-    return family;
-}
-
 void change(ViewerState& state) {
     edit(
         state, "Rename", [](const Family&) { return named("changed"); }, 0);

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "numbers.h"
 #include <doctest/doctest.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -22,8 +22,6 @@ using namespace interleaf;
 using interleaf::testing::Random;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Polygon = std::vector<glm::dvec2>;
 
@@ -178,7 +176,7 @@ ParameterDomain triangle() {
     return {{{{0, 0}, 0}, {{1, 0}, 1}, {{0.25, 1}, 2}}, {{0, 1, 2}}};
 }
 
-ParameterDomain square() {
+ParameterDomain unit_square() {
     return {{{{0, 0}, 0}, {{1, 0}, 1}, {{1, 1}, 2}, {{0, 1}, 3}, {{0.5, 0.5}, 4}},
             {{0, 1, 4}, {2, 1, 4}, {2, 3, 4}, {3, 0, 4}}};
 }
@@ -220,7 +218,7 @@ ParameterDomain strip() {
 }
 
 std::vector<ParameterDomain> samples() {
-    return {triangle(), square(), ring(), angle(), butterfly(), strip()};
+    return {triangle(), unit_square(), ring(), angle(), butterfly(), strip()};
 }
 
 ParameterDomain transformed(const ParameterDomain& domain, double scale, glm::dvec2 offset) {
@@ -329,9 +327,9 @@ TEST_CASE(
 }
 
 TEST_CASE("a vertex moved where nothing turns over is there, to the last bit") {
-    const ParameterDomain after = with_vertex_moved(square(), 4, {0.3, 0.8});
+    const ParameterDomain after = with_vertex_moved(unit_square(), 4, {0.3, 0.8});
     CHECK(after.vertices()[4] == DomainVertex{{0.3, 0.8}, 4});
-    CHECK(std::ranges::equal(after.triangles(), square().triangles()));
+    CHECK(std::ranges::equal(after.triangles(), unit_square().triangles()));
 }
 
 TEST_CASE(
@@ -365,11 +363,11 @@ TEST_CASE("a vertex moved towards another triangle stops before it overlaps") {
 TEST_CASE("a vertex that cannot move at all stays") {
     for (const glm::dvec2 to :
          {glm::dvec2(std::nan(""), 0), glm::dvec2(0, infinity), glm::dvec2(-infinity, 0)})
-        CHECK(with_vertex_moved(square(), 4, to) == square());
+        CHECK(with_vertex_moved(unit_square(), 4, to) == unit_square());
 }
 
 TEST_CASE("a vertex inside a triangle splits it in three and leaves the others") {
-    const ParameterDomain after = with_vertex_added(square(), {0.5, 0.2}, 7, 0.01);
+    const ParameterDomain after = with_vertex_added(unit_square(), {0.5, 0.2}, 7, 0.01);
     CHECK(after.triangles().size() == 6);
     CHECK(after.vertices().back() == DomainVertex{{0.5, 0.2}, 7});
     CHECK(covered_area(after) == doctest::Approx(1).epsilon(1e-14));
@@ -380,7 +378,7 @@ TEST_CASE("a vertex inside a triangle splits it in three and leaves the others")
 }
 
 TEST_CASE("a vertex near an edge lies on it and splits both of its triangles") {
-    const ParameterDomain after = with_vertex_added(square(), {0.25, 0.26}, 7, 0.01);
+    const ParameterDomain after = with_vertex_added(unit_square(), {0.25, 0.26}, 7, 0.01);
     CHECK(after.triangles().size() == 6);
     CHECK(glm::distance(after.vertices().back().at, {0.255, 0.255}) < 1e-15);
     CHECK(covered_area(after) == doctest::Approx(1).epsilon(1e-14));
@@ -388,7 +386,7 @@ TEST_CASE("a vertex near an edge lies on it and splits both of its triangles") {
 
 TEST_CASE("a vertex near the boundary, on either side, lies on it and splits one triangle") {
     for (const double y : {-0.005, 0.0, 0.005}) {
-        const ParameterDomain after = with_vertex_added(square(), {0.4, y}, 7, 0.01);
+        const ParameterDomain after = with_vertex_added(unit_square(), {0.4, y}, 7, 0.01);
         CHECK(after.triangles().size() == 5);
         CHECK(glm::distance(after.vertices().back().at, {0.4, 0}) < 1e-15);
         CHECK(covered_area(after) == doctest::Approx(1).epsilon(1e-14));
@@ -396,7 +394,7 @@ TEST_CASE("a vertex near the boundary, on either side, lies on it and splits one
 }
 
 TEST_CASE("a vertex outside gets one triangle, over the nearest boundary edge it sees; a hole is outside") {
-    const ParameterDomain below = with_vertex_added(square(), {0.4, -0.5}, 7, 0.01);
+    const ParameterDomain below = with_vertex_added(unit_square(), {0.4, -0.5}, 7, 0.01);
     CHECK(below.triangles().size() == 5);
     CHECK(covered_area(below) == doctest::Approx(1.25));
     CHECK(has_corner(below.triangles().back(), 0));
@@ -413,12 +411,12 @@ TEST_CASE("a vertex is refused on another one, where it is not finite, and where
     const auto refused = [](const ParameterDomain& domain, glm::dvec2 at, double snap) {
         CHECK_THROWS_AS(with_vertex_added(domain, at, 0, snap), InputError);
     };
-    refused(square(), {0.505, 0.5}, 0.01);
-    refused(square(), {1.005, 1}, 0.01);
-    refused(square(), {std::nan(""), 0}, 0.01);
-    refused(square(), {infinity, 0}, 0.01);
-    refused(square(), {1e300, 1e300}, 0.01);
-    refused(square(), {0.5, 1e-13}, 1e-15);
+    refused(unit_square(), {0.505, 0.5}, 0.01);
+    refused(unit_square(), {1.005, 1}, 0.01);
+    refused(unit_square(), {std::nan(""), 0}, 0.01);
+    refused(unit_square(), {infinity, 0}, 0.01);
+    refused(unit_square(), {1e300, 1e300}, 0.01);
+    refused(unit_square(), {0.5, 1e-13}, 1e-15);
 }
 
 TEST_CASE("adding a vertex and removing it covers what was covered before") {
@@ -486,7 +484,7 @@ TEST_CASE("a vertex within a straight boundary goes and what is covered stays, h
 }
 
 TEST_CASE("removing a corner uncovers what only its triangles covered") {
-    const auto after = without_vertex(square(), 0);
+    const auto after = without_vertex(unit_square(), 0);
     REQUIRE(after);
     CHECK(covered_area(*after) == doctest::Approx(0.5));
     CHECK(after->vertices().size() == 4);
@@ -552,7 +550,7 @@ TEST_CASE("a vertex inside a ring of neighbours with some in a row goes, though 
 }
 
 TEST_CASE("a vertex gets another key and nothing else changes") {
-    const ParameterDomain after = with_vertex_key(square(), 4, 2);
+    const ParameterDomain after = with_vertex_key(unit_square(), 4, 2);
     CHECK(after.vertices()[4] == DomainVertex{{0.5, 0.5}, 2});
-    CHECK(with_vertex_key(after, 4, 4) == square());
+    CHECK(with_vertex_key(after, 4, 4) == unit_square());
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "messages.h"
 #include <doctest/doctest.h>
 
 #include "hierarchy/checker.h"
@@ -39,10 +40,6 @@ Shuffled shuffled_keys(std::uint64_t seed, bool flat) {
 
 bool is_same(const Hierarchy& a, const Hierarchy& b) {
     return a.roots == b.roots && a.bits == b.bits && a.midpoints == b.midpoints && a.positions == b.positions;
-}
-
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
 }
 
 Hierarchy with_roots(const RootComplex& roots) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "messages.h"
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -26,10 +27,6 @@ std::string error_of(Action action) {
         return error.what();
     }
     return {};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

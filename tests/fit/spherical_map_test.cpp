@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "messages.h"
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -18,10 +19,6 @@ using namespace interleaf;
 using namespace interleaf::testing;
 
 namespace {
-
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
 
 std::vector<glm::dvec3> on_sphere(const SurfaceMesh& mesh) {
     std::vector<glm::dvec3> points = mesh.positions;

@@ -22,16 +22,6 @@ std::vector<Node> nodes_of(const AdaptiveMesh& mesh) {
     return leaf_nodes(bisected_nodes(hierarchy), hierarchy.roots.triangle_count());
 }
 
-/// A fan of triangles around vertex 0 in which each waits for the next, all the way round.
-RootComplex pinwheel(Index spokes) {
-    std::vector<Triangle> triangles;
-    for (Index n = 0; n < spokes; ++n) {
-        const Index from = 1 + n, to = 1 + (n + 1) % spokes;
-        triangles.push_back({from, to, 0});  // refinement edge: the spoke shared with the next triangle
-    }
-    return {spokes + 1, std::move(triangles)};
-}
-
 }  // namespace
 
 TEST_CASE("every refinement conforms, keeps the mesh's own invariants and freezes soundly, 10,000 meshes") {

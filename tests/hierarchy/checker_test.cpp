@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "messages.h"
 #include <doctest/doctest.h>
 
 #include "hierarchy/random_families.h"
@@ -10,12 +11,6 @@ using namespace interleaf;
 using namespace interleaf::testing;
 
 namespace {
-
-bool mentions(const std::vector<std::string>& violations, std::string_view text) {
-    for (const std::string& violation : violations)
-        if (violation.find(text) != std::string::npos) return true;
-    return false;
-}
 
 /// Two triangles that share edge (1, 2), the refinement edge of both, with both bisected at it and vertex 4
 /// in its middle.

@@ -34,7 +34,7 @@ std::vector<Index> leaves_of(const AdaptiveMesh& mesh) {
 }
 
 /// The nodes of the leaves, with their indices.
-std::map<Node, Index> nodes_of(const AdaptiveMesh& mesh) {
+std::map<Node, Index> indexed_nodes(const AdaptiveMesh& mesh) {
     const std::vector<Index> order = mesh.preorder();
     std::vector<unsigned> levels;
     levels.reserve(order.size());
@@ -89,13 +89,6 @@ void shuffle(std::vector<Index>& values, Random& random) {
 RootComplex random_marked_roots(Random& random) {
     const auto marking = static_cast<Marking>(random.below(3));
     return marked(random_roots(random), marking, random);
-}
-
-/// A fan of triangles around vertex 0 in which each waits for the next, all the way round.
-RootComplex pinwheel(Index spokes) {
-    std::vector<Triangle> triangles;
-    for (Index n = 0; n < spokes; ++n) triangles.push_back({1 + n, 1 + (n + 1) % spokes, 0});
-    return {spokes + 1, std::move(triangles)};
 }
 
 /// A pinwheel with a triangle behind each of its outer edges, which waits for that edge's triangle.
@@ -173,7 +166,7 @@ class WatchedMesh {
           complex_(roots_),
           mesh_(roots_, random_points(random, roots_.vertex_count()),
                 [this](Index a, Index b, Index midpoint) { return place(a, b, midpoint); }),
-          nodes_(nodes_of(mesh_)) {
+          nodes_(indexed_nodes(mesh_)) {
         for (Index vertex = 0; vertex < roots_.vertex_count(); ++vertex)
             stored_[vertex] = {vertex, mesh_.positions()[vertex]};
         compare();
@@ -253,7 +246,7 @@ class WatchedMesh {
     /// The leaves must be those of \p expected, the ones that stay at their index, \p changed must name the
     /// others.
     void compare_with(const std::set<Node>& expected, const std::vector<Index>& changed) {
-        const std::map<Node, Index> before = std::exchange(nodes_, nodes_of(mesh_));
+        const std::map<Node, Index> before = std::exchange(nodes_, indexed_nodes(mesh_));
         REQUIRE(node_set(nodes_) == expected);
         std::set<Index> others;
         for (const auto& [node, leaf] : nodes_) {
@@ -372,13 +365,6 @@ void require_unrefined(const AdaptiveMesh& mesh, const std::vector<glm::vec3>& p
         REQUIRE(mesh.vertices(root) == roots.triangles()[root]);
         REQUIRE(mesh.neighbours(root) == roots.neighbours()[root]);
     }
-}
-
-double longest_edge(const AdaptiveMesh& mesh, Index leaf) {
-    REQUIRE(mesh.is_leaf(leaf));
-    const auto& [a, b, c] = mesh.vertices(leaf);
-    const auto p = mesh.positions();
-    return std::max({glm::distance(p[a], p[b]), glm::distance(p[b], p[c]), glm::distance(p[c], p[a])});
 }
 
 /// Refined at random, and coarsened so that places are free.
@@ -646,14 +632,14 @@ TEST_CASE("coarsening what refinement changed never goes below the mesh before, 
             mesh.refine(random_marks(mesh, random));
         const Hierarchy before = mesh.freeze();
         const std::set<Node> bisected_before = bisected_nodes(before);
-        const std::set<Node> leaves_before = node_set(nodes_of(mesh));
+        const std::set<Node> leaves_before = node_set(indexed_nodes(mesh));
         std::vector<Index> changed;
         mesh.refine(random_marks(mesh, random), &changed);
         const std::set<Node> bisected_after = bisected_nodes(mesh.freeze());
         bool bisects_once = true;
         for (const Node& node : bisected_after)
             bisects_once &= bisected_before.contains(node) || leaves_before.contains(node);
-        const std::set<Node> leaves = node_set(nodes_of(mesh));
+        const std::set<Node> leaves = node_set(indexed_nodes(mesh));
 
         mesh.coarsen(changed);
         const std::set<Node> bisected = bisected_nodes(mesh.freeze());
@@ -674,7 +660,7 @@ TEST_CASE("coarsening what refinement changed never goes below the mesh before, 
         for (unsigned calls = 0; bisected_nodes(mesh.freeze()) != bisected_before; ++calls) {
             REQUIRE(calls < 1000);
             std::vector<Index> marks;
-            for (const auto& [node, leaf] : nodes_of(mesh))
+            for (const auto& [node, leaf] : indexed_nodes(mesh))
                 if (!leaves_before.contains(node)) marks.push_back(leaf);
             mesh.coarsen(marks);
         }
