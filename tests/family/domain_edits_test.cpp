@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "numbers.h"
+#include "trials.h"
 #include <doctest/doctest.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -304,7 +305,7 @@ TEST_CASE(
     for (const Place& place :
          {Place{1, {0, 0}}, Place{1e-60, {0, 0}}, Place{1e60, {-3, 5}}, Place{1, {400, -700}}}) {
         CAPTURE(place.scale);
-        for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+        for (std::uint64_t seed = 1; seed <= trials(25); ++seed) {
             CAPTURE(seed);
             Random random(seed);
             for (const ParameterDomain& sample : samples()) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "messages.h"
+#include "trials.h"
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -73,7 +74,7 @@ TEST_CASE("every closed surface of genus 0 is mapped one to one, long, thin, fla
 
 TEST_CASE(
     "200 random simplicial spheres at random positions, which intersect themselves, are mapped one to one") {
-    for (std::uint32_t seed = 1; seed <= 200; ++seed) {
+    for (std::uint32_t seed = 1; seed <= trials(200); ++seed) {
         CAPTURE(seed);
         const SurfaceMesh mesh = random_sphere(seed, 4 + seed);
         CHECK(fault_of_map(mesh, map_to_sphere(mesh, {}).points) == "");

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "messages.h"
+#include "trials.h"
 #include <doctest/doctest.h>
 
 #include "hierarchy/random_families.h"
@@ -62,7 +63,7 @@ TEST_CASE("any one change of a midpoint, a bit, a position or a size is found, 1
 }
 
 TEST_CASE("arbitrary bits and midpoints never make the checker read outside or loop") {
-    for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(20000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         Hierarchy hierarchy{octahedron(), {}, {}, {}};

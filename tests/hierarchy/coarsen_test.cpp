@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "trials.h"
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -382,7 +383,7 @@ TEST_CASE(
     "every refinement and every coarsening conforms, freezes soundly and keeps what stays, 10,000 "
     "sequences") {
     std::size_t removed = 0;
-    for (std::uint64_t seed = 1; seed <= 10000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(10000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = random_marked_roots(random);
@@ -423,32 +424,32 @@ TEST_CASE(
             positions.assign(mesh.positions().begin(), mesh.positions().end());
         }
     }
-    CHECK(removed > 100000);
+    CHECK(removed > trials(100000));
 }
 
 TEST_CASE("coarsening and refinement give exactly what their literal versions give, at the same indices") {
     Removed removed;
-    for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1500); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         WatchedMesh mesh(random_marked_roots(random), random);
         removed += refine_and_coarsen(mesh, random, 6, 60);
     }
-    CHECK(removed.alone > 10000);
-    CHECK(removed.cycles > 10);
+    CHECK(removed.alone > trials(10000));
+    CHECK(removed.cycles > trials(10));
 }
 
 TEST_CASE("the same where leaves wait for each other in cycles") {
     Removed removed;
-    for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1500); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         WatchedMesh mesh(cyclic_roots(random), random);
         removed += refine_and_coarsen(mesh, random, 9, 40);
     }
-    CHECK(removed.alone > 10000);
-    CHECK(removed.cycles > 400);
-    CHECK(removed.deep_cycles > 200);
+    CHECK(removed.alone > trials(10000));
+    CHECK(removed.cycles > trials(400));
+    CHECK(removed.deep_cycles > trials(200));
 }
 
 TEST_CASE("the same for every marking of a tetrahedron") {
@@ -519,7 +520,7 @@ TEST_CASE("every choice of marks on a pinwheel's nine leaves gives what the lite
 }
 
 TEST_CASE("coarsening everything again and again ends at the roots") {
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = seed % 2 == 0 ? random_marked_roots(random) : cyclic_roots(random);
@@ -602,7 +603,7 @@ TEST_CASE("leaves of the deepest level are coarsened to the roots") {
 }
 
 TEST_CASE("refining the triangles that coarsening made leaves again gives the mesh before") {
-    for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1500); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = seed % 2 == 0 ? random_marked_roots(random) : cyclic_roots(random);
@@ -622,7 +623,7 @@ TEST_CASE("refining the triangles that coarsening made leaves again gives the me
 // back all of it.
 TEST_CASE("coarsening what refinement changed never goes below the mesh before, and ends there") {
     std::size_t at_once = 0, cycles_at_once = 0, in_several = 0;
-    for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1500); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = seed % 2 == 0 ? random_marked_roots(random) : cyclic_roots(random);
@@ -666,13 +667,13 @@ TEST_CASE("coarsening what refinement changed never goes below the mesh before, 
         }
         REQUIRE(is_same(mesh.freeze(), before));
     }
-    CHECK(at_once > 200);
-    CHECK(cycles_at_once > 50);
-    CHECK(in_several > 200);
+    CHECK(at_once > trials(200));
+    CHECK(cycles_at_once > trials(50));
+    CHECK(in_several > trials(200));
 }
 
 TEST_CASE("the order of marks does not matter, and a leaf may be marked twice") {
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1000); ++seed) {
         CAPTURE(seed);
         struct Result {
             Hierarchy hierarchy;
@@ -707,7 +708,7 @@ TEST_CASE("the order of marks does not matter, and a leaf may be marked twice") 
 }
 
 TEST_CASE("a leaf that is not marked keeps its vertices") {
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = seed % 2 == 0 ? random_marked_roots(random) : cyclic_roots(random);

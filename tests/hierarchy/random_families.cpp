@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "trials.h"
 #include <glm/geometric.hpp>
 
 #include "hierarchy/error.h"
@@ -228,9 +229,9 @@ RandomFamily random_family(std::uint64_t seed, std::size_t key_count) {
     return family;
 }
 
-void for_random_families(std::size_t hierarchy_count, std::size_t key_count,
+void for_random_families(unsigned hierarchy_count, std::size_t key_count,
                          const std::function<void(const RandomFamily&)>& property) {
-    for (std::size_t n = 0; n * key_count < hierarchy_count; ++n)
+    for (std::size_t n = 0; n * key_count < trials(hierarchy_count); ++n)
         property(random_family(20260001 + n, key_count));
 }
 

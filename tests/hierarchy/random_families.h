@@ -89,8 +89,8 @@ float longest_edge(const AdaptiveMesh& mesh, Index leaf);
 
 RandomFamily random_family(std::uint64_t seed, std::size_t key_count);
 
-/// Calls \p property on families of \p key_count keys until \p hierarchy_count keys have been seen.
-void for_random_families(std::size_t hierarchy_count, std::size_t key_count,
+/// Calls \p property on families of \p key_count keys until trials(\p hierarchy_count) keys have been seen.
+void for_random_families(unsigned hierarchy_count, std::size_t key_count,
                          const std::function<void(const RandomFamily&)>& property);
 
 }  // namespace interleaf::testing

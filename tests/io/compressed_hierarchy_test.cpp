@@ -10,6 +10,7 @@
 #include <string>
 
 #include "messages.h"
+#include "trials.h"
 #include <doctest/doctest.h>
 #include <libdeflate.h>
 
@@ -221,7 +222,7 @@ TEST_CASE("every single damaged byte of a compressed file is found") {
 
 TEST_CASE("whatever stands behind the right checksum of a compressed file is refused or sound") {
     const std::size_t memory = memory_of([] {
-        for (unsigned seed = 0; seed < 6000; ++seed) {
+        for (unsigned seed = 0; seed < trials(6000); ++seed) {
             CAPTURE(seed);
             std::mt19937 random(seed);
             const Hierarchy key = random_hierarchy(random, seed % 2 == 1, static_cast<int>(seed % 30));

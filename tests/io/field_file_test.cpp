@@ -8,6 +8,7 @@
 #include <string>
 
 #include "messages.h"
+#include "trials.h"
 #include <doctest/doctest.h>
 #include <libdeflate.h>
 
@@ -148,7 +149,7 @@ TEST_CASE("every single damaged byte of a file with fields is found") {
 TEST_CASE("whatever stands behind a right checksum is refused or has sound fields") {
     int sound = 0;
     int refused = 0;
-    for (unsigned seed = 0; seed < 30'000; ++seed) {
+    for (unsigned seed = 0; seed < trials(30'000); ++seed) {
         CAPTURE(seed);
         std::mt19937 random(seed);
         const HierarchyFileOptions& form = seed % 3 == 0 ? compressed_form : plain_form;
@@ -163,12 +164,12 @@ TEST_CASE("whatever stands behind a right checksum is refused or has sound field
         repair_checksum(bytes);
         ++(is_sound_or_refused(bytes) ? sound : refused);
     }
-    CHECK(sound > 1000);
-    CHECK(refused > 1000);
+    CHECK(sound > trials(1000));
+    CHECK(refused > trials(1000));
 }
 
 TEST_CASE("random tables of fields ask for no memory that the file does not hold") {
-    for (unsigned seed = 0; seed < 20'000; ++seed) {
+    for (unsigned seed = 0; seed < trials(20'000); ++seed) {
         CAPTURE(seed);
         std::mt19937 random(seed);
         const bool is_plain = seed % 2 == 0;
