@@ -256,9 +256,9 @@ void DocumentFiles::read_or_fit(const std::vector<fs::path>& files,
         receiver(open_family(files));
     } catch (const InputError& error) {
         if (are_several_meshes(files)) return offer_fit(files, fitted);
-        complain(error.what());
+        complain(error);
     } catch (const std::runtime_error& error) {
-        complain(error.what());
+        complain(error);
     }
 }
 
@@ -280,7 +280,7 @@ void DocumentFiles::reopen() {
             Family family = open_family(sources_);
             replace_document(std::move(family), sources_);
         } catch (const std::runtime_error& error) {
-            complain(error.what());
+            complain(error);
         }
     });
 }
@@ -364,7 +364,7 @@ void DocumentFiles::write(const fs::path& folder, const Action& next) {
     try {
         write_family(*family, folder);
     } catch (const std::runtime_error& error) {
-        complain(error.what());
+        complain(error);
         return;
     }
     state_.document.mark_saved(family, fs::absolute(folder));
@@ -384,7 +384,7 @@ void DocumentFiles::forget_unsaved() {
     try {
         discard_recovery(*recovered_);
     } catch (const MachineError& error) {
-        complain(error.what());
+        complain(error);
     }
     recovered_.reset();
 }
@@ -407,7 +407,7 @@ void DocumentFiles::offer_recovery() {
             try {
                 if (const auto claimed = claim_recovery(abandoned_.front())) discard_recovery(*claimed);
             } catch (const MachineError& error) {
-                complain(error.what());
+                complain(error);
             }
             abandoned_.erase(abandoned_.begin());
             offer_recovery();
@@ -440,12 +440,16 @@ void DocumentFiles::change_settings(const std::function<void(Settings&)>& change
     try {
         interleaf::change_settings(*settings_file_, change);
     } catch (const std::runtime_error& error) {
-        complain(error.what());
+        complain(error);
     }
 }
 
 void DocumentFiles::complain(const std::string& text) {
-    state_.message = text;
+    state_.message = {text, nullptr};
+}
+
+void DocumentFiles::complain(const std::runtime_error& error) {
+    state_.message = message_of(error);
 }
 
 }  // namespace interleaf

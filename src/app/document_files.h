@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,7 @@ class DocumentFiles {
     void remember(const std::filesystem::path& path);
     void change_settings(const std::function<void(Settings&)>& change);
     void complain(const std::string& text);
+    void complain(const std::runtime_error& error);
 
     ViewerState& state_;
     std::vector<std::filesystem::path> sources_;

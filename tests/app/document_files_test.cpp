@@ -8,7 +8,9 @@
 
 #include "app/edit_commands.h"
 #include "app/sample_family.h"
+#include "hierarchy/adaptive_mesh.h"
 #include "io/family_file.h"
+#include "io/hierarchy_file.h"
 #include "io/scratch_folder.h"
 
 using namespace interleaf;
@@ -21,6 +23,17 @@ Family named(const std::string& name) {
     Family family = sample_family();
     family.name = name;
     return family;
+}
+
+/// The first root bisected, and what that takes.
+Hierarchy bisected_key(const RootComplex& roots, const std::vector<glm::vec3>& corners) {
+    std::vector<glm::vec3> positions = corners;
+    AdaptiveMesh mesh(roots, corners, [&](Index a, Index b, Index) {
+        positions.push_back(0.5F * (positions[a] + positions[b]));
+        return positions.back();
+    });
+    mesh.refine({{Index{0}}});
+    return mesh.freeze();
 }
 
 void change(ViewerState& state) {
@@ -125,14 +138,46 @@ TEST_CASE("what cannot be opened or added leaves the document as it is, and it s
     for (const fs::path& file : {folder / "bad.ilh", folder / "none.ilh"}) {
         CAPTURE(file.string());
         files.open({file});
-        CHECK(state.message.find(file.filename().string()) != std::string::npos);
+        CHECK(state.message.text.find(file.filename().string()) != std::string::npos);
         state.message.clear();
         files.add_keys({file}, 0);
-        CHECK(state.message.find(file.filename().string()) != std::string::npos);
+        CHECK(state.message.text.find(file.filename().string()) != std::string::npos);
         state.message.clear();
         CHECK(state.document.snapshot() == before);
         CHECK(files.recent_files().empty());
     }
+}
+
+TEST_CASE("keys that do not match are kept with the message, and go with it") {
+    const ScratchFolder folder;
+    const RootComplex roots(4, {{0, 1, 2}, {2, 1, 3}});
+    const RootComplex turned(4, {{1, 2, 0}, {2, 1, 3}});
+    const std::vector<glm::vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    write_hierarchy(bisected_key(roots, corners), folder / "a.ilh");
+    write_hierarchy(bisected_key(turned, corners), folder / "b.ilh");
+
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, true);
+    const auto before = state.document.snapshot();
+    files.open({folder / "a.ilh", folder / "b.ilh"});
+    REQUIRE(state.message.mismatch);
+    CHECK(state.message.text.find("refinement edge") != std::string::npos);
+    CHECK(state.message.mismatch->key.name == "b");
+    CHECK(state.message.mismatch->reference.name == "a");
+    CHECK(state.message.mismatch->mismatch.root == 0);
+    CHECK(state.document.snapshot() == before);
+    files.open({folder / "none.ilh"});
+    CHECK_FALSE(state.message.empty());
+    CHECK(state.message.mismatch == nullptr);
+
+    // Added, they do not match those of the document, either.
+    files.add_keys({folder / "a.ilh"}, 0);
+    REQUIRE(state.message.mismatch);
+    CHECK(state.message.mismatch->key.name == "a 2");
+    CHECK(state.message.mismatch->mismatch.kind == RootMismatch::Kind::counts);
+    CHECK(state.document.snapshot() == before);
+    state.message.clear();
+    CHECK(state.message.mismatch == nullptr);
 }
 
 TEST_CASE("keys of a family are added to the document as a step of it") {
@@ -166,7 +211,7 @@ TEST_CASE(
     files.look_after(11);
     CHECK(state.message.empty());
     files.look_after(13);
-    CHECK(state.message.find(file.string()) != std::string::npos);
+    CHECK(state.message.text.find(file.string()) != std::string::npos);
     state.message.clear();
     files.look_after(20);
     CHECK(state.message.empty());
