@@ -1,11 +1,8 @@
 #include "app/document_files.h"
 
 #include <algorithm>
-#include <charconv>
-#include <ctime>
 #include <utility>
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "app/builtin_family.h"
@@ -22,8 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How long a changed document rests before it is autosaved, and how often files are looked at; seconds.
-constexpr double autosave_rest = 1;
+/// How often files are looked at; seconds.
 constexpr double look_interval = 2;
 
 const std::vector<FileType>& openable_types() {
@@ -73,17 +69,6 @@ FileRequest request_to_open(std::string title, std::string action) {
     return request;
 }
 
-constexpr Index least_leaves = 12;
-constexpr Index most_leaves = 10'000'000;
-
-std::optional<Index> leaves_in(const std::string& text) {
-    Index leaves = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), leaves);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    if (leaves < least_leaves || leaves > most_leaves) return std::nullopt;
-    return leaves;
-}
-
 std::string folder_name(std::string name) {
     std::ranges::replace_if(
         name, [](char c) { return c == '/' || c == '\0'; }, '-');
@@ -109,12 +94,8 @@ DocumentFiles::DocumentFiles(ViewerState& state, std::vector<fs::path> sources, 
             settings_ = std::move(loaded.settings);
             if (!loaded.message.empty()) complain(loaded.message);
         }
-        if (const auto folder = state_folder()) {
-            abandoned_ = abandoned_recoveries(*folder);
-            autosave_.emplace(*folder);
-        }
+        if (const auto folder = state_folder()) recovery_.emplace(*folder, state_.document);
     }
-    seen_ = state_.document.snapshot();
     if (!sources.empty()) remember(sources.front());
     set_sources(std::move(sources));
     offer_recovery();
@@ -173,22 +154,9 @@ void DocumentFiles::show(const Rect& area, double now) {
 }
 
 void DocumentFiles::look_after(double now) {
-    const auto present = state_.document.snapshot();
-    if (present != seen_) {
-        seen_ = present;
-        seen_since_ = now;
-    }
-    if (autosave_) {
-        const bool rests = now - seen_since_ >= autosave_rest;
-        if (present != autosaved_ && rests && !state_.is_dragging) {
-            autosaved_ = present;
-            if (state_.document.is_changed()) {
-                autosave_->write(present, state_.document.folder().value_or(fs::path()));
-            } else {
-                autosave_->clear();  // undone to what is saved
-            }
-        }
-        if (const auto error = autosave_->take_error()) complain(*error);
+    if (recovery_) {
+        recovery_->look_after(state_.document, state_.is_dragging, now);
+        if (const auto error = recovery_->take_error()) complain(*error);
     }
     // A message that is there is not replaced: the change is told once it has been read.
     if (now - looked_ < look_interval || !state_.message.empty()) return;
@@ -267,8 +235,8 @@ void DocumentFiles::open(std::vector<fs::path> files) {
         read_or_fit(
             files,
             [&](Family family) {
-                remember(files.front());
                 replace_document(std::move(family), files);
+                remember(files.front());
             },
             [this, files](std::vector<Key> keys) { open_fitted(files, std::move(keys)); });
     });
@@ -293,35 +261,17 @@ void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
 
 /// Asks how finely to fit \p meshes, over the roots of a cube, and does it.
 void DocumentFiles::offer_fit(const std::vector<fs::path>& meshes, MeshFitting::Receiver receiver) {
-    const bool is_single = meshes.size() == 1;
-    ask({.text = is_single ? fmt::format("Fit a key to {}?", meshes.front().filename().string())
-                           : fmt::format("Fit keys to these {} meshes?", meshes.size()),
-         .detail =
-             fmt::format("{} mapped to the sphere and sampled over the roots of a cube, with at most so many "
-                         "leaves{}. For closed surfaces without handles.",
-                         is_single ? "It is" : "Their faces differ. Each is", is_single ? "" : " each"),
-         .buttons = {"Fit", "Cancel"},
-         .entry = "20000",
-         .fault =
-             [](const std::string& text) {
-                 return leaves_in(text)
-                            ? std::string()
-                            : fmt::format("a number of leaves, {} to {}", least_leaves, most_leaves);
-             }},
-        [this, meshes, receiver = std::move(receiver)](const Answer& answer) {
-            if (answer.button != 0) return;
-            FitOptions options;
-            options.leaves = leaves_in(answer.entry);
-            fitting_.start(meshes, std::move(options), receiver, now_);
-        });
+    ask(question_about_fit(meshes), [this, meshes, receiver = std::move(receiver)](const Answer& answer) {
+        if (answer.button == 0) fitting_.start(meshes, fit_options(answer), receiver, now_);
+    });
 }
 
 /// The fitted keys as a new document, which is nowhere on disk yet.
 void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, std::vector<Key> keys) {
     const std::string name = keys.size() == 1 ? keys.front().name : "Fitted meshes";
-    for (const fs::path& mesh : meshes) remember(mesh);
     replace_document(family_of_keys(name, std::move(keys)), {});
     state_.document.mark_unsaved();
+    for (const fs::path& mesh : meshes) remember(mesh);
 }
 
 void DocumentFiles::replace_document(Family family, std::vector<fs::path> sources) {
@@ -378,53 +328,35 @@ void DocumentFiles::write(const fs::path& folder, const Action& next) {
 
 /// Nothing unsaved is worth recovering any more.
 void DocumentFiles::forget_unsaved() {
-    autosaved_ = state_.document.snapshot();
-    if (autosave_) autosave_->clear();
-    if (!recovered_) return;
-    try {
-        discard_recovery(*recovered_);
-    } catch (const MachineError& error) {
-        complain(error);
-    }
-    recovered_.reset();
+    if (recovery_) recovery_->forget(state_.document);
 }
 
 void DocumentFiles::offer_recovery() {
-    if (abandoned_.empty()) return;
-    const RecoveryNote& note = abandoned_.front().note;
-    const std::string when =
-        note.time == 0
-            ? ""
-            : fmt::format(", as of {:%Y-%m-%d %H:%M}", fmt::localtime(static_cast<std::time_t>(note.time)));
-    ask({.text = fmt::format("Recover {}?", note.name),
-         .detail = fmt::format("Interleaf ended while it had changes that were not saved{}.", when),
-         .buttons = {"Recover", "Discard", "Later"},
-         .entry = {},
-         .fault = {}},
-        [this](const Answer& answer) {
-            if (answer.button == 0) recover();
-            if (answer.button != 1) return;
-            try {
-                if (const auto claimed = claim_recovery(abandoned_.front())) discard_recovery(*claimed);
-            } catch (const MachineError& error) {
-                complain(error);
-            }
-            abandoned_.erase(abandoned_.begin());
-            offer_recovery();
-        });
+    if (!recovery_ || recovery_->offered() == nullptr) return;
+    ask(question_about(recovery_->offered()->note), [this](const Answer& answer) {
+        if (answer.button == 0) recover();
+        if (answer.button != 1) return;
+        try {
+            recovery_->discard_offered();
+        } catch (const MachineError& error) {
+            complain(error);
+        }
+        offer_recovery();
+    });
 }
 
 void DocumentFiles::recover() {
-    auto claimed = claim_recovery(abandoned_.front());
-    abandoned_.clear();
+    auto claimed = recovery_->claim_offered();
     if (!claimed) return complain("the recovery has gone: another window has taken it");
+    const Message message = state_.message;  // of the start, behind the question
     try {
         Family family = read_family(claimed->family());
         std::vector<fs::path> sources;
         if (!claimed->note.document_folder.empty()) sources.push_back(claimed->note.document_folder);
         replace_document(std::move(family), std::move(sources));
         state_.document.mark_unsaved();
-        recovered_ = std::move(claimed);
+        state_.message = message;
+        recovery_->adopt(*std::move(claimed));
     } catch (const std::runtime_error& error) {
         complain(fmt::format("{}; it is kept", error.what()));
     }

@@ -13,10 +13,9 @@
 
 #include <glm/vec2.hpp>
 
-#include "app/autosave_writer.h"
+#include "app/document_recovery.h"
 #include "app/file_stamps.h"
 #include "app/mesh_fitting.h"
-#include "app/recovery.h"
 #include "app/settings.h"
 #include "app/viewer_state.h"
 #include "ui/dialog.h"
@@ -103,12 +102,7 @@ class DocumentFiles {
     MeshFitting fitting_;
     double now_ = 0;
 
-    std::optional<AutosaveWriter> autosave_;
-    std::shared_ptr<const Family> autosaved_;  ///< the state that the autosave has taken care of
-    std::shared_ptr<const Family> seen_;       ///< the document's state of the last frame,
-    double seen_since_ = 0;                    ///< and since when
-    std::vector<Recovery> abandoned_;
-    std::optional<Recovery> recovered_;  ///< what the document was recovered from, until it is saved
+    std::optional<DocumentRecovery> recovery_;  ///< none if the user's are left alone
 };
 
 }  // namespace interleaf

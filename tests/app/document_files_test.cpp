@@ -2,11 +2,14 @@
 #include "app/document_files.h"
 
 #include <chrono>
+#include <functional>
 #include <string>
+#include <thread>
 
 #include <doctest/doctest.h>
 
 #include "app/edit_commands.h"
+#include "app/environment.h"
 #include "app/sample_family.h"
 #include "hierarchy/adaptive_mesh.h"
 #include "io/family_file.h"
@@ -34,6 +37,15 @@ Hierarchy bisected_key(const RootComplex& roots, const std::vector<glm::vec3>& c
     });
     mesh.refine({{Index{0}}});
     return mesh.freeze();
+}
+
+/// Whether \p condition is fulfilled within ten seconds.
+bool comes_true(const std::function<bool()>& condition) {
+    for (int i = 0; i < 1000; ++i) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
 }
 
 void change(ViewerState& state) {
@@ -146,6 +158,49 @@ TEST_CASE("what cannot be opened or added leaves the document as it is, and it s
         CHECK(state.document.snapshot() == before);
         CHECK(files.recent_files().empty());
     }
+}
+
+TEST_CASE("what goes wrong with the settings while another document is opened is still said") {
+    const ScratchFolder folder;
+    put(folder / "config", "in the way");
+    const EnvironmentChange config("XDG_CONFIG_HOME", (folder / "config").string());
+    const EnvironmentChange own("XDG_STATE_HOME", (folder / "state").string());
+    write_family(named("second"), folder / "second");
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, false);
+    CHECK(state.message.empty());
+    files.open({folder / "second"});
+    CHECK(state.document.family().name == "second");
+    CHECK(state.message.text.find((folder / "config").string()) != std::string::npos);
+}
+
+TEST_CASE("that an autosave cannot be removed is said, also when another document is opened meanwhile") {
+    const ScratchFolder folder;
+    const EnvironmentChange config("XDG_CONFIG_HOME", (folder / "config").string());
+    const EnvironmentChange own("XDG_STATE_HOME", (folder / "state").string());
+    write_family(named("second"), folder / "second");
+    ViewerState state(named("first"), folder / "first");
+    DocumentFiles files(state, {}, false);
+    change(state);
+    files.look_after(1);
+    files.look_after(3);
+    const fs::path all = folder / "state" / "interleaf" / "recovery";
+    fs::path autosave;
+    REQUIRE(comes_true([&] {
+        if (!fs::exists(all) || fs::is_empty(all)) return false;
+        autosave = fs::directory_iterator(all)->path();
+        return fs::exists(autosave / "recovery.json");
+    }));
+    fs::remove(autosave / "family" / "family.json");
+    fs::create_directories(autosave / "family" / "family.json" / "in the way");
+    files.grant(FileWish::save);
+    files.open({folder / "second"});
+    CHECK(state.document.family().name == "second");
+    double now = 4;
+    CHECK(comes_true([&] {
+        files.look_after(++now);
+        return state.message.text.find(autosave.string()) != std::string::npos;
+    }));
 }
 
 TEST_CASE("keys that do not match are kept with the message, and go with it") {

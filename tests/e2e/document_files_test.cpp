@@ -174,10 +174,22 @@ TEST_CASE("what a crash has left is offered, recovered unsaved, and offered no m
         viewer.kill();
     }
     {
+        // Recovered and lost again, more than before: it is there once.
         RunningViewer viewer(home.path());
         wait_for_question(viewer);
         viewer.press(XK_Return);
-        const State state = wait_for_keys(viewer, 6);
+        wait_for_keys(viewer, 6);
+        wait_for_no_question(viewer);
+        composed = family_of(keep_blend(viewer));
+        wait_for_autosave(viewer, home.path(), 7);
+        viewer.kill();
+        CHECK(recoveries(home.path()).size() == 1);
+    }
+    {
+        RunningViewer viewer(home.path());
+        wait_for_question(viewer);
+        viewer.press(XK_Return);
+        const State state = wait_for_keys(viewer, 7);
         CHECK(family_of(state) == composed);
         CHECK(state["document"]["changed"] == true);
         CHECK(state["document"]["folder"] == folder.string());
@@ -193,7 +205,7 @@ TEST_CASE("what a crash has left is offered, recovered unsaved, and offered no m
         CHECK(viewer.state()["asking"] == false);
         CHECK(family_of(viewer.state()) == composed);
         keep_blend(viewer);
-        wait_for_autosave(viewer, home.path(), 7);
+        wait_for_autosave(viewer, home.path(), 8);
         viewer.kill();
     }
     RunningViewer viewer(home.path());
