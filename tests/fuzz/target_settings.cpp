@@ -1,11 +1,14 @@
 // The file of settings.
 #include <algorithm>
+#include <filesystem>
+#include <stdexcept>
 #include <string>
 
 #include "fuzz/scratch_file.h"
 #include "fuzz/target.h"
 
 #include "app/settings.h"
+#include "hierarchy/error.h"
 
 namespace interleaf::fuzz {
 
@@ -31,9 +34,26 @@ std::string inspected(const Settings& settings, ByteSpan bytes) {
     return again.settings == settings && again.message.empty() ? "" : "changed by writing and reading them";
 }
 
+/// A damaged file gives the defaults and a message, and is kept.
+void require_kept(ByteSpan bytes) {
+    static const ScratchFile file("damaged.json");
+    file.set_content(bytes);
+    const std::filesystem::path kept = file.path().string() + ".damaged";
+    std::filesystem::remove(kept);
+    const LoadedSettings loaded = load_settings(file.path());
+    if (loaded.settings != Settings() || loaded.message.empty() || !std::filesystem::exists(kept))
+        throw std::logic_error("a damaged file is not kept");
+}
+
 Inspection read(ByteSpan bytes) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    return [settings = parse_settings(text, "settings.json"), bytes] { return inspected(settings, bytes); };
+    try {
+        return
+            [settings = parse_settings(text, "settings.json"), bytes] { return inspected(settings, bytes); };
+    } catch (const InputError&) {
+        require_kept(bytes);
+        throw;
+    }
 }
 
 }  // namespace
