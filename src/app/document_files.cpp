@@ -1,6 +1,7 @@
 #include "app/document_files.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include <fmt/format.h>
@@ -43,21 +44,6 @@ std::vector<fs::path> watched_files(const std::vector<fs::path>& sources) {
         }
     }
     return files;
-}
-
-/// Whether \p files are meshes of which one, by its kind, is no key as it is.
-bool are_surfaces(const std::vector<fs::path>& files) {
-    return std::ranges::any_of(files, is_surface_file) &&
-           std::ranges::all_of(files, [](const fs::path& file) {
-               return is_surface_file(file) || lower_case_extension(file) == ".obj";
-           });
-}
-
-/// Whether \p files are several meshes, which are keys as they are only if they have the same faces.
-bool are_several_meshes(const std::vector<fs::path>& files) {
-    return files.size() > 1 && std::ranges::all_of(files, [](const fs::path& file) {
-               return lower_case_extension(file) == ".obj";
-           });
 }
 
 FileRequest request_to_open(std::string title, std::string action) {
@@ -112,10 +98,10 @@ void DocumentFiles::grant(FileWish wish) {
             reopen();
             break;
         case FileWish::save:
-            save([] {});
+            save({});
             break;
         case FileWish::save_as:
-            save_as([] {});
+            save_as({});
             break;
         case FileWish::add_keys:
             browse_to_add();
@@ -154,12 +140,15 @@ void DocumentFiles::show(const Rect& area, double now) {
 }
 
 void DocumentFiles::look_after(double now) {
+    if (saving_ && saving_->written.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+        finish_saving();
     if (recovery_) {
         recovery_->look_after(state_.document, state_.is_dragging, now);
         if (const auto error = recovery_->take_error()) complain(*error);
     }
-    // A message that is there is not replaced: the change is told once it has been read.
-    if (now - looked_ < look_interval || !state_.message.empty()) return;
+    // A message that is there is not replaced: the change is told once it has been read. What is being saved
+    // changes files itself.
+    if (now - looked_ < look_interval || !state_.message.empty() || saving_) return;
     looked_ = now;
     if (const auto file = stamps_.take_changed())
         complain(fmt::format("{} has changed on disk: Ctrl+R reads it again", file->string()));
@@ -189,6 +178,7 @@ void DocumentFiles::browse(FileRequest request, std::function<void(const FileCho
 
 /// Does \p next once no changes can be lost: there are none, they have been saved, or they are not wanted.
 void DocumentFiles::leave_document(const Action& next) {
+    finish_saving();
     if (!state_.document.is_changed()) {
         next();
         return;
@@ -309,19 +299,31 @@ void DocumentFiles::save_as(Action next) {
            [this, next = std::move(next)](const FileChoice& choice) { write(choice.files.front(), next); });
 }
 
+/// On a thread of its own, so that a family of hundreds of megabytes does not hold up the window; but where
+/// \p next is to follow, which may replace the document, it is waited for.
 void DocumentFiles::write(const fs::path& folder, const Action& next) {
+    finish_saving();
     const auto family = state_.document.snapshot();
+    auto written = std::async(std::launch::async, [family, folder] { write_family(*family, folder); });
+    saving_.emplace(Saving{family, fs::absolute(folder), std::move(written)});
+    if (next && finish_saving()) next();
+}
+
+/// Waits until what is being saved is on the disk. \return whether nothing went wrong
+bool DocumentFiles::finish_saving() {
+    if (!saving_) return true;
+    Saving saved = *std::exchange(saving_, std::nullopt);
     try {
-        write_family(*family, folder);
+        saved.written.get();
     } catch (const std::runtime_error& error) {
         complain(error);
-        return;
+        return false;
     }
-    state_.document.mark_saved(family, fs::absolute(folder));
-    forget_unsaved();
-    remember(folder);
-    set_sources({fs::absolute(folder)});
-    next();
+    state_.document.mark_saved(saved.family, saved.folder);
+    if (!state_.document.is_changed()) forget_unsaved();  // else there were edits meanwhile
+    remember(saved.folder);
+    set_sources({saved.folder});
+    return true;
 }
 
 // ---- what the user is not to lose ----

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -48,6 +49,9 @@ class DocumentFiles {
     /// Whether work goes on that shows how far it is.
     bool is_working() const { return fitting_.is_running(); }
 
+    /// Whether the document is being written, while the window goes on.
+    bool is_saving() const { return saving_.has_value(); }
+
     /// Where the file browser's cursor is, while it is open.
     std::optional<std::filesystem::path> browsed() const { return browser_.cursor_path(); }
 
@@ -62,7 +66,7 @@ class DocumentFiles {
     void remember_window(glm::ivec2 size);
 
   private:
-    using Action = std::function<void()>;
+    using Action = std::function<void()>;  ///< null for nothing
 
     void offer_recovery();
     void recover();
@@ -71,6 +75,7 @@ class DocumentFiles {
     void save(const Action& next);
     void save_as(Action next);
     void write(const std::filesystem::path& folder, const Action& next);
+    bool finish_saving();
     void browse(FileRequest request, std::function<void(const FileChoice&)> answer);
     void browse_to_open();
     void browse_to_add();
@@ -87,6 +92,12 @@ class DocumentFiles {
     void complain(const std::string& text);
     void complain(const std::runtime_error& error);
 
+    struct Saving {
+        std::shared_ptr<const Family> family;
+        std::filesystem::path folder;
+        std::future<void> written;
+    };
+
     ViewerState& state_;
     std::vector<std::filesystem::path> sources_;
     FileStamps stamps_;
@@ -100,6 +111,7 @@ class DocumentFiles {
     Dialog dialog_;
     std::function<void(const Answer&)> on_answer_;
     MeshFitting fitting_;
+    std::optional<Saving> saving_;
     double now_ = 0;
 
     std::optional<DocumentRecovery> recovery_;  ///< none if the user's are left alone

@@ -194,7 +194,7 @@ void Viewer::wait() {
         --settling_;
         glfwPollEvents();
     } else {
-        const double longest = files_.is_working() ? work_interval : longest_wait;
+        const double longest = files_.is_working() || files_.is_saving() ? work_interval : longest_wait;
         const double before = glfwGetTime();
         glfwWaitEventsTimeout(longest);
         if (glfwGetTime() - before < longest) settling_ = settling_frames;  // something has come

@@ -13,6 +13,7 @@
 #include "app/sample_family.h"
 #include "hierarchy/adaptive_mesh.h"
 #include "io/family_file.h"
+#include "io/folder_lock.h"
 #include "io/hierarchy_file.h"
 #include "io/scratch_folder.h"
 
@@ -46,6 +47,15 @@ bool comes_true(const std::function<bool()>& condition) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return false;
+}
+
+/// Saves, and waits until that is done.
+void save(DocumentFiles& files) {
+    files.grant(FileWish::save);
+    REQUIRE(comes_true([&] {
+        files.look_after(0);
+        return !files.is_saving();
+    }));
 }
 
 void change(ViewerState& state) {
@@ -115,7 +125,7 @@ TEST_CASE("a document with a folder is saved there at once, one without asks whe
     ViewerState state(named("first"), folder / "first");
     DocumentFiles files(state, {}, true);
     change(state);
-    files.grant(FileWish::save);
+    save(files);
     CHECK_FALSE(files.is_asking());
     CHECK(state.message.empty());
     CHECK_FALSE(state.document.is_changed());
@@ -135,10 +145,46 @@ TEST_CASE("where it cannot be saved the document stays changed, and it says so")
     ViewerState state(named("first"), folder / "file");
     DocumentFiles files(state, {}, true);
     change(state);
-    files.grant(FileWish::save);
+    save(files);
     CHECK_FALSE(state.message.empty());
     CHECK(state.document.is_changed());
     CHECK(content(folder / "file") == "in the way");
+}
+
+TEST_CASE("while it is saved the document can be edited, and what was edited meanwhile is not saved") {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "first");
+    ViewerState state(named("first"), folder / "first");
+    DocumentFiles files(state, {}, true);
+    change(state);
+    std::optional<FolderLock> other(folder / "first");  // holds the save up
+    files.grant(FileWish::save);
+    CHECK(files.is_saving());
+    CHECK_FALSE(files.is_asking());
+    files.look_after(10);
+    CHECK(state.document.is_changed());
+    edit(
+        state, "Rename", [](const Family&) { return named("changed again"); }, 0);
+    CHECK_FALSE(fs::exists(folder / "first" / "family.json"));
+    other.reset();
+    REQUIRE(comes_true([&] {
+        files.look_after(0);
+        return !files.is_saving();
+    }));
+    CHECK(state.message.empty());
+    CHECK(read_family(folder / "first").name == "changed");
+    CHECK(state.document.is_changed());
+    undo(state, 0);
+    CHECK_FALSE(state.document.is_changed());
+    redo(state, 0);
+
+    // Leaving waits for it.
+    files.grant(FileWish::save);
+    files.grant(FileWish::quit);
+    CHECK_FALSE(files.is_saving());
+    CHECK_FALSE(files.is_asking());
+    CHECK(state.quit_wanted);
+    CHECK(read_family(folder / "first").name == "changed again");
 }
 
 TEST_CASE("what cannot be opened or added leaves the document as it is, and it says why") {
@@ -256,7 +302,7 @@ TEST_CASE(
     ViewerState state(read_family(folder / "first"), folder / "first");
     DocumentFiles files(state, {folder / "first"}, true);
     change(state);
-    files.grant(FileWish::save);
+    save(files);
     files.look_after(10);
     CHECK(state.message.empty());
 
