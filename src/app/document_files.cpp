@@ -1,11 +1,9 @@
 #include "app/document_files.h"
 
 #include <algorithm>
-#include <charconv>
-#include <ctime>
+#include <chrono>
 #include <utility>
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "app/builtin_family.h"
@@ -22,8 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How long a changed document rests before it is autosaved, and how often files are looked at; seconds.
-constexpr double autosave_rest = 1;
+/// How often files are looked at; seconds.
 constexpr double look_interval = 2;
 
 const std::vector<FileType>& openable_types() {
@@ -49,21 +46,6 @@ std::vector<fs::path> watched_files(const std::vector<fs::path>& sources) {
     return files;
 }
 
-/// Whether \p files are meshes of which one, by its kind, is no key as it is.
-bool are_surfaces(const std::vector<fs::path>& files) {
-    return std::ranges::any_of(files, is_surface_file) &&
-           std::ranges::all_of(files, [](const fs::path& file) {
-               return is_surface_file(file) || lower_case_extension(file) == ".obj";
-           });
-}
-
-/// Whether \p files are several meshes, which are keys as they are only if they have the same faces.
-bool are_several_meshes(const std::vector<fs::path>& files) {
-    return files.size() > 1 && std::ranges::all_of(files, [](const fs::path& file) {
-               return lower_case_extension(file) == ".obj";
-           });
-}
-
 FileRequest request_to_open(std::string title, std::string action) {
     FileRequest request;
     request.title = std::move(title);
@@ -71,17 +53,6 @@ FileRequest request_to_open(std::string title, std::string action) {
     request.several = true;
     request.types = openable_types();
     return request;
-}
-
-constexpr Index least_leaves = 12;
-constexpr Index most_leaves = 10'000'000;
-
-std::optional<Index> leaves_in(const std::string& text) {
-    Index leaves = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), leaves);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    if (leaves < least_leaves || leaves > most_leaves) return std::nullopt;
-    return leaves;
 }
 
 std::string folder_name(std::string name) {
@@ -109,12 +80,8 @@ DocumentFiles::DocumentFiles(ViewerState& state, std::vector<fs::path> sources, 
             settings_ = std::move(loaded.settings);
             if (!loaded.message.empty()) complain(loaded.message);
         }
-        if (const auto folder = state_folder()) {
-            abandoned_ = abandoned_recoveries(*folder);
-            autosave_.emplace(*folder);
-        }
+        if (const auto folder = state_folder()) recovery_.emplace(*folder, state_.document);
     }
-    seen_ = state_.document.snapshot();
     if (!sources.empty()) remember(sources.front());
     set_sources(std::move(sources));
     offer_recovery();
@@ -131,10 +98,10 @@ void DocumentFiles::grant(FileWish wish) {
             reopen();
             break;
         case FileWish::save:
-            save([] {});
+            save({});
             break;
         case FileWish::save_as:
-            save_as([] {});
+            save_as({});
             break;
         case FileWish::add_keys:
             browse_to_add();
@@ -173,25 +140,15 @@ void DocumentFiles::show(const Rect& area, double now) {
 }
 
 void DocumentFiles::look_after(double now) {
-    const auto present = state_.document.snapshot();
-    if (present != seen_) {
-        seen_ = present;
-        seen_since_ = now;
+    if (saving_ && saving_->written.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+        finish_saving();
+    if (recovery_) {
+        recovery_->look_after(state_.document, state_.is_dragging, now);
+        if (const auto error = recovery_->take_error()) complain(*error);
     }
-    if (autosave_) {
-        const bool rests = now - seen_since_ >= autosave_rest;
-        if (present != autosaved_ && rests && !state_.is_dragging) {
-            autosaved_ = present;
-            if (state_.document.is_changed()) {
-                autosave_->write(present, state_.document.folder().value_or(fs::path()));
-            } else {
-                autosave_->clear();  // undone to what is saved
-            }
-        }
-        if (const auto error = autosave_->take_error()) complain(*error);
-    }
-    // A message that is there is not replaced: the change is told once it has been read.
-    if (now - looked_ < look_interval || !state_.message.empty()) return;
+    // A message that is there is not replaced: the change is told once it has been read. What is being saved
+    // changes files itself.
+    if (now - looked_ < look_interval || !state_.message.empty() || saving_) return;
     looked_ = now;
     if (const auto file = stamps_.take_changed())
         complain(fmt::format("{} has changed on disk: Ctrl+R reads it again", file->string()));
@@ -221,6 +178,7 @@ void DocumentFiles::browse(FileRequest request, std::function<void(const FileCho
 
 /// Does \p next once no changes can be lost: there are none, they have been saved, or they are not wanted.
 void DocumentFiles::leave_document(const Action& next) {
+    finish_saving();
     if (!state_.document.is_changed()) {
         next();
         return;
@@ -256,9 +214,9 @@ void DocumentFiles::read_or_fit(const std::vector<fs::path>& files,
         receiver(open_family(files));
     } catch (const InputError& error) {
         if (are_several_meshes(files)) return offer_fit(files, fitted);
-        complain(error.what());
+        complain(error);
     } catch (const std::runtime_error& error) {
-        complain(error.what());
+        complain(error);
     }
 }
 
@@ -267,8 +225,8 @@ void DocumentFiles::open(std::vector<fs::path> files) {
         read_or_fit(
             files,
             [&](Family family) {
-                remember(files.front());
                 replace_document(std::move(family), files);
+                remember(files.front());
             },
             [this, files](std::vector<Key> keys) { open_fitted(files, std::move(keys)); });
     });
@@ -280,7 +238,7 @@ void DocumentFiles::reopen() {
             Family family = open_family(sources_);
             replace_document(std::move(family), sources_);
         } catch (const std::runtime_error& error) {
-            complain(error.what());
+            complain(error);
         }
     });
 }
@@ -293,35 +251,17 @@ void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
 
 /// Asks how finely to fit \p meshes, over the roots of a cube, and does it.
 void DocumentFiles::offer_fit(const std::vector<fs::path>& meshes, MeshFitting::Receiver receiver) {
-    const bool is_single = meshes.size() == 1;
-    ask({.text = is_single ? fmt::format("Fit a key to {}?", meshes.front().filename().string())
-                           : fmt::format("Fit keys to these {} meshes?", meshes.size()),
-         .detail =
-             fmt::format("{} mapped to the sphere and sampled over the roots of a cube, with at most so many "
-                         "leaves{}. For closed surfaces without handles.",
-                         is_single ? "It is" : "Their faces differ. Each is", is_single ? "" : " each"),
-         .buttons = {"Fit", "Cancel"},
-         .entry = "20000",
-         .fault =
-             [](const std::string& text) {
-                 return leaves_in(text)
-                            ? std::string()
-                            : fmt::format("a number of leaves, {} to {}", least_leaves, most_leaves);
-             }},
-        [this, meshes, receiver = std::move(receiver)](const Answer& answer) {
-            if (answer.button != 0) return;
-            FitOptions options;
-            options.leaves = leaves_in(answer.entry);
-            fitting_.start(meshes, std::move(options), receiver, now_);
-        });
+    ask(question_about_fit(meshes), [this, meshes, receiver = std::move(receiver)](const Answer& answer) {
+        if (answer.button == 0) fitting_.start(meshes, fit_options(answer), receiver, now_);
+    });
 }
 
 /// The fitted keys as a new document, which is nowhere on disk yet.
 void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, std::vector<Key> keys) {
     const std::string name = keys.size() == 1 ? keys.front().name : "Fitted meshes";
-    for (const fs::path& mesh : meshes) remember(mesh);
     replace_document(family_of_keys(name, std::move(keys)), {});
     state_.document.mark_unsaved();
+    for (const fs::path& mesh : meshes) remember(mesh);
 }
 
 void DocumentFiles::replace_document(Family family, std::vector<fs::path> sources) {
@@ -359,72 +299,66 @@ void DocumentFiles::save_as(Action next) {
            [this, next = std::move(next)](const FileChoice& choice) { write(choice.files.front(), next); });
 }
 
+/// On a thread of its own, so that a family of hundreds of megabytes does not hold up the window; but where
+/// \p next is to follow, which may replace the document, it is waited for.
 void DocumentFiles::write(const fs::path& folder, const Action& next) {
+    finish_saving();
     const auto family = state_.document.snapshot();
+    auto written = std::async(std::launch::async, [family, folder] { write_family(*family, folder); });
+    saving_.emplace(Saving{family, fs::absolute(folder), std::move(written)});
+    if (next && finish_saving()) next();
+}
+
+/// Waits until what is being saved is on the disk. \return whether nothing went wrong
+bool DocumentFiles::finish_saving() {
+    if (!saving_) return true;
+    Saving saved = *std::exchange(saving_, std::nullopt);
     try {
-        write_family(*family, folder);
+        saved.written.get();
     } catch (const std::runtime_error& error) {
-        complain(error.what());
-        return;
+        complain(error);
+        return false;
     }
-    state_.document.mark_saved(family, fs::absolute(folder));
-    forget_unsaved();
-    remember(folder);
-    set_sources({fs::absolute(folder)});
-    next();
+    state_.document.mark_saved(saved.family, saved.folder);
+    if (!state_.document.is_changed()) forget_unsaved();  // else there were edits meanwhile
+    remember(saved.folder);
+    set_sources({saved.folder});
+    return true;
 }
 
 // ---- what the user is not to lose ----
 
 /// Nothing unsaved is worth recovering any more.
 void DocumentFiles::forget_unsaved() {
-    autosaved_ = state_.document.snapshot();
-    if (autosave_) autosave_->clear();
-    if (!recovered_) return;
-    try {
-        discard_recovery(*recovered_);
-    } catch (const MachineError& error) {
-        complain(error.what());
-    }
-    recovered_.reset();
+    if (recovery_) recovery_->forget(state_.document);
 }
 
 void DocumentFiles::offer_recovery() {
-    if (abandoned_.empty()) return;
-    const RecoveryNote& note = abandoned_.front().note;
-    const std::string when =
-        note.time == 0
-            ? ""
-            : fmt::format(", as of {:%Y-%m-%d %H:%M}", fmt::localtime(static_cast<std::time_t>(note.time)));
-    ask({.text = fmt::format("Recover {}?", note.name),
-         .detail = fmt::format("Interleaf ended while it had changes that were not saved{}.", when),
-         .buttons = {"Recover", "Discard", "Later"},
-         .entry = {},
-         .fault = {}},
-        [this](const Answer& answer) {
-            if (answer.button == 0) recover();
-            if (answer.button != 1) return;
-            try {
-                if (const auto claimed = claim_recovery(abandoned_.front())) discard_recovery(*claimed);
-            } catch (const MachineError& error) {
-                complain(error.what());
-            }
-            abandoned_.erase(abandoned_.begin());
-            offer_recovery();
-        });
+    if (!recovery_ || recovery_->offered() == nullptr) return;
+    ask(question_about(recovery_->offered()->note), [this](const Answer& answer) {
+        if (answer.button == 0) recover();
+        if (answer.button != 1) return;
+        try {
+            recovery_->discard_offered();
+        } catch (const MachineError& error) {
+            complain(error);
+        }
+        offer_recovery();
+    });
 }
 
 void DocumentFiles::recover() {
-    auto claimed = claim_recovery(abandoned_.front());
-    abandoned_.clear();
+    auto claimed = recovery_->claim_offered();
     if (!claimed) return complain("the recovery has gone: another window has taken it");
+    const Message message = state_.message;  // of the start, behind the question
     try {
         Family family = read_family(claimed->family());
         std::vector<fs::path> sources;
         if (!claimed->note.document_folder.empty()) sources.push_back(claimed->note.document_folder);
         replace_document(std::move(family), std::move(sources));
         state_.document.mark_unsaved();
-        recovered_ = std::move(claimed);
+        state_.message = message;
+        recovery_->adopt(*std::move(claimed));
     } catch (const std::runtime_error& error) {
         complain(fmt::format("{}; it is kept", error.what()));
     }
@@ -440,12 +374,16 @@ void DocumentFiles::change_settings(const std::function<void(Settings&)>& change
     try {
         interleaf::change_settings(*settings_file_, change);
     } catch (const std::runtime_error& error) {
-        complain(error.what());
+        complain(error);
     }
 }
 
 void DocumentFiles::complain(const std::string& text) {
-    state_.message = text;
+    state_.message = {text, nullptr};
+}
+
+void DocumentFiles::complain(const std::runtime_error& error) {
+    state_.message = message_of(error);
 }
 
 }  // namespace interleaf

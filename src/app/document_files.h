@@ -5,17 +5,18 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
-#include "app/autosave_writer.h"
+#include "app/document_recovery.h"
 #include "app/file_stamps.h"
 #include "app/mesh_fitting.h"
-#include "app/recovery.h"
 #include "app/settings.h"
 #include "app/viewer_state.h"
 #include "ui/dialog.h"
@@ -48,6 +49,9 @@ class DocumentFiles {
     /// Whether work goes on that shows how far it is.
     bool is_working() const { return fitting_.is_running(); }
 
+    /// Whether the document is being written, while the window goes on.
+    bool is_saving() const { return saving_.has_value(); }
+
     /// Where the file browser's cursor is, while it is open.
     std::optional<std::filesystem::path> browsed() const { return browser_.cursor_path(); }
 
@@ -62,7 +66,7 @@ class DocumentFiles {
     void remember_window(glm::ivec2 size);
 
   private:
-    using Action = std::function<void()>;
+    using Action = std::function<void()>;  ///< null for nothing
 
     void offer_recovery();
     void recover();
@@ -71,6 +75,7 @@ class DocumentFiles {
     void save(const Action& next);
     void save_as(Action next);
     void write(const std::filesystem::path& folder, const Action& next);
+    bool finish_saving();
     void browse(FileRequest request, std::function<void(const FileChoice&)> answer);
     void browse_to_open();
     void browse_to_add();
@@ -85,6 +90,13 @@ class DocumentFiles {
     void remember(const std::filesystem::path& path);
     void change_settings(const std::function<void(Settings&)>& change);
     void complain(const std::string& text);
+    void complain(const std::runtime_error& error);
+
+    struct Saving {
+        std::shared_ptr<const Family> family;
+        std::filesystem::path folder;
+        std::future<void> written;
+    };
 
     ViewerState& state_;
     std::vector<std::filesystem::path> sources_;
@@ -99,14 +111,10 @@ class DocumentFiles {
     Dialog dialog_;
     std::function<void(const Answer&)> on_answer_;
     MeshFitting fitting_;
+    std::optional<Saving> saving_;
     double now_ = 0;
 
-    std::optional<AutosaveWriter> autosave_;
-    std::shared_ptr<const Family> autosaved_;  ///< the state that the autosave has taken care of
-    std::shared_ptr<const Family> seen_;       ///< the document's state of the last frame,
-    double seen_since_ = 0;                    ///< and since when
-    std::vector<Recovery> abandoned_;
-    std::optional<Recovery> recovered_;  ///< what the document was recovered from, until it is saved
+    std::optional<DocumentRecovery> recovery_;  ///< none if the user's are left alone
 };
 
 }  // namespace interleaf

@@ -1,5 +1,6 @@
 #include "app/fit_files.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/core.h>
@@ -13,6 +14,19 @@ namespace interleaf {
 bool is_surface_file(const std::filesystem::path& file) {
     const std::string extension = lower_case_extension(file);
     return extension == ".ply" || extension == ".stl" || extension == ".off";
+}
+
+bool are_surfaces(const std::vector<std::filesystem::path>& files) {
+    return std::ranges::any_of(files, is_surface_file) &&
+           std::ranges::all_of(files, [](const std::filesystem::path& file) {
+               return is_surface_file(file) || lower_case_extension(file) == ".obj";
+           });
+}
+
+bool are_several_meshes(const std::vector<std::filesystem::path>& files) {
+    return files.size() > 1 && std::ranges::all_of(files, [](const std::filesystem::path& file) {
+               return lower_case_extension(file) == ".obj";
+           });
 }
 
 FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options, const Progress& progress) {

@@ -16,6 +16,12 @@ namespace interleaf {
 /// Whether \p file is called as a mesh that only fit() makes a key of: .ply, .stl or .off.
 bool is_surface_file(const std::filesystem::path& file);
 
+/// Whether \p files are meshes of which one, by its kind, is no key as it is.
+bool are_surfaces(const std::vector<std::filesystem::path>& files);
+
+/// Whether \p files are several meshes, which are keys as they are only if they have the same faces.
+bool are_several_meshes(const std::vector<std::filesystem::path>& files);
+
 /// The key of the mesh in \p file.
 /// \throw InputError naming the file, UsageError, MachineError, Cancelled as read_surface() and fit()
 FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options, const Progress& progress);

@@ -1,5 +1,6 @@
 #include "app/mesh_fitting.h"
 
+#include <charconv>
 #include <stdexcept>
 #include <utility>
 
@@ -8,6 +9,44 @@
 #include "ui/progress_dialog.h"
 
 namespace interleaf {
+
+namespace {
+
+constexpr Index least_leaves = 12;
+constexpr Index most_leaves = 10'000'000;
+
+std::optional<Index> leaves_in(const std::string& text) {
+    Index leaves = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), leaves);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    if (leaves < least_leaves || leaves > most_leaves) return std::nullopt;
+    return leaves;
+}
+
+std::string fault_of_leaves(const std::string& text) {
+    return leaves_in(text) ? "" : fmt::format("a number of leaves, {} to {}", least_leaves, most_leaves);
+}
+
+}  // namespace
+
+Question question_about_fit(std::span<const std::filesystem::path> meshes) {
+    const bool is_single = meshes.size() == 1;
+    return {.text = is_single ? fmt::format("Fit a key to {}?", meshes.front().filename().string())
+                              : fmt::format("Fit keys to these {} meshes?", meshes.size()),
+            .detail = fmt::format(
+                "{} mapped to the sphere and sampled over the roots of a cube, with at most so many "
+                "leaves{}. For closed surfaces without handles.",
+                is_single ? "It is" : "Their faces differ. Each is", is_single ? "" : " each"),
+            .buttons = {"Fit", "Cancel"},
+            .entry = "20000",
+            .fault = fault_of_leaves};
+}
+
+FitOptions fit_options(const Answer& answer) {
+    FitOptions options;
+    options.leaves = leaves_in(answer.entry);
+    return options;
+}
 
 void MeshFitting::start(std::vector<std::filesystem::path> meshes, FitOptions options, Receiver receiver,
                         double now) {

@@ -4,13 +4,21 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/fit_files.h"
+#include "ui/dialog.h"
 #include "ui/rect.h"
 
 namespace interleaf {
+
+/// How finely shall \p meshes be fitted, over the roots of a cube?
+Question question_about_fit(std::span<const std::filesystem::path> meshes);
+
+/// What an answer to it says that is not to cancel.
+FitOptions fit_options(const Answer& answer);
 
 class MeshFitting {
   public:

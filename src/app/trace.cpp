@@ -113,7 +113,7 @@ void Trace::record(std::size_t frame, const ViewerState& state, const SurfaceFig
     json["asking"] = places.is_asking;
     json["takes_text"] = places.takes_text;
     json["browsed"] = places.browsed ? Json(places.browsed->string()) : Json();
-    json["message"] = state.message;
+    json["message"] = state.message.text;
     json["window"] = {places.window.x, places.window.y};
     json["pointer"] = {places.pointer.x, places.pointer.y};
     json["button_down"] = places.button_down;

@@ -20,6 +20,7 @@
 #include "app/document_panels.h"
 #include "app/edit_commands.h"
 #include "app/key_portraits.h"
+#include "app/mismatch_pictures.h"
 #include "app/morph_surface.h"
 #include "app/scene_picture.h"
 #include "app/shown_field.h"
@@ -108,6 +109,7 @@ class Viewer {
     const FamilyField* shown() const { return shown_field(state_.session.display, fields_); }
     void draw_surface();
     void draw_portraits();
+    void draw_mismatch();
     void show_value();
     void save_picture();
     float aspect() const { return layout_.view.width / std::max(layout_.view.height, 1.0F); }
@@ -124,6 +126,7 @@ class Viewer {
     Gui gui_;
     MorphSurface surface_;
     KeyPortraits portraits_;
+    MismatchPictures mismatch_pictures_;
     ScenePicture picture_;
     std::optional<std::filesystem::path> picture_file_;
     Camera camera_;
@@ -191,7 +194,7 @@ void Viewer::wait() {
         --settling_;
         glfwPollEvents();
     } else {
-        const double longest = files_.is_working() ? work_interval : longest_wait;
+        const double longest = files_.is_working() || files_.is_saving() ? work_interval : longest_wait;
         const double before = glfwGetTime();
         glfwWaitEventsTimeout(longest);
         if (glfwGetTime() - before < longest) settling_ = settling_frames;  // something has come
@@ -219,6 +222,7 @@ void Viewer::frame() {
                .takes_text = false,
                .popup = std::nullopt,
                .browsed = std::nullopt};
+    draw_mismatch();
     show_panels(now);
     files_.grant(std::exchange(state_.file_wish, FileWish::none));
     files_.look_after(now);
@@ -257,7 +261,7 @@ void Viewer::read_input(double now) {
         surface_.renderer().reload_shaders();
         picture_.forget();
     } catch (const std::runtime_error& error) {
-        state_.message = error.what();
+        state_.message = message_of(error);
     }
 }
 
@@ -327,7 +331,7 @@ void Viewer::show_panels(double now) {
                                  .frame_milliseconds = frame_milliseconds_});
     const Rect below_menu{0, menu.height, places_.window.x, places_.window.y - menu.height};
     help_overlay(entries, below_menu, state_.help_shown);
-    message_panel(state_.message, layout_.view);
+    if (message_panel(state_.message.text, mismatch_pictures_.shown(), layout_.view)) state_.message.clear();
     if (menu.chosen) run_command(commands()[*menu.chosen], state_, now);
     if (menu.chosen_item) files_.open({files_.recent_files()[*menu.chosen_item]});
     files_.show(below_menu, now);
@@ -398,6 +402,12 @@ void Viewer::draw_portraits() {
     const int side = static_cast<int>(std::lround(key_picture_side() * gui_.density()));
     if (portraits_.draw_next(keys_in_sight_.first, keys_in_sight_.end, side))
         settling_ = std::max(settling_, 2);
+}
+
+/// What the message is about; before the panels, which show it.
+void Viewer::draw_mismatch() {
+    const glm::vec2 size = message_picture_size() * gui_.density();
+    mismatch_pictures_.update(state_.message.mismatch, glm::max(glm::ivec2(glm::round(size)), 1));
 }
 
 /// The value of the field under the pointer, unless the surface moves.

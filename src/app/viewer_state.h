@@ -10,6 +10,7 @@
 #include <string>
 
 #include "app/document.h"
+#include "app/message.h"
 #include "app/session.h"
 
 namespace interleaf {
@@ -44,7 +45,7 @@ struct ViewerState {
     bool frame_wanted = true;  ///< the camera shall see the whole of the model
     bool reload_wanted = false;
     bool quit_wanted = false;
-    std::string message{};  ///< an error to read; empty for none
+    Message message{};  ///< empty for none
 };
 
 }  // namespace interleaf

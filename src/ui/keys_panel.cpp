@@ -32,11 +32,8 @@ void draw_picture(ImDrawList& list, const KeyRow& row, glm::vec2 corner) {
     const ImVec2 end{corner.x + side, corner.y + side};
     list.AddRectFilled(to_imgui(corner), end, colors::well, scaled(4));
     if (row.picture == 0) return;
-    // Dear ImGui names a texture by a pointer's worth of bits.
-    ImTextureID texture = nullptr;
-    const std::uintptr_t name = row.picture;
-    std::memcpy(static_cast<void*>(&texture), &name, sizeof texture);
-    list.AddImageRounded(texture, to_imgui(corner), end, {0, 0}, {1, 1}, colors::white, scaled(4));
+    list.AddImageRounded(texture_id(row.picture), to_imgui(corner), end, {0, 0}, {1, 1}, colors::white,
+                         scaled(4));
 }
 
 void draw_row(const KeyRow& row, std::size_t key, glm::vec2 corner, float width, bool is_active,

@@ -157,7 +157,7 @@ TEST_CASE("no command fails without timeline and domain") {
 TEST_CASE("Escape closes a message before it closes the help") {
     ViewerState state = sample_state();
     press(state, {GLFW_KEY_F1});
-    state.message = "something is wrong";
+    state.message = {"something is wrong", nullptr};
     press(state, {GLFW_KEY_ESCAPE});
     CHECK(state.message.empty());
     CHECK(state.help_shown);

@@ -234,6 +234,48 @@ struct Place {
     glm::dvec2 offset;
 };
 
+/// A grid of \p side x \p side vertices about a unit apart, not straight, its squares halved either way.
+ParameterDomain bent_grid(unsigned side, Random& random) {
+    std::vector<DomainVertex> vertices;
+    std::vector<Triangle> triangles;
+    for (unsigned y = 0; y < side; ++y)
+        for (unsigned x = 0; x < side; ++x) {
+            vertices.push_back({glm::dvec2(x, y) + 0.3 * random_point(random), 0});
+            if (x + 1 == side || y + 1 == side) continue;
+            const Index a = y * side + x;
+            triangles.push_back({a, a + 1, a + side + 1});
+            triangles.push_back({a, a + side + 1, a + side});
+            if (random.below(2) == 0) {
+                triangles.end()[-2] = {a, a + 1, a + side};
+                triangles.end()[-1] = {a + 1, a + side + 1, a + side};
+            }
+        }
+    return {std::move(vertices), std::move(triangles)};
+}
+
+/// What ParameterDomain promises of triangles, by comparing all with all, in areas.
+bool has_no_overlap(const std::vector<DomainVertex>& vertices, const std::vector<Triangle>& triangles) {
+    const double flat = 1e-9;
+    std::vector<Polygon> polygons;
+    for (const Triangle& triangle : triangles) {
+        Polygon polygon;
+        for (const Index corner : triangle) polygon.push_back(vertices[corner].at);
+        if (area(polygon) < 0) std::swap(polygon[1], polygon[2]);
+        if (area(polygon) < flat) return false;
+        for (const Polygon& other : polygons)
+            if (common_area(polygon, other) > flat) return false;
+        for (Index v = 0; v < vertices.size(); ++v) {
+            if (has_corner(triangle, v)) continue;
+            const glm::dvec2 at = vertices[v].at;
+            if (area({polygon[0], polygon[1], at}) > -flat && area({polygon[1], polygon[2], at}) > -flat &&
+                area({polygon[2], polygon[0], at}) > -flat)
+                return false;
+        }
+        polygons.push_back(std::move(polygon));
+    }
+    return true;
+}
+
 /// One random edit of \p domain, with what it promises about the covered area.
 ParameterDomain randomly_edited(const ParameterDomain& domain, const Place& place, Random& random) {
     const double unit = place.scale * place.scale;
@@ -325,6 +367,55 @@ TEST_CASE(
             }
         }
     }
+}
+
+TEST_CASE(
+    "a domain with one vertex elsewhere is refused as one made of the same, in the same words, or equal to "
+    "it") {
+    const unsigned side = 7;
+    std::size_t accepted = 0;
+    std::size_t refused = 0;
+    for (std::uint64_t seed = 1; seed <= trials(60); ++seed) {
+        CAPTURE(seed);
+        Random random(seed);
+        ParameterDomain domain = bent_grid(side, random);
+        for (int step = 0; step < 40; ++step) {
+            CAPTURE(step);
+            const auto vertex = static_cast<Index>(random.below(domain.vertices().size()));
+            // Mostly near, so that many moves are valid; some onto another vertex or an edge.
+            const glm::dvec2 from = domain.vertices()[vertex].at;
+            const glm::dvec2 other = domain.vertices()[random.below(domain.vertices().size())].at;
+            const double reach = random.below(3) == 0 ? 8 : 1;
+            glm::dvec2 to = from + reach * (2.0 * random_point(random) - 1.0);
+            if (random.below(8) == 0) to = other;
+            if (random.below(8) == 0) to = (from + other) / 2.0;
+
+            std::vector<DomainVertex> vertices(domain.vertices().begin(), domain.vertices().end());
+            vertices[vertex].at = to;
+            const std::vector<Triangle> triangles(domain.triangles().begin(), domain.triangles().end());
+            std::optional<ParameterDomain> whole;
+            std::string fault;
+            try {
+                whole.emplace(vertices, triangles);
+            } catch (const InputError& error) {
+                fault = error.what();
+            }
+            CHECK(whole.has_value() == has_no_overlap(vertices, triangles));
+            try {
+                const ParameterDomain moved = domain.with_vertex_at(vertex, to);
+                REQUIRE(whole);
+                REQUIRE(moved == *whole);
+                domain = moved;
+                ++accepted;
+            } catch (const InputError& error) {
+                REQUIRE(error.what() == fault);
+                ++refused;
+            }
+        }
+    }
+    MESSAGE(accepted, " moves accepted, ", refused, " refused");
+    CHECK(accepted > trials(300));
+    CHECK(refused > trials(300));
 }
 
 TEST_CASE("a vertex moved where nothing turns over is there, to the last bit") {

@@ -133,4 +133,11 @@ TEST_CASE("two bisected keys with other refinement edges stay as they are, and t
                    " of key sphere's root 4, which is not its refinement edge; both "
                    "keys are bisected, so neither can be marked anew"));
     CHECK(is_same(*keys[1].hierarchy, before));
+
+    const MismatchError error("what is wrong", keys, result.mismatches[0]);
+    CHECK(error.what() == std::string("what is wrong"));
+    CHECK(error.keys->key.name == "star");
+    CHECK(error.keys->key.hierarchy.is_same(keys[1].hierarchy));
+    CHECK(error.keys->reference.hierarchy.is_same(keys[0].hierarchy));
+    CHECK(error.keys->mismatch.root == 4);
 }
