@@ -1,7 +1,6 @@
 #include "app/document_files.h"
 
 #include <algorithm>
-#include <charconv>
 #include <ctime>
 #include <utility>
 
@@ -10,6 +9,7 @@
 
 #include "app/builtin_family.h"
 #include "app/edit_commands.h"
+#include "app/fit_roots.h"
 #include "app/open_family.h"
 #include "app/user_folders.h"
 #include "family/new_family.h"
@@ -49,21 +49,6 @@ std::vector<fs::path> watched_files(const std::vector<fs::path>& sources) {
     return files;
 }
 
-/// Whether \p files are meshes of which one, by its kind, is no key as it is.
-bool are_surfaces(const std::vector<fs::path>& files) {
-    return std::ranges::any_of(files, is_surface_file) &&
-           std::ranges::all_of(files, [](const fs::path& file) {
-               return is_surface_file(file) || lower_case_extension(file) == ".obj";
-           });
-}
-
-/// Whether \p files are several meshes, which are keys as they are only if they have the same faces.
-bool are_several_meshes(const std::vector<fs::path>& files) {
-    return files.size() > 1 && std::ranges::all_of(files, [](const fs::path& file) {
-               return lower_case_extension(file) == ".obj";
-           });
-}
-
 FileRequest request_to_open(std::string title, std::string action) {
     FileRequest request;
     request.title = std::move(title);
@@ -71,17 +56,6 @@ FileRequest request_to_open(std::string title, std::string action) {
     request.several = true;
     request.types = openable_types();
     return request;
-}
-
-constexpr Index least_leaves = 12;
-constexpr Index most_leaves = 10'000'000;
-
-std::optional<Index> leaves_in(const std::string& text) {
-    Index leaves = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), leaves);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    if (leaves < least_leaves || leaves > most_leaves) return std::nullopt;
-    return leaves;
 }
 
 std::string folder_name(std::string name) {
@@ -148,7 +122,7 @@ void DocumentFiles::grant(FileWish wish) {
     }
 }
 
-void DocumentFiles::show(const Rect& area, double now) {
+void DocumentFiles::show(const Rect& area, float density, double now) {
     now_ = now;
     if (state_.question && !is_asking()) {
         TextQuestion question = *std::exchange(state_.question, std::nullopt);
@@ -169,7 +143,7 @@ void DocumentFiles::show(const Rect& area, double now) {
         std::exchange(on_choice_, nullptr)(*choice);
     }
     if (const auto answer = dialog_.show(area)) std::exchange(on_answer_, nullptr)(*answer);
-    if (const auto error = fitting_.show(area, now)) complain(*error);
+    if (const auto error = fitting_.show(area, density, now)) complain(*error);
 }
 
 void DocumentFiles::look_after(double now) {
@@ -247,15 +221,14 @@ void DocumentFiles::browse_to_add() {
            [this](const FileChoice& choice) { add_keys(choice.files, now_); });
 }
 
-/// Gives \p receiver the family that \p files hold; to meshes that are no keys as they are it offers a fit.
+/// Gives \p receiver the family that \p files hold; with meshes that are no keys as they are it does \p fit.
 void DocumentFiles::read_or_fit(const std::vector<fs::path>& files,
-                                const std::function<void(Family)>& receiver,
-                                const MeshFitting::Receiver& fitted) {
-    if (are_surfaces(files)) return offer_fit(files, fitted);
+                                const std::function<void(Family)>& receiver, const Action& fit) {
+    if (are_surfaces(files)) return fit();
     try {
         receiver(open_family(files));
     } catch (const InputError& error) {
-        if (are_several_meshes(files)) return offer_fit(files, fitted);
+        if (are_several_meshes(files)) return fit();
         complain(error.what());
     } catch (const std::runtime_error& error) {
         complain(error.what());
@@ -270,7 +243,10 @@ void DocumentFiles::open(std::vector<fs::path> files) {
                 remember(files.front());
                 replace_document(std::move(family), files);
             },
-            [this, files](std::vector<Key> keys) { open_fitted(files, std::move(keys)); });
+            [&] {
+                fitting_.offer(files,
+                               [this, files](std::vector<Key> keys) { open_fitted(files, std::move(keys)); });
+            });
     });
 }
 
@@ -288,32 +264,18 @@ void DocumentFiles::reopen() {
 void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
     read_or_fit(
         files, [&](Family family) { interleaf::add_keys(state_, std::move(family.keys), now); },
-        [this](std::vector<Key> keys) { interleaf::add_keys(state_, std::move(keys), now_); });
+        [&] { offer_to_add(files); });
 }
 
-/// Asks how finely to fit \p meshes, over the roots of a cube, and does it.
-void DocumentFiles::offer_fit(const std::vector<fs::path>& meshes, MeshFitting::Receiver receiver) {
-    const bool is_single = meshes.size() == 1;
-    ask({.text = is_single ? fmt::format("Fit a key to {}?", meshes.front().filename().string())
-                           : fmt::format("Fit keys to these {} meshes?", meshes.size()),
-         .detail =
-             fmt::format("{} mapped to the sphere and sampled over the roots of a cube, with at most so many "
-                         "leaves{}. For closed surfaces without handles.",
-                         is_single ? "It is" : "Their faces differ. Each is", is_single ? "" : " each"),
-         .buttons = {"Fit", "Cancel"},
-         .entry = "20000",
-         .fault =
-             [](const std::string& text) {
-                 return leaves_in(text)
-                            ? std::string()
-                            : fmt::format("a number of leaves, {} to {}", least_leaves, most_leaves);
-             }},
-        [this, meshes, receiver = std::move(receiver)](const Answer& answer) {
-            if (answer.button != 0) return;
-            FitOptions options;
-            options.leaves = leaves_in(answer.entry);
-            fitting_.start(meshes, std::move(options), receiver, now_);
-        });
+/// Keys for the document are fitted over its roots.
+void DocumentFiles::offer_to_add(const std::vector<fs::path>& meshes) {
+    try {
+        fitting_.offer(
+            meshes, [this](std::vector<Key> keys) { interleaf::add_keys(state_, std::move(keys), now_); },
+            roots_of(state_.document.family()));
+    } catch (const InputError& error) {
+        complain(error.what());
+    }
 }
 
 /// The fitted keys as a new document, which is nowhere on disk yet.

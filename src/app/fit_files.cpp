@@ -1,5 +1,6 @@
 #include "app/fit_files.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/core.h>
@@ -15,6 +16,19 @@ bool is_surface_file(const std::filesystem::path& file) {
     return extension == ".ply" || extension == ".stl" || extension == ".off";
 }
 
+bool are_surfaces(std::span<const std::filesystem::path> files) {
+    return std::ranges::any_of(files, is_surface_file) &&
+           std::ranges::all_of(files, [](const std::filesystem::path& file) {
+               return is_surface_file(file) || lower_case_extension(file) == ".obj";
+           });
+}
+
+bool are_several_meshes(std::span<const std::filesystem::path> files) {
+    return files.size() > 1 && std::ranges::all_of(files, [](const std::filesystem::path& file) {
+               return lower_case_extension(file) == ".obj";
+           });
+}
+
 FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options, const Progress& progress) {
     SurfaceFile surface = read_surface(file);
     try {
@@ -25,9 +39,11 @@ FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options,
     }
 }
 
-FitJob::FitJob(std::vector<std::filesystem::path> meshes, FitOptions options)
+FitJob::FitJob(std::vector<std::filesystem::path> meshes, FitOptions options,
+               std::vector<glm::dmat3> rotations)
     : meshes_(std::move(meshes)),
       options_(std::move(options)),
+      rotations_(std::move(rotations)),
       thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 FitJob::State FitJob::state() const {
@@ -46,6 +62,7 @@ void FitJob::work(const std::stop_token& stop) {
     try {
         for (std::size_t i = 0; i < meshes_.size(); ++i) {
             const std::filesystem::path& mesh = meshes_[i];
+            options_.rotation = rotations_[i];
             FittedKey fitted = fit_file(mesh, options_, [&](std::string_view stage, double part) {
                 report(mesh, stage, (static_cast<double>(i) + part) / static_cast<double>(meshes_.size()));
                 return !stop.stop_requested();

@@ -4,9 +4,12 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include <glm/mat3x3.hpp>
 
 #include "family/family.h"
 #include "fit/fit.h"
@@ -16,6 +19,12 @@ namespace interleaf {
 /// Whether \p file is called as a mesh that only fit() makes a key of: .ply, .stl or .off.
 bool is_surface_file(const std::filesystem::path& file);
 
+/// Whether \p files are meshes of which one, by its kind, is no key as it is: together they must be fitted.
+bool are_surfaces(std::span<const std::filesystem::path> files);
+
+/// Whether \p files are several .obj: meshes that are keys as they are only if they have the same faces.
+bool are_several_meshes(std::span<const std::filesystem::path> files);
+
 /// The key of the mesh in \p file.
 /// \throw InputError naming the file, UsageError, MachineError, Cancelled as read_surface() and fit()
 FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options, const Progress& progress);
@@ -23,7 +32,8 @@ FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options,
 /// Fits several meshes, one after the other, on a thread of its own. Its members are called from one thread.
 class FitJob {
   public:
-    FitJob(std::vector<std::filesystem::path> meshes, FitOptions options);
+    /// \param rotations  one a mesh, in place of the one in \p options
+    FitJob(std::vector<std::filesystem::path> meshes, FitOptions options, std::vector<glm::dmat3> rotations);
 
     /// Cancels what is not done.
     ~FitJob() = default;
@@ -49,7 +59,8 @@ class FitJob {
     void report(const std::filesystem::path& mesh, std::string_view stage, double part);
 
     const std::vector<std::filesystem::path> meshes_;
-    const FitOptions options_;
+    FitOptions options_;
+    const std::vector<glm::dmat3> rotations_;
 
     mutable std::mutex mutex_;  ///< of what follows
     State state_;

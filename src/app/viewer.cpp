@@ -91,7 +91,9 @@ struct Input {
 
 class Viewer {
   public:
-    Viewer(Family family, std::vector<std::filesystem::path> sources, const ViewerOptions& options);
+    /// \param meshes  to fit, as soon as nothing else is asked
+    Viewer(Family family, std::vector<std::filesystem::path> sources,
+           std::vector<std::filesystem::path> meshes, const ViewerOptions& options);
     void run();
 
   private:
@@ -125,6 +127,7 @@ class Viewer {
     MorphSurface surface_;
     KeyPortraits portraits_;
     ScenePicture picture_;
+    std::vector<std::filesystem::path> meshes_;  ///< that are still to be opened
     std::optional<std::filesystem::path> picture_file_;
     Camera camera_;
     std::optional<Trace> trace_;
@@ -144,7 +147,7 @@ GLFWwindow* watch_input(GLFWwindow* window, Input& input) {
     glfwSetKeyCallback(window, [](GLFWwindow* source, int key, int, int action, int modifiers) {
         if (action == GLFW_RELEASE) return;
         auto& seen = *static_cast<Input*>(glfwGetWindowUserPointer(source));
-        seen.keys.push_back(key);
+        if (action == GLFW_PRESS) seen.keys.push_back(key);
         const Shortcut shortcut{key, modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT)};
         const Command* const command = find_command(shortcut);
         if (command == nullptr || (action == GLFW_REPEAT && !command->repeats)) return;
@@ -157,11 +160,13 @@ GLFWwindow* watch_input(GLFWwindow* window, Input& input) {
     return window;
 }
 
-Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources, const ViewerOptions& options)
+Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
+               std::vector<std::filesystem::path> meshes, const ViewerOptions& options)
     : window_("Interleaf", options.size.value_or(first_size).x, options.size.value_or(first_size).y),
       state_(std::move(family), family_folder(sources)),
       files_(state_, std::move(sources), options.picture.has_value()),
       gui_(watch_input(window_.handle(), input_)),
+      meshes_(std::move(meshes)),
       picture_file_(options.picture) {
     if (options.trace) trace_.emplace(*options.trace);
     if (const auto last = files_.window_size(); last && !options.size)
@@ -218,7 +223,8 @@ void Viewer::frame() {
                .is_asking = false,
                .takes_text = false,
                .popup = std::nullopt,
-               .browsed = std::nullopt};
+               .browsed = std::nullopt,
+               .offer = nullptr};
     show_panels(now);
     files_.grant(std::exchange(state_.file_wish, FileWish::none));
     files_.look_after(now);
@@ -228,6 +234,7 @@ void Viewer::frame() {
     places_.takes_text = gui_.takes_text();
     places_.popup = gui_.popup();
     places_.browsed = files_.browsed();
+    places_.offer = files_.fitting().offered();
     follow_document();
     fit_display(state_.session.display, fields_);
     const FamilyField* const field = shown();
@@ -236,7 +243,7 @@ void Viewer::frame() {
     draw_portraits();
     show_value();
     gui_.end_frame();
-    if (picture_file_ && settling_ == 0) save_picture();
+    if (picture_file_ && settling_ == 0 && !files_.is_working()) save_picture();
     glfwSwapBuffers(window_.handle());
 
     frame_milliseconds_ = 1000 * (glfwGetTime() - now);
@@ -246,6 +253,7 @@ void Viewer::frame() {
 }
 
 void Viewer::read_input(double now) {
+    if (!meshes_.empty() && !files_.is_asking()) files_.open(std::exchange(meshes_, {}));
     take_drop(now);
     if (gui_.takes_text() || files_.is_asking()) input_.pressed.clear();
     for (const Shortcut shortcut : std::exchange(input_.pressed, {}))
@@ -330,7 +338,7 @@ void Viewer::show_panels(double now) {
     message_panel(state_.message, layout_.view);
     if (menu.chosen) run_command(commands()[*menu.chosen], state_, now);
     if (menu.chosen_item) files_.open({files_.recent_files()[*menu.chosen_item]});
-    files_.show(below_menu, now);
+    files_.show(below_menu, gui_.density(), now);
 }
 
 void Viewer::show_keys_and_display(double now) {
@@ -427,14 +435,15 @@ void Viewer::save_picture() {
 
 }  // namespace
 
-void run_viewer(Family family, std::vector<std::filesystem::path> sources, const ViewerOptions& options) {
+void run_viewer(Family family, std::vector<std::filesystem::path> sources,
+                std::vector<std::filesystem::path> meshes, const ViewerOptions& options) {
     if (options.at && !family.domain) throw UsageError("--at: the family has no parameter domain");
     require_field(options.display, fields_of(family.keys));
     if (options.time && !family.timeline) throw UsageError("--time: the family has no timeline");
     // A software renderer takes and gives back its frame's memory every time otherwise, which costs it most
     // of its speed.
     mallopt(M_TRIM_THRESHOLD, 256 << 20);
-    Viewer(std::move(family), std::move(sources), options).run();
+    Viewer(std::move(family), std::move(sources), std::move(meshes), options).run();
 }
 
 }  // namespace interleaf
