@@ -26,6 +26,10 @@ void step(ViewerState& state, double direction, double now) {
 }
 
 void cycle_coloring(ViewerState& state, double) {
+    if (state.is_comparing) {
+        state.compares_colors = !state.compares_colors;
+        return;
+    }
     Coloring& coloring = state.session.display.coloring;
     switch (coloring) {
         case Coloring::plain:
@@ -72,6 +76,23 @@ bool has_selected_key(const ViewerState& state) {
 
 bool has_domain(const ViewerState& state) {
     return state.document.family().domain.has_value();
+}
+
+bool can_compare(const ViewerState& state) {
+    return !compared_keys(state.document.family(), state.comparisons).empty();
+}
+
+/// The key that is selected comes first.
+void toggle_comparison(ViewerState& state, double) {
+    state.is_comparing = !state.is_comparing;
+    if (!state.is_comparing || !state.selected_key) return;
+    for (const ComparedKey& each : compared_keys(state.document.family(), state.comparisons))
+        if (each.key == *state.selected_key) state.compared = each.comparison;
+}
+
+/// What is not to be done while the document is not to be seen.
+bool is_about_document(const Command& command) {
+    return command.menu == "Edit" || command.menu == "Key" || command.menu == "Playback";
 }
 
 std::string step_label(const char* command, const std::string* step) {
@@ -287,6 +308,14 @@ constexpr Command table[] = {
      "Colour plainly, by level, by origin, checker, by field",
      cycle_coloring},
     {"View",
+     "Compare with mesh",
+     {{{GLFW_KEY_M}}},
+     "See fitted keys beside their meshes, with the distances",
+     toggle_comparison,
+     [](const ViewerState& state) { return state.is_comparing; },
+     false,
+     can_compare},
+    {"View",
      "Reload shaders",
      {{{GLFW_KEY_F5}}},
      "Read the shader files again",
@@ -301,10 +330,14 @@ constexpr Command table[] = {
     {"Help",
      "Dismiss",
      {{{GLFW_KEY_ESCAPE}}},
-     "Close the message or the help",
+     "Close the message, the help or the comparison",
      [](ViewerState& state, double) {
-         if (state.message.empty()) state.help_shown = false;
-         state.message.clear();
+         if (!state.message.empty())
+             state.message.clear();
+         else if (state.help_shown)
+             state.help_shown = false;
+         else
+             state.is_comparing = false;
      }},
 };
 
@@ -361,6 +394,7 @@ const Command* find_command(Shortcut shortcut) {
 }
 
 bool is_enabled(const Command& command, const ViewerState& state) {
+    if (state.is_comparing && is_about_document(command)) return false;
     return command.is_enabled == nullptr || command.is_enabled(state);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <ranges>
 #include <utility>
 
 #include <fmt/chrono.h>
@@ -245,7 +246,7 @@ void DocumentFiles::open(std::vector<fs::path> files) {
             },
             [&] {
                 fitting_.offer(files,
-                               [this, files](std::vector<Key> keys) { open_fitted(files, std::move(keys)); });
+                               [this, files](const Comparisons& fitted) { open_fitted(files, fitted); });
             });
     });
 }
@@ -271,7 +272,11 @@ void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
 void DocumentFiles::offer_to_add(const std::vector<fs::path>& meshes) {
     try {
         fitting_.offer(
-            meshes, [this](std::vector<Key> keys) { interleaf::add_keys(state_, std::move(keys), now_); },
+            meshes,
+            [this](const Comparisons& fitted) {
+                interleaf::add_keys(state_, keys_of(fitted), now_);
+                offer_comparison(fitted);
+            },
             roots_of(state_.document.family()));
     } catch (const InputError& error) {
         complain(error.what());
@@ -279,11 +284,40 @@ void DocumentFiles::offer_to_add(const std::vector<fs::path>& meshes) {
 }
 
 /// The fitted keys as a new document, which is nowhere on disk yet.
-void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, std::vector<Key> keys) {
+void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, const Comparisons& fitted) {
+    std::vector<Key> keys = keys_of(fitted);
     const std::string name = keys.size() == 1 ? keys.front().name : "Fitted meshes";
     for (const fs::path& mesh : meshes) remember(mesh);
     replace_document(family_of_keys(name, std::move(keys)), {});
     state_.document.mark_unsaved();
+    offer_comparison(fitted);
+}
+
+/// Says how near to their meshes the keys are that have come into the document, and offers to show it.
+void DocumentFiles::offer_comparison(const Comparisons& fitted) {
+    const auto compared = compared_keys(state_.document.family(), fitted);
+    if (compared.empty()) return;
+    state_.comparisons.insert(state_.comparisons.end(), fitted.begin(), fitted.end());
+    constexpr std::size_t most_lines = 6;
+    std::string detail;
+    for (const ComparedKey& each : compared | std::views::take(most_lines))
+        detail +=
+            fmt::format("{}{}: {}.", detail.empty() ? "" : "\n", state_.document.family().keys[each.key].name,
+                        in_words(each.comparison->quality));
+    if (compared.size() > most_lines) detail += fmt::format("\nAnd {} more.", compared.size() - most_lines);
+    ask({.text =
+             compared.size() == 1
+                 ? "A key has been fitted. Compare it with its mesh?"
+                 : fmt::format("{} keys have been fitted. Compare them with their meshes?", compared.size()),
+         .detail = std::move(detail),
+         .buttons = {"Compare", "Done"},
+         .entry = {},
+         .fault = {}},
+        [this, first = compared.front().comparison](const Answer& answer) {
+            if (answer.button != 0) return;
+            state_.compared = first;
+            state_.is_comparing = true;
+        });
 }
 
 void DocumentFiles::replace_document(Family family, std::vector<fs::path> sources) {

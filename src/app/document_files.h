@@ -82,7 +82,8 @@ class DocumentFiles {
                      const std::function<void(Family)>& receiver, const Action& fit);
     void reopen();
     void offer_to_add(const std::vector<std::filesystem::path>& meshes);
-    void open_fitted(const std::vector<std::filesystem::path>& meshes, std::vector<Key> keys);
+    void open_fitted(const std::vector<std::filesystem::path>& meshes, const Comparisons& fitted);
+    void offer_comparison(const Comparisons& fitted);
     void replace_document(Family family, std::vector<std::filesystem::path> sources);
     void set_sources(std::vector<std::filesystem::path> sources);
     void forget_unsaved();

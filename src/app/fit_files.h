@@ -11,7 +11,7 @@
 
 #include <glm/mat3x3.hpp>
 
-#include "family/family.h"
+#include "app/fit_comparison.h"
 #include "fit/fit.h"
 
 namespace interleaf {
@@ -28,6 +28,9 @@ bool are_several_meshes(std::span<const std::filesystem::path> files);
 /// The key of the mesh in \p file.
 /// \throw InputError naming the file, UsageError, MachineError, Cancelled as read_surface() and fit()
 FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options, const Progress& progress);
+
+/// Keys of what was fitted, called as the files of the meshes.
+std::vector<Key> keys_of(const Comparisons& fitted);
 
 /// Fits several meshes, one after the other, on a thread of its own. Its members are called from one thread.
 class FitJob {
@@ -50,9 +53,9 @@ class FitJob {
     /// It is done soon after.
     void cancel() { thread_.request_stop(); }
 
-    /// The keys, named as their files. \pre it is done
+    /// The keys, each beside its mesh. \pre it is done
     /// \throw what fit_file() threw
-    std::vector<Key> take();
+    Comparisons take();
 
   private:
     void work(const std::stop_token& stop);
@@ -64,7 +67,7 @@ class FitJob {
 
     mutable std::mutex mutex_;  ///< of what follows
     State state_;
-    std::vector<Key> keys_;
+    Comparisons fitted_;
     std::exception_ptr error_;
 
     std::jthread thread_;  ///< last, so that it ends before what it uses

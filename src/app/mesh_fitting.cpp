@@ -119,9 +119,9 @@ std::optional<std::string> MeshFitting::show_work(const Rect& area, double now) 
     if (!state.is_done) return std::nullopt;
 
     const Receiver receiver = std::exchange(receiver_, nullptr);
-    std::vector<Key> keys;
+    Comparisons fitted;
     try {
-        keys = job_->take();
+        fitted = job_->take();
     } catch (const Cancelled&) {
         job_.reset();
         return std::nullopt;
@@ -130,7 +130,7 @@ std::optional<std::string> MeshFitting::show_work(const Rect& area, double now) 
         return error.what();
     }
     job_.reset();
-    receiver(std::move(keys));
+    receiver(std::move(fitted));
     return std::nullopt;
 }
 

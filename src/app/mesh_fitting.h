@@ -18,7 +18,7 @@ namespace interleaf {
 
 class MeshFitting {
   public:
-    using Receiver = std::function<void(std::vector<Key>)>;
+    using Receiver = std::function<void(Comparisons)>;
 
     /// Offers to fit \p meshes; what comes of it goes to \p receiver.
     /// \param roots  to fit them over; without, the person chooses among named_roots()

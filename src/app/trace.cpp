@@ -125,6 +125,8 @@ void Trace::record(std::size_t frame, const ViewerState& state, const SurfaceFig
     json["asking"] = places.is_asking;
     json["takes_text"] = places.takes_text;
     json["browsed"] = places.browsed ? Json(places.browsed->string()) : Json();
+    json["comparing"] = state.is_comparing;
+    json["compared"] = state.compared ? Json(state.compared->mesh_name) : Json();
     json["offer"] = places.offer != nullptr ? json_of(*places.offer) : Json();
     json["message"] = state.message;
     json["window"] = {places.window.x, places.window.y};

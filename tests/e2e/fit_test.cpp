@@ -1,5 +1,6 @@
 // End-to-end tests of fitting meshes in the window: the offer, by the keyboard alone, and what comes of it.
 #include <cstdlib>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,48 @@ void go_to_row(const RunningViewer& viewer, const char* name, bool back = false)
     wait_for_offered(viewer, "row", name);
 }
 
+State wait_for_compared(const RunningViewer& viewer, const char* mesh) {
+    return viewer.wait_for(mesh,
+                           [&](const State& s) { return s["comparing"] == true && s["compared"] == mesh; });
+}
+
+/// Takes the comparison of star and bone that is offered, looks at both, and goes back.
+void compare_and_return(const RunningViewer& viewer) {
+    wait_for_question(viewer);
+    viewer.press(XK_Return);
+    wait_for_no_question(viewer);
+    State state = wait_for_compared(viewer, "star.obj");
+    const State document = state["document"];
+    viewer.point_at({view_middle(state).x, 40});
+    const Picture star = viewer.settled_picture();
+    viewer.press(XK_Right);
+    wait_for_compared(viewer, "bone.ply");
+    const Picture bone = viewer.changed_picture(star);
+    viewer.press(XK_Right);
+    wait_for_compared(viewer, "star.obj");
+    CHECK(viewer.shows(star));
+    viewer.press(XK_c);
+    viewer.changed_picture(star);
+    viewer.press(XK_c);
+    CHECK(viewer.shows(star));
+
+    // Both sides turn together, by the mouse in either.
+    const float eye = state["eye"][0].get<float>();
+    const glm::vec2 left = view_middle(state) - glm::vec2(200, 0);
+    viewer.drag(left, left + glm::vec2(60, 10));
+    viewer.wait_for("another view", [&](const State& s) { return s["eye"][0].get<float>() != eye; });
+
+    // The document is not to be seen, and not to be edited.
+    viewer.press(XK_k, XK_Control_L);
+    viewer.press(XK_Escape);
+    state = viewer.wait_for("the document", [](const State& s) { return s["comparing"] == false; });
+    CHECK(state["document"] == document);
+    viewer.press(XK_m);
+    wait_for_compared(viewer, "star.obj");
+    viewer.press(XK_m);
+    viewer.wait_for("the document", [](const State& s) { return s["comparing"] == false; });
+}
+
 }  // namespace
 
 TEST_CASE("dropped meshes whose faces differ are fitted by Enter alone, unless that is declined") {
@@ -71,6 +114,14 @@ TEST_CASE("dropped meshes whose faces differ are fitted by Enter alone, unless t
     CHECK(state["document"]["folder"].is_null());
     CHECK(state["leaves"] > 19'000);
     CHECK(state["message"] == "");
+
+    // The comparison that is offered then is declined, and can be had later.
+    wait_for_question(viewer);
+    viewer.press(XK_Escape);
+    wait_for_no_question(viewer);
+    CHECK(viewer.state()["comparing"] == false);
+    viewer.press(XK_m);
+    viewer.wait_for("the comparison", [](const State& s) { return s["comparing"] == true; });
 }
 
 TEST_CASE("in the offer, leaves, roots and the turn of each mesh are chosen by the keyboard") {
@@ -108,4 +159,39 @@ TEST_CASE("in the offer, leaves, roots and the turn of each mesh are chosen by t
     CHECK(state["document"]["roots"] == 20);
     CHECK(state["leaves"] > 1'900);
     CHECK(state["leaves"] <= 4'000);
+    compare_and_return(viewer);
+}
+
+TEST_CASE("a mesh dropped on the list is fitted over the family's roots, a refused one changes nothing") {
+    const TemporaryFolder home;
+    const fs::path bone = unlike_meshes(home.path()).back();
+    const RunningViewer viewer(home.path());
+    const State before = viewer.state();
+    viewer.drop(std::vector{bone}, row_pixel(before, 1));
+    wait_for_offer(viewer);
+    // There are no roots to choose: behind the number comes the turn.
+    go_to_row(viewer, "axis");
+    viewer.press(XK_Return);
+    State state = wait_for_keys(viewer, 6);
+    CHECK(state["document"]["keys"][5] == "bone 2");
+    CHECK(state["document"]["roots"] == before["document"]["roots"]);
+    CHECK(state["document"]["undo"] == "Add bone");
+    wait_for_question(viewer);
+    viewer.type_keys("d");
+    wait_for_no_question(viewer);
+    viewer.press(XK_z, XK_Control_L);
+    state = wait_for_keys(viewer, 5);
+    viewer.press(XK_m);
+
+    const fs::path sheet = home.path() / "sheet.off";
+    std::ofstream(sheet) << "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    viewer.drop(std::vector{sheet}, view_middle(state));
+    wait_for_offer(viewer);
+    CHECK(viewer.state()["comparing"] == false);
+    viewer.press(XK_Return);
+    const State refused = viewer.wait_for("a message", [](const State& s) {
+        return s["message"].get<std::string>().find("sheet.off") != std::string::npos;
+    });
+    CHECK(family_of(refused) == family_of(before));
+    CHECK(refused["document"]["changed"] == false);
 }
