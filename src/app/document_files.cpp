@@ -222,14 +222,16 @@ void DocumentFiles::browse_to_add() {
            [this](const FileChoice& choice) { add_keys(choice.files, now_); });
 }
 
-/// Gives \p receiver the family that \p files hold; with meshes that are no keys as they are it does \p fit.
+/// Gives \p receiver the family that \p files hold; meshes that are no keys as they are go to \p fit, with
+/// the reason where it is not their kind.
 void DocumentFiles::read_or_fit(const std::vector<fs::path>& files,
-                                const std::function<void(Family)>& receiver, const Action& fit) {
-    if (are_surfaces(files)) return fit();
+                                const std::function<void(Family)>& receiver,
+                                const std::function<void(const std::string&)>& fit) {
+    if (are_surfaces(files)) return fit("");
     try {
         receiver(open_family(files));
     } catch (const InputError& error) {
-        if (are_several_meshes(files)) return fit();
+        if (are_several_meshes(files)) return fit(error.what());
         complain(error.what());
     } catch (const std::runtime_error& error) {
         complain(error.what());
@@ -244,8 +246,8 @@ void DocumentFiles::open(std::vector<fs::path> files) {
                 remember(files.front());
                 replace_document(std::move(family), files);
             },
-            [&] {
-                fitting_.offer(files,
+            [&](const std::string& reason) {
+                fitting_.offer({files, reason, {}},
                                [this, files](const Comparisons& fitted) { open_fitted(files, fitted); });
             });
     });
@@ -265,19 +267,17 @@ void DocumentFiles::reopen() {
 void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
     read_or_fit(
         files, [&](Family family) { interleaf::add_keys(state_, std::move(family.keys), now); },
-        [&] { offer_to_add(files); });
+        [&](const std::string& reason) { offer_to_add(files, reason); });
 }
 
 /// Keys for the document are fitted over its roots.
-void DocumentFiles::offer_to_add(const std::vector<fs::path>& meshes) {
+void DocumentFiles::offer_to_add(const std::vector<fs::path>& meshes, const std::string& reason) {
     try {
-        fitting_.offer(
-            meshes,
-            [this](const Comparisons& fitted) {
-                interleaf::add_keys(state_, keys_of(fitted), now_);
-                offer_comparison(fitted);
-            },
-            roots_of(state_.document.family()));
+        fitting_.offer({meshes, reason, roots_of(state_.document.family())},
+                       [this](const Comparisons& fitted) {
+                           interleaf::add_keys(state_, keys_of(fitted), now_);
+                           offer_comparison(fitted);
+                       });
     } catch (const InputError& error) {
         complain(error.what());
     }

@@ -79,9 +79,10 @@ class DocumentFiles {
     void browse_to_open();
     void browse_to_add();
     void read_or_fit(const std::vector<std::filesystem::path>& files,
-                     const std::function<void(Family)>& receiver, const Action& fit);
+                     const std::function<void(Family)>& receiver,
+                     const std::function<void(const std::string&)>& fit);
     void reopen();
-    void offer_to_add(const std::vector<std::filesystem::path>& meshes);
+    void offer_to_add(const std::vector<std::filesystem::path>& meshes, const std::string& reason);
     void open_fitted(const std::vector<std::filesystem::path>& meshes, const Comparisons& fitted);
     void offer_comparison(const Comparisons& fitted);
     void replace_document(Family family, std::vector<std::filesystem::path> sources);

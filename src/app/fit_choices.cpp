@@ -59,7 +59,7 @@ FitOptions fit_options(const FitChoices& choices, const SphereRoots& roots) {
     if (choices.by_tolerance)
         options.tolerance = *number<double>(choices.tolerance) / 100;
     else
-        options.leaves = *number<Index>(choices.leaves);
+        options.leaves = number<Index>(choices.leaves);
     return options;
 }
 

@@ -24,20 +24,26 @@ std::string capitalised(std::string name) {
     return name;
 }
 
+std::string remark_of(const MeshPreviews::Preview& preview) {
+    if (!preview.is_read) return "reading";
+    return preview.triangles > 0 ? fmt::format("{} triangles", grouped(preview.triangles)) : "";
+}
+
 }  // namespace
 
-void MeshFitting::offer(std::vector<std::filesystem::path> meshes, Receiver receiver,
-                        std::optional<NamedRoots> roots) {
-    meshes_ = std::move(meshes);
+void MeshFitting::offer(Task task, Receiver receiver) {
+    meshes_ = std::move(task.meshes);
+    reason_ = std::move(task.reason);
     receiver_ = std::move(receiver);
-    are_roots_given_ = roots.has_value();
-    roots_ = roots ? std::vector{*std::move(roots)} : named_roots();
+    are_roots_given_ = task.roots.has_value();
+    roots_ = task.roots ? std::vector{*std::move(task.roots)} : named_roots();
     dialog_.open(meshes_.size());
-    previews_.emplace(meshes_);
+    previews_ = std::make_unique<MeshPreviews>(meshes_);
     is_reading_ = true;
 }
 
 std::optional<std::string> MeshFitting::show(const Rect& area, float density, double now) {
+    std::erase_if(leaving_, [](const auto& previews) { return previews->is_over(); });
     if (dialog_.is_open()) show_offer(area, density, now);
     return job_ ? show_work(area, now) : std::nullopt;
 }
@@ -48,7 +54,8 @@ void MeshFitting::show_offer(const Rect& area, float density, double now) {
     is_reading_ = previews_->update(static_cast<int>(std::lround(dialog_.tile_side() * density)));
     const std::optional<bool> answer = dialog_.show(area, offer_shown());
     if (!answer) return;
-    previews_.reset();
+    previews_->stop();
+    leaving_.push_back(std::move(previews_));
     is_reading_ = false;
     if (*answer)
         start(now);
@@ -58,16 +65,17 @@ void MeshFitting::show_offer(const Rect& area, float density, double now) {
 
 FitOfferShown MeshFitting::offer_shown() const {
     const bool is_single = meshes_.size() == 1;
-    FitOfferShown shown{
-        .text = is_single ? fmt::format("Fit a key to {}?", name_of(meshes_.front()))
-                          : fmt::format("Fit keys to these {} meshes?", meshes_.size()),
-        .detail = fmt::format("{} mapped to the sphere and sampled over the roots; the picture{} about where "
-                              "their edges will lie. For closed surfaces without handles.",
-                              is_single ? "It is" : "Each is", is_single ? " shows" : "s show"),
-        .roots = {},
-        .roots_remark = are_roots_given_ ? "those of the keys that are there" : "",
-        .meshes = tiles(),
-        .fault = {}};
+    const std::string reason = reason_.empty() ? "" : fmt::format("No keys as they are: {}. ", reason_);
+    FitOfferShown shown{.text = is_single ? fmt::format("Fit a key to {}?", name_of(meshes_.front()))
+                                          : fmt::format("Fit keys to these {} meshes?", meshes_.size()),
+                        .detail = fmt::format(
+                            "{}{} mapped to the sphere and sampled over the roots; the picture{} about where "
+                            "their edges will lie. For closed surfaces without handles.",
+                            reason, is_single ? "It is" : "Each is", is_single ? " shows" : "s show"),
+                        .roots = {},
+                        .roots_remark = are_roots_given_ ? "those of the keys that are there" : "",
+                        .meshes = tiles(),
+                        .fault = {}};
     for (const NamedRoots& roots : roots_) shown.roots.push_back(capitalised(roots.name));
     std::vector<std::string> names;
     for (const FitTile& tile : shown.meshes) {
@@ -83,17 +91,17 @@ FitOfferShown MeshFitting::offer_shown() const {
 std::vector<FitTile> MeshFitting::tiles() const {
     const FitChoices& choices = dialog_.choices();
     std::vector<FitTile> tiles;
+    tiles.reserve(meshes_.size());
     for (std::size_t mesh = 0; mesh < meshes_.size(); ++mesh) {
         const MeshPreviews::Preview& preview = previews_->previews()[mesh];
         const FitChoices::Turn& turn = choices.turns[mesh];
-        tiles.push_back(
-            {.name = name_of(meshes_[mesh]),
-             .remark = !preview.is_read ? "reading" : fmt::format("{} triangles", grouped(preview.triangles)),
-             .picture = preview.picture.name(),
-             .fault = preview.fault,
-             .root_edges = edges_over_mesh(roots_[choices.roots].roots, turn),
-             .axis = turn.axis,
-             .is_turned = rotation_of(turn) != glm::dmat3(1)});
+        tiles.push_back({.name = name_of(meshes_[mesh]),
+                         .remark = remark_of(preview),
+                         .picture = preview.picture.name(),
+                         .fault = preview.fault,
+                         .root_edges = edges_over_mesh(roots_[choices.roots].roots, turn),
+                         .axis = turn.axis,
+                         .is_turned = rotation_of(turn) != glm::dmat3(1)});
     }
     return tiles;
 }
@@ -103,6 +111,7 @@ std::vector<FitTile> MeshFitting::tiles() const {
 void MeshFitting::start(double now) {
     const FitChoices& choices = dialog_.choices();
     std::vector<glm::dmat3> rotations;
+    rotations.reserve(choices.turns.size());
     for (const FitChoices::Turn& turn : choices.turns) rotations.push_back(rotation_of(turn));
     started_ = now;
     job_.emplace(meshes_, fit_options(choices, roots_[choices.roots].roots), std::move(rotations));

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,11 +21,14 @@ class MeshFitting {
   public:
     using Receiver = std::function<void(Comparisons)>;
 
-    /// Offers to fit \p meshes; what comes of it goes to \p receiver.
-    /// \param roots  to fit them over; without, the person chooses among named_roots()
-    /// \pre it is not open
-    void offer(std::vector<std::filesystem::path> meshes, Receiver receiver,
-               std::optional<NamedRoots> roots = std::nullopt);
+    struct Task {
+        std::vector<std::filesystem::path> meshes;
+        std::string reason;  ///< why they are no keys as they are; empty where their kind says so
+        std::optional<NamedRoots> roots;  ///< to fit over; without, the person chooses among named_roots()
+    };
+
+    /// Offers to fit meshes; what comes of it goes to \p receiver. \pre it is not open
+    void offer(Task task, Receiver receiver);
 
     /// Whether the offer or the work is in front of all else.
     bool is_open() const { return dialog_.is_open() || job_.has_value(); }
@@ -48,12 +52,14 @@ class MeshFitting {
     std::optional<std::string> show_work(const Rect& area, double now);
 
     std::vector<std::filesystem::path> meshes_;
+    std::string reason_;
     std::vector<NamedRoots> roots_;  ///< that are offered
     bool are_roots_given_ = false;
     Receiver receiver_;
 
     FitDialog dialog_;
-    std::optional<MeshPreviews> previews_;
+    std::unique_ptr<MeshPreviews> previews_;
+    std::vector<std::unique_ptr<MeshPreviews>> leaving_;  ///< of which one may still be reading a large file
     bool is_reading_ = false;
 
     std::optional<FitJob> job_;

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "fit/unit_box.h"
 #include "hierarchy/error.h"
 #include "io/surface_file.h"
 #include "render/image_texture.h"
@@ -21,23 +22,24 @@ namespace interleaf {
 namespace {
 
 /// Samples a pixel, in either direction, from which the pictures are made.
-constexpr int samples = 3;
+constexpr std::size_t samples = 3;
 
 /// A picture of a part of \p target's width and height, each pixel the mean of the samples that show
 /// something, and as opaque as there are such samples. RGBA, top row first.
 std::vector<std::uint8_t> without_background(OffscreenTarget& target) {
     const std::vector<std::uint8_t> colors = target.read_rgba();
     const std::vector<float> depths = target.read_depths();
-    const int side = target.width() / samples;
+    const auto width = static_cast<std::size_t>(target.width());
+    const std::size_t side = width / samples;
     std::vector<std::uint8_t> pixels;
-    pixels.reserve(std::size_t{4} * static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) {
+    pixels.reserve(4 * side * side);
+    for (std::size_t y = 0; y < side; ++y)
+        for (std::size_t x = 0; x < side; ++x) {
             std::array<unsigned, 3> sums{};
             unsigned count = 0;
-            for (int sample = 0; sample < samples * samples; ++sample) {
-                const auto at = static_cast<std::size_t>((samples * y + sample / samples) * target.width() +
-                                                         samples * x + sample % samples);
+            for (std::size_t sample = 0; sample < samples * samples; ++sample) {
+                const std::size_t at =
+                    (samples * y + sample / samples) * width + samples * x + sample % samples;
                 if (depths[at] >= 1) continue;
                 ++count;
                 for (std::size_t c = 0; c < 3; ++c) sums[c] += colors[4 * at + c];
@@ -49,29 +51,29 @@ std::vector<std::uint8_t> without_background(OffscreenTarget& target) {
     return pixels;
 }
 
-glm::dvec3 center_of_area(const SurfaceFile& surface) {
+glm::dvec3 center_of_area(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions) {
     glm::dvec3 sum(0);
     double whole = 0;
-    for (const auto& [i, j, k] : surface.triangles) {
-        const glm::dvec3 &a = surface.positions[i], &b = surface.positions[j], &c = surface.positions[k];
+    for (const auto& [i, j, k] : triangles) {
+        const glm::dvec3 &a = positions[i], &b = positions[j], &c = positions[k];
         const double area = glm::length(glm::cross(b - a, c - a));
         sum += area * (a + b + c) / 3.0;
         whole += area;
     }
-    return whole > 0 ? sum / whole : surface.positions.front();
+    return whole > 0 ? sum / whole : positions.front();
 }
 
 /// The positions moved and scaled into the unit ball about the centre of area, from where the roots are seen.
 std::vector<glm::vec3> in_unit_ball(const SurfaceFile& surface) {
-    const glm::dvec3 center = center_of_area(surface);
+    const std::vector<glm::dvec3> positions = in_unit_box(surface.positions);
+    const glm::dvec3 center = center_of_area(surface.triangles, positions);
     double radius = 0;
-    for (const glm::dvec3& position : surface.positions)
-        radius = std::max(radius, glm::distance(position, center));
-    std::vector<glm::vec3> positions;
-    positions.reserve(surface.positions.size());
-    for (const glm::dvec3& position : surface.positions)
-        positions.emplace_back(radius > 0 ? (position - center) / radius : glm::dvec3(0));
-    return positions;
+    for (const glm::dvec3& position : positions) radius = std::max(radius, glm::distance(position, center));
+    std::vector<glm::vec3> in_ball;
+    in_ball.reserve(positions.size());
+    for (const glm::dvec3& position : positions)
+        in_ball.emplace_back(radius > 0 ? (position - center) / radius : glm::dvec3(0));
+    return in_ball;
 }
 
 }  // namespace
@@ -97,11 +99,12 @@ MeshPreviews::Read MeshPreviews::read(const std::filesystem::path& file) {
 
 void MeshPreviews::read_all(const std::stop_token& stop) {
     for (const std::filesystem::path& file : files_) {
-        if (stop.stop_requested()) return;
+        if (stop.stop_requested()) break;
         Read done = read(file);
         const std::scoped_lock lock(mutex_);
         done_.push_back(std::move(done));
     }
+    is_over_ = true;
 }
 
 void MeshPreviews::take_read() {
@@ -132,7 +135,8 @@ void MeshPreviews::draw(std::size_t mesh, int side) {
     try {
         if (!renderer_) renderer_.emplace();
         renderer_->upload(meshes_[mesh].mesh, meshes_[mesh].normals);
-        OffscreenTarget target(samples * side, samples * side, 1);
+        const int samples_a_side = static_cast<int>(samples) * side;
+        OffscreenTarget target(samples_a_side, samples_a_side, 1);
         constexpr std::array<float, 1> weight{1};
         renderer_->draw(target, tile_camera(), weight, {});
         previews_[mesh].picture = image_texture(side, side, without_background(target));

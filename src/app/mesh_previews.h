@@ -2,6 +2,7 @@
 // of its own, drawn once each.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <filesystem>
 #include <mutex>
@@ -38,6 +39,12 @@ class MeshPreviews {
     /// \p side pixels wide and high. \return whether more is to come
     bool update(int side);
 
+    /// No mesh is begun to be read any more.
+    void stop() { thread_.request_stop(); }
+
+    /// Whether reading has ended, so that this can be destroyed without waiting.
+    bool is_over() const { return is_over_; }
+
   private:
     /// A mesh that has been read, moved and scaled into the unit ball about its centre of area.
     struct Read {
@@ -57,8 +64,9 @@ class MeshPreviews {
     std::vector<int> sides_;    ///< of the pictures; 0 for none
     std::optional<Renderer> renderer_;
 
-    std::mutex mutex_;        ///< of what follows
+    std::mutex mutex_;        ///< of done_
     std::vector<Read> done_;  ///< and not taken over
+    std::atomic<bool> is_over_ = false;
 
     std::jthread thread_;  ///< last, so that it ends before what it uses
 };

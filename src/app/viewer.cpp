@@ -317,6 +317,7 @@ void Viewer::show_panels(double now) {
     const MenuBarResult menu = menu_bar(entries, recent_menu(files_), title_);
     const Rect below_menu{0, menu.height, places_.window.x, places_.window.y - menu.height};
     shows_comparison_ = state_.is_comparing && !compared_keys(family(), state_.comparisons).empty();
+    if (shows_comparison_ && state_.session.is_playing()) state_.session.toggle_playing(now);
     if (shows_comparison_)
         show_comparison(below_menu);
     else

@@ -161,17 +161,27 @@ FitTilesResult fit_tiles(std::span<const FitTile> tiles, std::size_t selected, s
                          bool has_focus) {
     FitTilesResult result;
     const float gap = scaled(12);
+    const float arrow = scaled(22);
     const float room = ImGui::GetContentRegionAvail().x;
-    const auto most = static_cast<std::size_t>(std::max((room + gap) / (side + gap), 1.0F));
-    const std::size_t count = std::min(most, tiles.size());
+    const auto fitting = [&](float width) {
+        return static_cast<std::size_t>(std::max((width + gap) / (side + gap), 1.0F));
+    };
+    const bool has_arrows = fitting(room) < tiles.size();
+    const std::size_t count = has_arrows ? fitting(room - 2 * (arrow + gap)) : tiles.size();
     first = std::min(first, tiles.size() - count);
     first = std::clamp(first, selected + 1 > count ? selected + 1 - count : 0, selected);
     const float width = static_cast<float>(count) * (side + gap) - gap;
     const ImVec2 corner = ImGui::GetCursorPos();
+    const float left = corner.x + std::round((room - width) / 2);
+    const auto go_on = [&](const char* name, ImGuiDir direction, float x, std::size_t tile) {
+        ImGui::SetCursorPos({x, corner.y + std::round((side - ImGui::GetFrameHeight()) / 2)});
+        if (ImGui::ArrowButton(name, direction)) result.clicked = tile;
+    };
+    if (first > 0) go_on("before", ImGuiDir_Left, left - gap - arrow, first - 1);
+    if (first + count < tiles.size()) go_on("behind", ImGuiDir_Right, left + width + gap, first + count);
     for (std::size_t n = 0; n < count; ++n) {
         const std::size_t tile = first + n;
-        ImGui::SetCursorPos(
-            {corner.x + std::round((room - width) / 2) + static_cast<float>(n) * (side + gap), corner.y});
+        ImGui::SetCursorPos({left + static_cast<float>(n) * (side + gap), corner.y});
         ImGui::PushID(static_cast<int>(tile));
         const bool is_selected = tile == selected && tiles.size() > 1;
         if (draw_tile(tiles[tile], side, is_selected, has_focus)) result.clicked = tile;
