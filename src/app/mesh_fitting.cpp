@@ -73,7 +73,7 @@ FitOfferShown MeshFitting::offer_shown() const {
                             "their edges will lie. For closed surfaces without handles.",
                             reason, is_single ? "It is" : "Each is", is_single ? " shows" : "s show"),
                         .roots = {},
-                        .roots_remark = are_roots_given_ ? "those of the keys that are there" : "",
+                        .roots_remark = are_roots_given_ ? "those of the family's keys" : "",
                         .meshes = tiles(),
                         .fault = {}};
     for (const NamedRoots& roots : roots_) shown.roots.push_back(capitalised(roots.name));

@@ -35,8 +35,8 @@ std::vector<std::uint8_t> without_background(OffscreenTarget& target) {
     pixels.reserve(4 * side * side);
     for (std::size_t y = 0; y < side; ++y)
         for (std::size_t x = 0; x < side; ++x) {
-            std::array<unsigned, 3> sums{};
-            unsigned count = 0;
+            std::array<std::size_t, 3> sums{};
+            std::size_t count = 0;
             for (std::size_t sample = 0; sample < samples * samples; ++sample) {
                 const std::size_t at =
                     (samples * y + sample / samples) * width + samples * x + sample % samples;
@@ -44,7 +44,7 @@ std::vector<std::uint8_t> without_background(OffscreenTarget& target) {
                 ++count;
                 for (std::size_t c = 0; c < 3; ++c) sums[c] += colors[4 * at + c];
             }
-            for (const unsigned sum : sums)
+            for (const std::size_t sum : sums)
                 pixels.push_back(static_cast<std::uint8_t>(count > 0 ? sum / count : 0));
             pixels.push_back(static_cast<std::uint8_t>(255 * count / (samples * samples)));
         }
