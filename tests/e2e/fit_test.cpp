@@ -195,3 +195,41 @@ TEST_CASE("a mesh dropped on the list is fitted over the family's roots, a refus
     CHECK(family_of(refused) == family_of(before));
     CHECK(refused["document"]["changed"] == false);
 }
+
+TEST_CASE(
+    "unsaved changes are asked for before a fit is offered, and a fit that is cancelled leaves them alone") {
+    const TemporaryFolder home;
+    const std::vector<fs::path> meshes = unlike_meshes(home.path());
+    const RunningViewer viewer(home.path());
+    viewer.point_at(view_middle(viewer.state()));
+    viewer.press(XK_k, XK_Control_L);
+    const State before = wait_for_keys(viewer, 6);
+
+    viewer.drop(meshes, view_middle(before));
+    wait_for_question(viewer);
+    CHECK(viewer.state()["offer"].is_null());
+    viewer.type_keys("d");
+    viewer.wait_for("the offer", [](const State& s) { return s["offer"].is_object(); });
+
+    // So many leaves take long enough to change one's mind.
+    viewer.type("5000000");
+    wait_for_offered(viewer, "leaves", "5000000");
+    viewer.press(XK_Return);
+    viewer.wait_for("the work", [](const State& s) { return s["asking"] == true && s["offer"].is_null(); });
+    viewer.press(XK_Escape);
+    wait_for_no_question(viewer);
+    CHECK(viewer.state()["document"] == before["document"]);
+    CHECK(viewer.state()["message"] == "");
+
+    // The same with one click on "Fit", and no second thoughts.
+    viewer.drop(meshes, view_middle(before));
+    wait_for_question(viewer);
+    viewer.type_keys("d");
+    const State offered = viewer.wait_for(
+        "the offer", [](const State& s) { return s["offer"].is_object() && !s["rects"]["popup"].is_null(); });
+    const State& popup = offered["rects"]["popup"];
+    const glm::vec2 corner(popup[0].get<float>() + popup[2].get<float>(),
+                           popup[1].get<float>() + popup[3].get<float>());
+    viewer.click(corner - glm::vec2(150, 25));
+    CHECK(wait_for_keys(viewer, 2)["document"]["keys"] == State({"star", "bone"}));
+}
