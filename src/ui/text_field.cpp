@@ -77,7 +77,8 @@ TextFieldResult TextField::show(const char* name, const char* hint, float width,
     result.tabbed = edit.tabbed;
     const bool is_active = ImGui::IsItemActive();
     was_active_ = is_active;
-    result.clicked = !focused && is_active && ImGui::IsItemActivated();
+    result.clicked =
+        !focused && is_active && ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (focused || is_active) draw_focus();
     if (!focused && is_active && !result.clicked) ImGui::ClearActiveID();
     // Where a click beside it has taken the keyboard from it, it takes it back.
