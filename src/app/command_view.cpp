@@ -28,7 +28,7 @@ Opened open_to_view(const std::vector<std::filesystem::path>& paths) {
     try {
         return {open_family(files), files, {}};
     } catch (const InputError&) {
-        if (!are_several_meshes(files)) throw;
+        if (files.size() < 2 || !are_obj_files(files)) throw;
         return {open_family({}), {}, std::move(files)};
     }
 }

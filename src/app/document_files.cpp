@@ -231,7 +231,7 @@ void DocumentFiles::read_or_fit(const std::vector<fs::path>& files,
     try {
         receiver(open_family(files));
     } catch (const InputError& error) {
-        if (are_several_meshes(files)) return fit(error.what());
+        if (files.size() > 1 && are_obj_files(files)) return fit(error.what());
         complain(error.what());
     } catch (const std::runtime_error& error) {
         complain(error.what());
@@ -264,10 +264,18 @@ void DocumentFiles::reopen() {
     });
 }
 
+/// An .obj is a key as it is, but one over the family's roots only once it has been fitted.
 void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
+    const auto offer = [&](const std::string& reason) { offer_to_add(files, reason); };
     read_or_fit(
-        files, [&](Family family) { interleaf::add_keys(state_, std::move(family.keys), now); },
-        [&](const std::string& reason) { offer_to_add(files, reason); });
+        files,
+        [&](Family family) {
+            const auto before = state_.document.snapshot();
+            interleaf::add_keys(state_, std::move(family.keys), now);
+            if (state_.document.snapshot() == before && are_obj_files(files))
+                offer(std::exchange(state_.message, ""));
+        },
+        offer);
 }
 
 /// Keys for the document are fitted over its roots.

@@ -30,10 +30,9 @@ bool are_surfaces(std::span<const std::filesystem::path> files) {
            });
 }
 
-bool are_several_meshes(std::span<const std::filesystem::path> files) {
-    return files.size() > 1 && std::ranges::all_of(files, [](const std::filesystem::path& file) {
-               return lower_case_extension(file) == ".obj";
-           });
+bool are_obj_files(std::span<const std::filesystem::path> files) {
+    return std::ranges::all_of(
+        files, [](const std::filesystem::path& file) { return lower_case_extension(file) == ".obj"; });
 }
 
 FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options, const Progress& progress) {

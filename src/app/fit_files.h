@@ -22,8 +22,8 @@ bool is_surface_file(const std::filesystem::path& file);
 /// Whether \p files are meshes of which one, by its kind, is no key as it is: together they must be fitted.
 bool are_surfaces(std::span<const std::filesystem::path> files);
 
-/// Whether \p files are several .obj: meshes that are keys as they are only if they have the same faces.
-bool are_several_meshes(std::span<const std::filesystem::path> files);
+/// Whether \p files are all .obj: meshes that are keys as they are, several only if they have the same faces.
+bool are_obj_files(std::span<const std::filesystem::path> files);
 
 /// The key of the mesh in \p file.
 /// \throw InputError naming the file, UsageError, MachineError, Cancelled as read_surface() and fit()

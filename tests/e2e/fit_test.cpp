@@ -164,9 +164,17 @@ TEST_CASE("in the offer, leaves, roots and the turn of each mesh are chosen by t
 
 TEST_CASE("a mesh dropped on the list is fitted over the family's roots, a refused one changes nothing") {
     const TemporaryFolder home;
-    const fs::path bone = unlike_meshes(home.path()).back();
+    const std::vector<fs::path> meshes = unlike_meshes(home.path());
+    const fs::path& bone = meshes.back();
     const RunningViewer viewer(home.path());
     const State before = viewer.state();
+    // An .obj is a key as it is, but not one of this family.
+    viewer.drop(std::vector{meshes.front()}, row_pixel(before, 1));
+    wait_for_offer(viewer);
+    viewer.press(XK_Escape);
+    wait_for_no_question(viewer);
+    CHECK(viewer.state()["document"] == before["document"]);
+
     viewer.drop(std::vector{bone}, row_pixel(before, 1));
     wait_for_offer(viewer);
     // There are no roots to choose: behind the number comes the turn.
