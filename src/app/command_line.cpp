@@ -37,7 +37,8 @@ constexpr const char* family_help =
 
 constexpr const char* viewed_help =
     "A family.json, its folder, or .ilh or .obj files, several making a new family; a pattern such as "
-    "'flow.*.obj' stands for the files that match; the built-in five keys if left out";
+    "'flow.*.obj' stands for the files that match; or meshes to fit, .ply, .stl, .off, or .obj of different "
+    "faces; the built-in five keys if left out";
 
 /// Help without what its readers need not know: the types of names, and which options exclude which.
 class HelpFormatter : public CLI::Formatter {

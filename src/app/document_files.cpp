@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "app/builtin_family.h"
 #include "app/edit_commands.h"
+#include "app/fit_roots.h"
 #include "app/open_family.h"
 #include "app/user_folders.h"
 #include "family/new_family.h"
@@ -115,7 +117,7 @@ void DocumentFiles::grant(FileWish wish) {
     }
 }
 
-void DocumentFiles::show(const Rect& area, double now) {
+void DocumentFiles::show(const Rect& area, float density, double now) {
     now_ = now;
     if (state_.question && !is_asking()) {
         TextQuestion question = *std::exchange(state_.question, std::nullopt);
@@ -136,7 +138,7 @@ void DocumentFiles::show(const Rect& area, double now) {
         std::exchange(on_choice_, nullptr)(*choice);
     }
     if (const auto answer = dialog_.show(area)) std::exchange(on_answer_, nullptr)(*answer);
-    if (const auto error = fitting_.show(area, now)) complain(*error);
+    if (const auto error = fitting_.show(area, density, now)) complain(*error);
 }
 
 void DocumentFiles::look_after(double now) {
@@ -205,15 +207,16 @@ void DocumentFiles::browse_to_add() {
            [this](const FileChoice& choice) { add_keys(choice.files, now_); });
 }
 
-/// Gives \p receiver the family that \p files hold; to meshes that are no keys as they are it offers a fit.
+/// Gives \p receiver the family that \p files hold; meshes that are no keys as they are go to \p fit, with
+/// the reason where it is not their kind.
 void DocumentFiles::read_or_fit(const std::vector<fs::path>& files,
                                 const std::function<void(Family)>& receiver,
-                                const MeshFitting::Receiver& fitted) {
-    if (are_surfaces(files)) return offer_fit(files, fitted);
+                                const std::function<void(const std::string&)>& fit) {
+    if (are_surfaces(files)) return fit("");
     try {
         receiver(open_family(files));
     } catch (const InputError& error) {
-        if (are_several_meshes(files)) return offer_fit(files, fitted);
+        if (files.size() > 1 && are_obj_files(files)) return fit(error.what());
         complain(error);
     } catch (const std::runtime_error& error) {
         complain(error);
@@ -228,7 +231,10 @@ void DocumentFiles::open(std::vector<fs::path> files) {
                 replace_document(std::move(family), files);
                 remember(files.front());
             },
-            [this, files](std::vector<Key> keys) { open_fitted(files, std::move(keys)); });
+            [&](const std::string& reason) {
+                fitting_.offer({files, reason, {}},
+                               [this, files](const Comparisons& fitted) { open_fitted(files, fitted); });
+            });
     });
 }
 
@@ -243,25 +249,68 @@ void DocumentFiles::reopen() {
     });
 }
 
+/// An .obj is a key as it is, but one over the family's roots only once it has been fitted.
 void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
+    const auto offer = [&](const std::string& reason) { offer_to_add(files, reason); };
     read_or_fit(
-        files, [&](Family family) { interleaf::add_keys(state_, std::move(family.keys), now); },
-        [this](std::vector<Key> keys) { interleaf::add_keys(state_, std::move(keys), now_); });
+        files,
+        [&](Family family) {
+            const auto before = state_.document.snapshot();
+            interleaf::add_keys(state_, std::move(family.keys), now);
+            if (state_.document.snapshot() == before && are_obj_files(files))
+                offer(std::exchange(state_.message, {}).text);
+        },
+        offer);
 }
 
-/// Asks how finely to fit \p meshes, over the roots of a cube, and does it.
-void DocumentFiles::offer_fit(const std::vector<fs::path>& meshes, MeshFitting::Receiver receiver) {
-    ask(question_about_fit(meshes), [this, meshes, receiver = std::move(receiver)](const Answer& answer) {
-        if (answer.button == 0) fitting_.start(meshes, fit_options(answer), receiver, now_);
-    });
+/// Keys for the document are fitted over its roots.
+void DocumentFiles::offer_to_add(const std::vector<fs::path>& meshes, const std::string& reason) {
+    try {
+        fitting_.offer({meshes, reason, roots_of(state_.document.family())},
+                       [this](const Comparisons& fitted) {
+                           interleaf::add_keys(state_, keys_of(fitted), now_);
+                           offer_comparison(fitted);
+                       });
+    } catch (const InputError& error) {
+        complain(error);
+    }
 }
 
 /// The fitted keys as a new document, which is nowhere on disk yet.
-void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, std::vector<Key> keys) {
+void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, const Comparisons& fitted) {
+    std::vector<Key> keys = keys_of(fitted);
     const std::string name = keys.size() == 1 ? keys.front().name : "Fitted meshes";
     replace_document(family_of_keys(name, std::move(keys)), {});
     state_.document.mark_unsaved();
     for (const fs::path& mesh : meshes) remember(mesh);
+    offer_comparison(fitted);
+}
+
+/// Says how near to their meshes the keys are that have come into the document, and offers to show it.
+void DocumentFiles::offer_comparison(const Comparisons& fitted) {
+    const auto compared = compared_keys(state_.document.family(), fitted);
+    if (compared.empty()) return;
+    state_.comparisons.insert(state_.comparisons.end(), fitted.begin(), fitted.end());
+    constexpr std::size_t most_lines = 6;
+    std::string detail;
+    for (const ComparedKey& each : compared | std::views::take(most_lines))
+        detail +=
+            fmt::format("{}{}: {}.", detail.empty() ? "" : "\n", state_.document.family().keys[each.key].name,
+                        in_words(each.comparison->quality));
+    if (compared.size() > most_lines) detail += fmt::format("\nAnd {} more.", compared.size() - most_lines);
+    ask({.text =
+             compared.size() == 1
+                 ? "A key has been fitted. Compare it with its mesh?"
+                 : fmt::format("{} keys have been fitted. Compare them with their meshes?", compared.size()),
+         .detail = std::move(detail),
+         .buttons = {"Compare", "Done"},
+         .entry = {},
+         .fault = {}},
+        [this, first = compared.front().comparison](const Answer& answer) {
+            if (answer.button != 0) return;
+            state_.compared = first;
+            state_.is_comparing = true;
+        });
 }
 
 void DocumentFiles::replace_document(Family family, std::vector<fs::path> sources) {

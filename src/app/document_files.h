@@ -44,10 +44,13 @@ class DocumentFiles {
     const std::vector<std::filesystem::path>& recent_files() const { return settings_.recent_files; }
 
     /// Whether a question or the file browser has the keyboard.
-    bool is_asking() const { return browser_.is_open() || dialog_.is_open() || is_working(); }
+    bool is_asking() const { return browser_.is_open() || dialog_.is_open() || fitting_.is_open(); }
 
-    /// Whether work goes on that shows how far it is.
-    bool is_working() const { return fitting_.is_running(); }
+    /// Whether work goes on, so that there is something new to show soon.
+    bool is_working() const { return fitting_.is_working(); }
+
+    /// The offer to fit meshes, while there is one.
+    const MeshFitting& fitting() const { return fitting_; }
 
     /// Whether the document is being written, while the window goes on.
     bool is_saving() const { return saving_.has_value(); }
@@ -56,7 +59,8 @@ class DocumentFiles {
     std::optional<std::filesystem::path> browsed() const { return browser_.cursor_path(); }
 
     /// Draws them in the middle of \p area and acts on the answers; call it in every frame.
-    void show(const Rect& area, double now);
+    /// \param density  framebuffer pixels a screen coordinate
+    void show(const Rect& area, float density, double now);
 
     /// Writes the autosave and looks for changes on disk, when it is time to; call it in every frame.
     void look_after(double now);
@@ -80,10 +84,12 @@ class DocumentFiles {
     void browse_to_open();
     void browse_to_add();
     void read_or_fit(const std::vector<std::filesystem::path>& files,
-                     const std::function<void(Family)>& receiver, const MeshFitting::Receiver& fitted);
+                     const std::function<void(Family)>& receiver,
+                     const std::function<void(const std::string&)>& fit);
     void reopen();
-    void offer_fit(const std::vector<std::filesystem::path>& meshes, MeshFitting::Receiver receiver);
-    void open_fitted(const std::vector<std::filesystem::path>& meshes, std::vector<Key> keys);
+    void offer_to_add(const std::vector<std::filesystem::path>& meshes, const std::string& reason);
+    void open_fitted(const std::vector<std::filesystem::path>& meshes, const Comparisons& fitted);
+    void offer_comparison(const Comparisons& fitted);
     void replace_document(Family family, std::vector<std::filesystem::path> sources);
     void set_sources(std::vector<std::filesystem::path> sources);
     void forget_unsaved();

@@ -154,7 +154,7 @@ void heading(std::string_view title, std::string_view remark) {
 
 void draw_text(glm::vec2 position, float max_width, ImU32 color, std::string_view text) {
     const float right = position.x + max_width;
-    // Parentheses reach below the line.
+    // Descenders reach below the line.
     const ImVec2 end{right, position.y + ImGui::GetTextLineHeight() + scaled(3)};
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), to_imgui(position), end, right, right, text.data(),

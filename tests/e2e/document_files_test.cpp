@@ -263,32 +263,3 @@ TEST_CASE(
     CHECK(viewer.shows(plain));
     CHECK(viewer.state()["message"] == "");
 }
-
-TEST_CASE("dropped meshes whose faces differ are fitted over common roots, unless that is declined") {
-    const TemporaryFolder home;
-    std::vector<fs::path> meshes;
-    for (const char* key : {"star", "bone"}) {
-        meshes.push_back(home.path() / fmt::format("{}.obj", key));
-        const std::string command =
-            fmt::format("'{}' export --weights {}=1 -o '{}'", INTERLEAF_PROGRAM, key, meshes.back().string());
-        REQUIRE(std::system(command.c_str()) == 0);
-    }
-    const RunningViewer viewer(home.path());
-    const State before = family_of(viewer.state());
-    viewer.drop(meshes, view_middle(viewer.state()));
-    wait_for_question(viewer);
-    viewer.press(XK_Escape);
-    wait_for_no_question(viewer);
-    CHECK(family_of(viewer.state()) == before);
-
-    viewer.drop(meshes, view_middle(viewer.state()));
-    wait_for_question(viewer);
-    viewer.press(XK_Return);
-    const State state = wait_for_keys(viewer, 2);
-    CHECK(state["document"]["keys"] == State({"star", "bone"}));
-    CHECK(state["document"]["times"] == State({{0, "star"}, {1, "bone"}}));
-    CHECK(state["document"]["changed"] == true);
-    CHECK(state["document"]["folder"].is_null());
-    CHECK(state["leaves"] > 19'000);
-    CHECK(state["message"] == "");
-}
