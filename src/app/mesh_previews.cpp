@@ -22,7 +22,7 @@ namespace interleaf {
 namespace {
 
 /// Samples a pixel, in either direction, from which the pictures are made.
-constexpr std::size_t samples = 3;
+constexpr std::size_t subpixels = 3;
 
 /// A picture of a part of \p target's width and height, each pixel the mean of the samples that show
 /// something, and as opaque as there are such samples. RGBA, top row first.
@@ -30,23 +30,23 @@ std::vector<std::uint8_t> without_background(OffscreenTarget& target) {
     const std::vector<std::uint8_t> colors = target.read_rgba();
     const std::vector<float> depths = target.read_depths();
     const auto width = static_cast<std::size_t>(target.width());
-    const std::size_t side = width / samples;
+    const std::size_t side = width / subpixels;
     std::vector<std::uint8_t> pixels;
     pixels.reserve(4 * side * side);
     for (std::size_t y = 0; y < side; ++y)
         for (std::size_t x = 0; x < side; ++x) {
             std::array<std::size_t, 3> sums{};
             std::size_t count = 0;
-            for (std::size_t sample = 0; sample < samples * samples; ++sample) {
+            for (std::size_t sample = 0; sample < subpixels * subpixels; ++sample) {
                 const std::size_t at =
-                    (samples * y + sample / samples) * width + samples * x + sample % samples;
+                    (subpixels * y + sample / subpixels) * width + subpixels * x + sample % subpixels;
                 if (depths[at] >= 1) continue;
                 ++count;
                 for (std::size_t c = 0; c < 3; ++c) sums[c] += colors[4 * at + c];
             }
             for (const std::size_t sum : sums)
                 pixels.push_back(static_cast<std::uint8_t>(count > 0 ? sum / count : 0));
-            pixels.push_back(static_cast<std::uint8_t>(255 * count / (samples * samples)));
+            pixels.push_back(static_cast<std::uint8_t>(255 * count / (subpixels * subpixels)));
         }
     return pixels;
 }
@@ -135,7 +135,7 @@ void MeshPreviews::draw(std::size_t mesh, int side) {
     try {
         if (!renderer_) renderer_.emplace();
         renderer_->upload(meshes_[mesh].mesh, meshes_[mesh].normals);
-        const int samples_a_side = static_cast<int>(samples) * side;
+        const int samples_a_side = static_cast<int>(subpixels) * side;
         OffscreenTarget target(samples_a_side, samples_a_side, 1);
         constexpr std::array<float, 1> weight{1};
         renderer_->draw(target, tile_camera(), weight, {});
