@@ -33,6 +33,12 @@ function(precompile_headers target)
   endif()
 endfunction()
 
+# Several files a compilation: reading the headers takes most of the time. Where that is done, a file may have names of its
+# own in common with no other of its target.
+function(compile_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+endfunction()
+
 # interleaf_library(NAME SOURCES... LINK targets...): the layer src/NAME as the target interleaf_NAME.
 function(interleaf_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK;LINK_PRIVATE" ${ARGN})
@@ -45,6 +51,9 @@ function(interleaf_library name)
     target_compile_options(interleaf_${name} PRIVATE -O0)
   endif()
   precompile_headers(interleaf_${name})
+  if(INTERLEAF_SANITIZE)
+    compile_together(interleaf_${name})
+  endif()
 endfunction()
 
 # interleaf_test(NAME SOURCES... LINK targets...): a doctest program tests_NAME, run by ctest as NAME.
@@ -54,5 +63,6 @@ function(interleaf_test name)
   target_include_directories(tests_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(tests_${name} PRIVATE interleaf_options ${arg_LINK} tests_main)
   precompile_headers(tests_${name} <doctest/doctest.h>)
+  compile_together(tests_${name})
   add_test(NAME ${name} COMMAND tests_${name})
 endfunction()

@@ -24,6 +24,12 @@ void AutosaveWriter::clear() {
     write(nullptr, {});
 }
 
+void AutosaveWriter::adopt(Recovery recovery) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return !busy_ && !waiting_; });
+    recovery_ = std::move(recovery);
+}
+
 void AutosaveWriter::finish() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return !busy_ && !waiting_; });

@@ -15,8 +15,8 @@
 
 namespace interleaf {
 
-/// All members may be called from one thread; none of them waits for the disk but the destructor and
-/// finish().
+/// All members may be called from one thread; none of them waits for the disk but the destructor,
+/// adopt() and finish().
 class AutosaveWriter {
   public:
     /// Nothing is made in \p state_folder before the first write.
@@ -31,6 +31,10 @@ class AutosaveWriter {
     /// is dropped: the newest counts.
     /// \param document_folder  where the document is saved; empty if nowhere yet
     void write(std::shared_ptr<const Family> family, std::filesystem::path document_folder);
+
+    /// Writes into \p recovery from now on, a claimed one, and clear() removes it. Waits until all that was
+    /// asked for before is done.
+    void adopt(Recovery recovery);
 
     /// Removes what was written: the document has been saved, or its changes are not wanted.
     void clear();
@@ -53,7 +57,7 @@ class AutosaveWriter {
     void clear_now();
 
     const std::filesystem::path state_folder_;
-    std::optional<Recovery> recovery_;  ///< the thread's own
+    std::optional<Recovery> recovery_;  ///< the thread's own while it is busy
 
     std::mutex mutex_;  ///< of what follows
     std::condition_variable_any changed_;

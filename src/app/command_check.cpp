@@ -1,5 +1,7 @@
 #include "app/command_check.h"
 
+#include <algorithm>
+#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,26 +17,32 @@ namespace interleaf {
 namespace {
 
 // Readers check every invariant of what they read, so a file that can be read is sound.
-bool is_sound(const std::filesystem::path& file) {
+CheckResult check(const std::filesystem::path& file) {
     try {
         std::vector<std::string> changes;
         const Family family = open_family(std::span(&file, 1), &changes);
         fmt::print("{}: sound, {}\n", shown_text(file.string()),
                    family.keys.size() == 1 ? "1 key" : fmt::format("{} keys", family.keys.size()));
         for (const std::string& change : changes) fmt::print("{}: {}\n", shown_text(file.string()), change);
-        return true;
+        return CheckResult::sound;
     } catch (const InputError& error) {
         print_error(error.what());
-        return false;
+        return CheckResult::at_fault;
+    } catch (const MachineError& error) {
+        print_error(error.what());
+        return CheckResult::unread;
+    } catch (const std::bad_alloc&) {
+        print_error(fmt::format("{}: out of memory", file.string()));
+        return CheckResult::unread;
     }
 }
 
 }  // namespace
 
-bool run_check(std::span<const std::filesystem::path> files) {
-    bool all_sound = true;
-    for (const std::filesystem::path& file : files) all_sound = is_sound(file) && all_sound;
-    return all_sound;
+CheckResult run_check(std::span<const std::filesystem::path> files) {
+    CheckResult result = CheckResult::sound;
+    for (const std::filesystem::path& file : files) result = std::max(result, check(file));
+    return result;
 }
 
 }  // namespace interleaf

@@ -15,7 +15,7 @@
 namespace interleaf {
 namespace {
 
-constexpr std::array<std::string_view, 3> formats = {"obj", "ply", "ilh"};
+constexpr std::array<std::string_view, 3> export_formats = {"obj", "ply", "ilh"};
 
 bool is_finite(const glm::vec3& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -36,7 +36,7 @@ std::vector<Field> morphed_fields(const UnionMesh& mesh, std::span<const float> 
 }  // namespace
 
 void run_export(const ExportOptions& options) {
-    const std::string_view format = format_of(options.output, formats);
+    const std::string_view format = format_of(options.output, export_formats);
     if (options.form.compressed && format != "ilh")
         throw UsageError(fmt::format("--compress: expected the format ilh, got '{}'", format));
     const Family family = open_family(options.morph.family);

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include <fmt/core.h>
-#include <glm/gtc/matrix_transform.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/fit_files.h"
+#include "app/fit_roots.h"
 #include "app/held_interrupts.h"
 #include "app/output.h"
 #include "app/progress_line.h"
@@ -16,14 +16,13 @@
 #include "hierarchy/error.h"
 #include "io/family_file.h"
 #include "io/mesh_file.h"
-#include "shapes/icosahedron.h"
 
 namespace interleaf {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 1> formats = {"ilh"};
+constexpr std::array<std::string_view, 1> fit_formats = {"ilh"};
 
 void check_options(const FitCommandOptions& options) {
     if (options.json && options.output == "-")
@@ -33,16 +32,14 @@ void check_options(const FitCommandOptions& options) {
             fmt::format("fit: --rotate {} times for {} meshes, expected one for each, x,0 for none",
                         options.rotations.size(), options.meshes.size()));
     if (options.meshes.size() == 1) {
-        format_of({options.output, options.output == "-" ? "ilh" : ""}, formats);
+        format_of({options.output, options.output == "-" ? "ilh" : ""}, fit_formats);
     } else if (options.output == "-") {
         throw UsageError("fit: -o must name a folder for several meshes");
     }
 }
 
 SphereRoots roots_named(const std::string& name) {
-    if (name == "cube") return project_to_sphere(cube());
-    if (name == "icosahedron") return project_to_sphere(icosahedron());
-    if (name == "octahedron") return project_to_sphere(octahedron());
+    if (const NamedRoots* const named = find_roots(name)) return named->roots;
     const std::filesystem::path file = name;
     if (lower_case_extension(file) != ".obj")
         throw UsageError(
@@ -53,12 +50,6 @@ SphereRoots roots_named(const std::string& name) {
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", name, error.what()));
     }
-}
-
-glm::dmat3 matrix_of(const AxisTurn& turn) {
-    glm::dvec3 axis(0);
-    axis[turn.axis] = 1;
-    return glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(turn.degrees), axis));
 }
 
 /// Fits every mesh. Cancelled when an interrupt waits.

@@ -6,16 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "app/axis_turn.h"
 #include "hierarchy/triangle.h"
 #include "io/hierarchy_file.h"
 
 namespace interleaf {
-
-/// A turn about an axis.
-struct AxisTurn {
-    int axis = 0;  ///< 0, 1, 2 for x, y, z
-    double degrees = 0;
-};
 
 struct FitCommandOptions {
     std::vector<std::filesystem::path> meshes;

@@ -37,7 +37,8 @@ constexpr const char* family_help =
 
 constexpr const char* viewed_help =
     "A family.json, its folder, or .ilh or .obj files, several making a new family; a pattern such as "
-    "'flow.*.obj' stands for the files that match; the built-in five keys if left out";
+    "'flow.*.obj' stands for the files that match; or meshes to fit, .ply, .stl, .off, or .obj of different "
+    "faces; the built-in five keys if left out";
 
 /// Help without what its readers need not know: the types of names, and which options exclude which.
 class HelpFormatter : public CLI::Formatter {
@@ -238,17 +239,18 @@ void add_info(CLI::App& program) {
     command->footer("Example:\n  interleaf info star.ilh --json");
 }
 
-void add_check(CLI::App& program, bool& all_sound) {
+void add_check(CLI::App& program, CheckResult& result) {
     const auto files = std::make_shared<std::vector<std::string>>();
     CLI::App* command =
         program.add_subcommand("check", "Check every invariant of keys and constraints (B) of families");
     command->add_option("FILE", *files, "family.json files, their folders, .ilh or .obj files, patterns")
         ->required();
-    command->final_callback([files, &all_sound] {
-        all_sound = run_check(std::vector<std::filesystem::path>(files->begin(), files->end()));
+    command->final_callback([files, &result] {
+        result = run_check(std::vector<std::filesystem::path>(files->begin(), files->end()));
     });
     command->footer(
-        "Exit status 0 when all are sound; 1 otherwise, with every violation named.\n\n"
+        "Exit status 0 when all are sound; 1 otherwise, with every violation named; 3 when one cannot be "
+        "read.\n\n"
         "Example:\n  interleaf check assets/families/five-keys/*.ilh");
 }
 
@@ -376,18 +378,19 @@ void add_bare_view(CLI::App& program) {
 
 /// Parses the command line and runs the command it names.
 ExitStatus run(CLI::App& program, int argument_count, const char* const* arguments) {
-    bool all_sound = true;
+    CheckResult checked = CheckResult::sound;
     add_view(program);
     add_render(program);
     add_export(program);
     add_info(program);
-    add_check(program, all_sound);
+    add_check(program, checked);
     add_make(program);
     add_family_command(program);
     add_fit(program);
     add_bare_view(program);
     program.parse(argument_count, arguments);
-    return all_sound ? done : input_at_fault;
+    if (checked == CheckResult::unread) return machine_at_fault;
+    return checked == CheckResult::sound ? done : input_at_fault;
 }
 
 /// Help, the version, or what is wrong with the command line.

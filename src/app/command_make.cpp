@@ -12,7 +12,7 @@ namespace interleaf {
 namespace {
 
 constexpr std::string_view family_name = "five-keys";
-constexpr std::array<std::string_view, 1> formats = {"ilh"};
+constexpr std::array<std::string_view, 1> make_formats = {"ilh"};
 
 void make_family(const MakeOptions& options) {
     if (options.budget.leaves || options.budget.tolerance) {
@@ -34,7 +34,7 @@ void run_make(const MakeOptions& options) {
             fmt::format("make: there is no shape '{}'; `interleaf make --list` shows them", options.name));
     }
     const Output output{options.output, options.output == "-" ? "ilh" : ""};
-    format_of(output, formats);
+    format_of(output, make_formats);
     write_output(output, serialize_hierarchy(make_key(*shape, options.budget), options.form));
 }
 

@@ -19,7 +19,7 @@
 namespace interleaf {
 namespace {
 
-constexpr std::array<std::string_view, 1> formats = {"png"};
+constexpr std::array<std::string_view, 1> render_formats = {"png"};
 constexpr int samples = 4;
 
 Camera camera_on(const Family& family, const Viewpoint& viewpoint, float aspect) {
@@ -45,7 +45,7 @@ std::optional<UnionField> united_shown_field(const Display& display, std::span<c
 }  // namespace
 
 void run_render(const RenderOptions& options) {
-    format_of(options.output, formats);
+    format_of(options.output, render_formats);
     const Family family = open_family(options.morph.family);
     const Weights weights = selected_weights(options.morph, family);
     const UnionMesh mesh = unite(family, weights);

@@ -1,19 +1,44 @@
 #include "app/command_view.h"
 
 #include <cstdlib>
+#include <utility>
 
 #include <fmt/core.h>
 
+#include "app/fit_files.h"
 #include "app/open_family.h"
+#include "hierarchy/error.h"
 #include "render/context.h"
 
 namespace interleaf {
 
-void run_view(const ViewOptions& options) {
-    Family family = open_family(options.family);
+namespace {
+
+/// What there is to show, and where it was read from.
+struct Opened {
+    Family family;
+    std::vector<std::filesystem::path> sources;  ///< none for the built-in family
+    std::vector<std::filesystem::path> meshes;   ///< to be fitted, over the built-in family
+};
+
+Opened open_to_view(const std::vector<std::filesystem::path>& paths) {
+    if (paths.empty()) return {open_family({}), {}, {}};
+    std::vector<std::filesystem::path> files = files_of(paths);
+    if (are_surfaces(files)) return {open_family({}), {}, std::move(files)};
     try {
-        run_viewer(std::move(family),
-                   options.family.empty() ? std::vector<std::filesystem::path>() : files_of(options.family),
+        return {open_family(files), files, {}};
+    } catch (const InputError&) {
+        if (files.size() < 2 || !are_obj_files(files)) throw;
+        return {open_family({}), {}, std::move(files)};
+    }
+}
+
+}  // namespace
+
+void run_view(const ViewOptions& options) {
+    Opened opened = open_to_view(options.family);
+    try {
+        run_viewer(std::move(opened.family), std::move(opened.sources), std::move(opened.meshes),
                    options.viewer);
     } catch (const DisplayError& error) {
         const bool has_display =

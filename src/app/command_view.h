@@ -9,7 +9,8 @@
 namespace interleaf {
 
 struct ViewOptions {
-    std::vector<std::filesystem::path> family;  ///< what open_family() takes: none for the built-in one
+    std::vector<std::filesystem::path>
+        family;  ///< what open_family() takes: none for the built-in one; or meshes to fit
     ViewerOptions viewer;
 };
 

@@ -26,6 +26,10 @@ void step(ViewerState& state, double direction, double now) {
 }
 
 void cycle_coloring(ViewerState& state, double) {
+    if (state.is_comparing) {
+        state.compares_colors = !state.compares_colors;
+        return;
+    }
     Coloring& coloring = state.session.display.coloring;
     switch (coloring) {
         case Coloring::plain:
@@ -72,6 +76,23 @@ bool has_selected_key(const ViewerState& state) {
 
 bool has_domain(const ViewerState& state) {
     return state.document.family().domain.has_value();
+}
+
+bool can_compare(const ViewerState& state) {
+    return !compared_keys(state.document.family(), state.comparisons).empty();
+}
+
+/// The key that is selected comes first.
+void toggle_comparison(ViewerState& state, double) {
+    state.is_comparing = !state.is_comparing;
+    if (!state.is_comparing || !state.selected_key) return;
+    for (const ComparedKey& each : compared_keys(state.document.family(), state.comparisons))
+        if (each.key == *state.selected_key) state.compared = each.comparison;
+}
+
+/// What is not to be done while the document is not to be seen.
+bool is_about_document(const Command& command) {
+    return command.menu == "Edit" || command.menu == "Key" || command.menu == "Playback";
 }
 
 std::string step_label(const char* command, const std::string* step) {
@@ -287,6 +308,14 @@ constexpr Command table[] = {
      "Colour plainly, by level, by origin, checker, by field",
      cycle_coloring},
     {"View",
+     "Compare with mesh",
+     {{{GLFW_KEY_M}}},
+     "See fitted keys beside their meshes, with the distances",
+     toggle_comparison,
+     [](const ViewerState& state) { return state.is_comparing; },
+     false,
+     can_compare},
+    {"View",
      "Reload shaders",
      {{{GLFW_KEY_F5}}},
      "Read the shader files again",
@@ -301,51 +330,16 @@ constexpr Command table[] = {
     {"Help",
      "Dismiss",
      {{{GLFW_KEY_ESCAPE}}},
-     "Close the message or the help",
+     "Close the message, the help or the comparison",
      [](ViewerState& state, double) {
-         if (state.message.empty()) state.help_shown = false;
-         state.message.clear();
+         if (!state.message.empty())
+             state.message.clear();
+         else if (state.help_shown)
+             state.help_shown = false;
+         else
+             state.is_comparing = false;
      }},
 };
-
-std::string key_text(int key) {
-    switch (key) {
-        case GLFW_KEY_SPACE:
-            return "Space";
-        case GLFW_KEY_HOME:
-            return "Home";
-        case GLFW_KEY_END:
-            return "End";
-        case GLFW_KEY_LEFT:
-            return "Left";
-        case GLFW_KEY_RIGHT:
-            return "Right";
-        case GLFW_KEY_PAGE_UP:
-            return "Page Up";
-        case GLFW_KEY_PAGE_DOWN:
-            return "Page Down";
-        case GLFW_KEY_ESCAPE:
-            return "Esc";
-        case GLFW_KEY_DELETE:
-            return "Del";
-        case GLFW_KEY_UP:
-            return "Up";
-        case GLFW_KEY_DOWN:
-            return "Down";
-        default:
-            break;
-    }
-    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return fmt::format("F{}", key - GLFW_KEY_F1 + 1);
-    return {static_cast<char>(key)};  // GLFW numbers letters and digits as ASCII does
-}
-
-std::string shortcut_text(Shortcut shortcut) {
-    std::string text;
-    if ((shortcut.modifiers & GLFW_MOD_CONTROL) != 0) text += "Ctrl+";
-    if ((shortcut.modifiers & GLFW_MOD_SHIFT) != 0) text += "Shift+";
-    if ((shortcut.modifiers & GLFW_MOD_ALT) != 0) text += "Alt+";
-    return text + key_text(shortcut.key);
-}
 
 }  // namespace
 
@@ -361,6 +355,7 @@ const Command* find_command(Shortcut shortcut) {
 }
 
 bool is_enabled(const Command& command, const ViewerState& state) {
+    if (state.is_comparing && is_about_document(command)) return false;
     return command.is_enabled == nullptr || command.is_enabled(state);
 }
 
@@ -372,16 +367,6 @@ const Command& command_named(std::string_view name) {
     const auto* const found = std::ranges::find(table, name, &Command::name);
     assert(found != std::end(table));
     return *found;
-}
-
-std::string shortcut_text(const Command& command) {
-    std::string text;
-    for (const Shortcut shortcut : command.shortcuts) {
-        if (shortcut.key == 0) continue;
-        if (!text.empty()) text += " or ";
-        text += shortcut_text(shortcut);
-    }
-    return text;
 }
 
 }  // namespace interleaf

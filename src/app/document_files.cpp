@@ -1,15 +1,15 @@
 #include "app/document_files.h"
 
 #include <algorithm>
-#include <charconv>
-#include <ctime>
+#include <chrono>
+#include <ranges>
 #include <utility>
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "app/builtin_family.h"
 #include "app/edit_commands.h"
+#include "app/fit_roots.h"
 #include "app/open_family.h"
 #include "app/user_folders.h"
 #include "family/new_family.h"
@@ -22,8 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How long a changed document rests before it is autosaved, and how often files are looked at; seconds.
-constexpr double autosave_rest = 1;
+/// How often files are looked at; seconds.
 constexpr double look_interval = 2;
 
 const std::vector<FileType>& openable_types() {
@@ -49,21 +48,6 @@ std::vector<fs::path> watched_files(const std::vector<fs::path>& sources) {
     return files;
 }
 
-/// Whether \p files are meshes of which one, by its kind, is no key as it is.
-bool are_surfaces(const std::vector<fs::path>& files) {
-    return std::ranges::any_of(files, is_surface_file) &&
-           std::ranges::all_of(files, [](const fs::path& file) {
-               return is_surface_file(file) || lower_case_extension(file) == ".obj";
-           });
-}
-
-/// Whether \p files are several meshes, which are keys as they are only if they have the same faces.
-bool are_several_meshes(const std::vector<fs::path>& files) {
-    return files.size() > 1 && std::ranges::all_of(files, [](const fs::path& file) {
-               return lower_case_extension(file) == ".obj";
-           });
-}
-
 FileRequest request_to_open(std::string title, std::string action) {
     FileRequest request;
     request.title = std::move(title);
@@ -71,17 +55,6 @@ FileRequest request_to_open(std::string title, std::string action) {
     request.several = true;
     request.types = openable_types();
     return request;
-}
-
-constexpr Index least_leaves = 12;
-constexpr Index most_leaves = 10'000'000;
-
-std::optional<Index> leaves_in(const std::string& text) {
-    Index leaves = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), leaves);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    if (leaves < least_leaves || leaves > most_leaves) return std::nullopt;
-    return leaves;
 }
 
 std::string folder_name(std::string name) {
@@ -109,12 +82,8 @@ DocumentFiles::DocumentFiles(ViewerState& state, std::vector<fs::path> sources, 
             settings_ = std::move(loaded.settings);
             if (!loaded.message.empty()) complain(loaded.message);
         }
-        if (const auto folder = state_folder()) {
-            abandoned_ = abandoned_recoveries(*folder);
-            autosave_.emplace(*folder);
-        }
+        if (const auto folder = state_folder()) recovery_.emplace(*folder, state_.document);
     }
-    seen_ = state_.document.snapshot();
     if (!sources.empty()) remember(sources.front());
     set_sources(std::move(sources));
     offer_recovery();
@@ -131,10 +100,10 @@ void DocumentFiles::grant(FileWish wish) {
             reopen();
             break;
         case FileWish::save:
-            save([] {});
+            save({});
             break;
         case FileWish::save_as:
-            save_as([] {});
+            save_as({});
             break;
         case FileWish::add_keys:
             browse_to_add();
@@ -148,7 +117,7 @@ void DocumentFiles::grant(FileWish wish) {
     }
 }
 
-void DocumentFiles::show(const Rect& area, double now) {
+void DocumentFiles::show(const Rect& area, float density, double now) {
     now_ = now;
     if (state_.question && !is_asking()) {
         TextQuestion question = *std::exchange(state_.question, std::nullopt);
@@ -169,29 +138,19 @@ void DocumentFiles::show(const Rect& area, double now) {
         std::exchange(on_choice_, nullptr)(*choice);
     }
     if (const auto answer = dialog_.show(area)) std::exchange(on_answer_, nullptr)(*answer);
-    if (const auto error = fitting_.show(area, now)) complain(*error);
+    if (const auto error = fitting_.show(area, density, now)) complain(*error);
 }
 
 void DocumentFiles::look_after(double now) {
-    const auto present = state_.document.snapshot();
-    if (present != seen_) {
-        seen_ = present;
-        seen_since_ = now;
+    if (saving_ && saving_->written.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+        finish_saving();
+    if (recovery_) {
+        recovery_->look_after(state_.document, state_.is_dragging, now);
+        if (const auto error = recovery_->take_error()) complain(*error);
     }
-    if (autosave_) {
-        const bool rests = now - seen_since_ >= autosave_rest;
-        if (present != autosaved_ && rests && !state_.is_dragging) {
-            autosaved_ = present;
-            if (state_.document.is_changed()) {
-                autosave_->write(present, state_.document.folder().value_or(fs::path()));
-            } else {
-                autosave_->clear();  // undone to what is saved
-            }
-        }
-        if (const auto error = autosave_->take_error()) complain(*error);
-    }
-    // A message that is there is not replaced: the change is told once it has been read.
-    if (now - looked_ < look_interval || !state_.message.empty()) return;
+    // A message that is there is not replaced: the change is told once it has been read. What is being saved
+    // changes files itself.
+    if (now - looked_ < look_interval || !state_.message.empty() || saving_) return;
     looked_ = now;
     if (const auto file = stamps_.take_changed())
         complain(fmt::format("{} has changed on disk: Ctrl+R reads it again", file->string()));
@@ -221,6 +180,7 @@ void DocumentFiles::browse(FileRequest request, std::function<void(const FileCho
 
 /// Does \p next once no changes can be lost: there are none, they have been saved, or they are not wanted.
 void DocumentFiles::leave_document(const Action& next) {
+    finish_saving();
     if (!state_.document.is_changed()) {
         next();
         return;
@@ -247,18 +207,19 @@ void DocumentFiles::browse_to_add() {
            [this](const FileChoice& choice) { add_keys(choice.files, now_); });
 }
 
-/// Gives \p receiver the family that \p files hold; to meshes that are no keys as they are it offers a fit.
+/// Gives \p receiver the family that \p files hold; meshes that are no keys as they are go to \p fit, with
+/// the reason where it is not their kind.
 void DocumentFiles::read_or_fit(const std::vector<fs::path>& files,
                                 const std::function<void(Family)>& receiver,
-                                const MeshFitting::Receiver& fitted) {
-    if (are_surfaces(files)) return offer_fit(files, fitted);
+                                const std::function<void(const std::string&)>& fit) {
+    if (are_surfaces(files)) return fit("");
     try {
         receiver(open_family(files));
     } catch (const InputError& error) {
-        if (are_several_meshes(files)) return offer_fit(files, fitted);
-        complain(error.what());
+        if (files.size() > 1 && are_obj_files(files)) return fit(error.what());
+        complain(error);
     } catch (const std::runtime_error& error) {
-        complain(error.what());
+        complain(error);
     }
 }
 
@@ -267,10 +228,13 @@ void DocumentFiles::open(std::vector<fs::path> files) {
         read_or_fit(
             files,
             [&](Family family) {
-                remember(files.front());
                 replace_document(std::move(family), files);
+                remember(files.front());
             },
-            [this, files](std::vector<Key> keys) { open_fitted(files, std::move(keys)); });
+            [&](const std::string& reason) {
+                fitting_.offer({files, reason, {}},
+                               [this, files](const Comparisons& fitted) { open_fitted(files, fitted); });
+            });
     });
 }
 
@@ -280,48 +244,73 @@ void DocumentFiles::reopen() {
             Family family = open_family(sources_);
             replace_document(std::move(family), sources_);
         } catch (const std::runtime_error& error) {
-            complain(error.what());
+            complain(error);
         }
     });
 }
 
+/// An .obj is a key as it is, but one over the family's roots only once it has been fitted.
 void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
+    const auto offer = [&](const std::string& reason) { offer_to_add(files, reason); };
     read_or_fit(
-        files, [&](Family family) { interleaf::add_keys(state_, std::move(family.keys), now); },
-        [this](std::vector<Key> keys) { interleaf::add_keys(state_, std::move(keys), now_); });
+        files,
+        [&](Family family) {
+            const auto before = state_.document.snapshot();
+            interleaf::add_keys(state_, std::move(family.keys), now);
+            if (state_.document.snapshot() == before && are_obj_files(files))
+                offer(std::exchange(state_.message, {}).text);
+        },
+        offer);
 }
 
-/// Asks how finely to fit \p meshes, over the roots of a cube, and does it.
-void DocumentFiles::offer_fit(const std::vector<fs::path>& meshes, MeshFitting::Receiver receiver) {
-    const bool is_single = meshes.size() == 1;
-    ask({.text = is_single ? fmt::format("Fit a key to {}?", meshes.front().filename().string())
-                           : fmt::format("Fit keys to these {} meshes?", meshes.size()),
-         .detail =
-             fmt::format("{} mapped to the sphere and sampled over the roots of a cube, with at most so many "
-                         "leaves{}. For closed surfaces without handles.",
-                         is_single ? "It is" : "Their faces differ. Each is", is_single ? "" : " each"),
-         .buttons = {"Fit", "Cancel"},
-         .entry = "20000",
-         .fault =
-             [](const std::string& text) {
-                 return leaves_in(text)
-                            ? std::string()
-                            : fmt::format("a number of leaves, {} to {}", least_leaves, most_leaves);
-             }},
-        [this, meshes, receiver = std::move(receiver)](const Answer& answer) {
-            if (answer.button != 0) return;
-            FitOptions options;
-            options.leaves = leaves_in(answer.entry);
-            fitting_.start(meshes, std::move(options), receiver, now_);
-        });
+/// Keys for the document are fitted over its roots.
+void DocumentFiles::offer_to_add(const std::vector<fs::path>& meshes, const std::string& reason) {
+    try {
+        fitting_.offer({meshes, reason, roots_of(state_.document.family())},
+                       [this](const Comparisons& fitted) {
+                           interleaf::add_keys(state_, keys_of(fitted), now_);
+                           offer_comparison(fitted);
+                       });
+    } catch (const InputError& error) {
+        complain(error);
+    }
 }
 
 /// The fitted keys as a new document, which is nowhere on disk yet.
-void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, std::vector<Key> keys) {
+void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, const Comparisons& fitted) {
+    std::vector<Key> keys = keys_of(fitted);
     const std::string name = keys.size() == 1 ? keys.front().name : "Fitted meshes";
-    for (const fs::path& mesh : meshes) remember(mesh);
     replace_document(family_of_keys(name, std::move(keys)), {});
     state_.document.mark_unsaved();
+    for (const fs::path& mesh : meshes) remember(mesh);
+    offer_comparison(fitted);
+}
+
+/// Says how near to their meshes the keys are that have come into the document, and offers to show it.
+void DocumentFiles::offer_comparison(const Comparisons& fitted) {
+    const auto compared = compared_keys(state_.document.family(), fitted);
+    if (compared.empty()) return;
+    state_.comparisons.insert(state_.comparisons.end(), fitted.begin(), fitted.end());
+    constexpr std::size_t most_lines = 6;
+    std::string detail;
+    for (const ComparedKey& each : compared | std::views::take(most_lines))
+        detail +=
+            fmt::format("{}{}: {}.", detail.empty() ? "" : "\n", state_.document.family().keys[each.key].name,
+                        in_words(each.comparison->quality));
+    if (compared.size() > most_lines) detail += fmt::format("\nAnd {} more.", compared.size() - most_lines);
+    ask({.text =
+             compared.size() == 1
+                 ? "A key has been fitted. Compare it with its mesh?"
+                 : fmt::format("{} keys have been fitted. Compare them with their meshes?", compared.size()),
+         .detail = std::move(detail),
+         .buttons = {"Compare", "Done"},
+         .entry = {},
+         .fault = {}},
+        [this, first = compared.front().comparison](const Answer& answer) {
+            if (answer.button != 0) return;
+            state_.compared = first;
+            state_.is_comparing = true;
+        });
 }
 
 void DocumentFiles::replace_document(Family family, std::vector<fs::path> sources) {
@@ -359,72 +348,66 @@ void DocumentFiles::save_as(Action next) {
            [this, next = std::move(next)](const FileChoice& choice) { write(choice.files.front(), next); });
 }
 
+/// On a thread of its own, so that a family of hundreds of megabytes does not hold up the window; but where
+/// \p next is to follow, which may replace the document, it is waited for.
 void DocumentFiles::write(const fs::path& folder, const Action& next) {
+    finish_saving();
     const auto family = state_.document.snapshot();
+    auto written = std::async(std::launch::async, [family, folder] { write_family(*family, folder); });
+    saving_.emplace(Saving{family, fs::absolute(folder), std::move(written)});
+    if (next && finish_saving()) next();
+}
+
+/// Waits until what is being saved is on the disk. \return whether nothing went wrong
+bool DocumentFiles::finish_saving() {
+    if (!saving_) return true;
+    Saving saved = *std::exchange(saving_, std::nullopt);
     try {
-        write_family(*family, folder);
+        saved.written.get();
     } catch (const std::runtime_error& error) {
-        complain(error.what());
-        return;
+        complain(error);
+        return false;
     }
-    state_.document.mark_saved(family, fs::absolute(folder));
-    forget_unsaved();
-    remember(folder);
-    set_sources({fs::absolute(folder)});
-    next();
+    state_.document.mark_saved(saved.family, saved.folder);
+    if (!state_.document.is_changed()) forget_unsaved();  // else there were edits meanwhile
+    remember(saved.folder);
+    set_sources({saved.folder});
+    return true;
 }
 
 // ---- what the user is not to lose ----
 
 /// Nothing unsaved is worth recovering any more.
 void DocumentFiles::forget_unsaved() {
-    autosaved_ = state_.document.snapshot();
-    if (autosave_) autosave_->clear();
-    if (!recovered_) return;
-    try {
-        discard_recovery(*recovered_);
-    } catch (const MachineError& error) {
-        complain(error.what());
-    }
-    recovered_.reset();
+    if (recovery_) recovery_->forget(state_.document);
 }
 
 void DocumentFiles::offer_recovery() {
-    if (abandoned_.empty()) return;
-    const RecoveryNote& note = abandoned_.front().note;
-    const std::string when =
-        note.time == 0
-            ? ""
-            : fmt::format(", as of {:%Y-%m-%d %H:%M}", fmt::localtime(static_cast<std::time_t>(note.time)));
-    ask({.text = fmt::format("Recover {}?", note.name),
-         .detail = fmt::format("Interleaf ended while it had changes that were not saved{}.", when),
-         .buttons = {"Recover", "Discard", "Later"},
-         .entry = {},
-         .fault = {}},
-        [this](const Answer& answer) {
-            if (answer.button == 0) recover();
-            if (answer.button != 1) return;
-            try {
-                if (const auto claimed = claim_recovery(abandoned_.front())) discard_recovery(*claimed);
-            } catch (const MachineError& error) {
-                complain(error.what());
-            }
-            abandoned_.erase(abandoned_.begin());
-            offer_recovery();
-        });
+    if (!recovery_ || recovery_->offered() == nullptr) return;
+    ask(question_about(recovery_->offered()->note), [this](const Answer& answer) {
+        if (answer.button == 0) recover();
+        if (answer.button != 1) return;
+        try {
+            recovery_->discard_offered();
+        } catch (const MachineError& error) {
+            complain(error);
+        }
+        offer_recovery();
+    });
 }
 
 void DocumentFiles::recover() {
-    auto claimed = claim_recovery(abandoned_.front());
-    abandoned_.clear();
+    auto claimed = recovery_->claim_offered();
     if (!claimed) return complain("the recovery has gone: another window has taken it");
+    const Message message = state_.message;  // of the start, behind the question
     try {
         Family family = read_family(claimed->family());
         std::vector<fs::path> sources;
         if (!claimed->note.document_folder.empty()) sources.push_back(claimed->note.document_folder);
         replace_document(std::move(family), std::move(sources));
         state_.document.mark_unsaved();
-        recovered_ = std::move(claimed);
+        state_.message = message;
+        recovery_->adopt(*std::move(claimed));
     } catch (const std::runtime_error& error) {
         complain(fmt::format("{}; it is kept", error.what()));
     }
@@ -440,12 +423,16 @@ void DocumentFiles::change_settings(const std::function<void(Settings&)>& change
     try {
         interleaf::change_settings(*settings_file_, change);
     } catch (const std::runtime_error& error) {
-        complain(error.what());
+        complain(error);
     }
 }
 
 void DocumentFiles::complain(const std::string& text) {
-    state_.message = text;
+    state_.message = {text, nullptr};
+}
+
+void DocumentFiles::complain(const std::runtime_error& error) {
+    state_.message = message_of(error);
 }
 
 }  // namespace interleaf

@@ -5,17 +5,18 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
-#include "app/autosave_writer.h"
+#include "app/document_recovery.h"
 #include "app/file_stamps.h"
 #include "app/mesh_fitting.h"
-#include "app/recovery.h"
 #include "app/settings.h"
 #include "app/viewer_state.h"
 #include "ui/dialog.h"
@@ -43,16 +44,23 @@ class DocumentFiles {
     const std::vector<std::filesystem::path>& recent_files() const { return settings_.recent_files; }
 
     /// Whether a question or the file browser has the keyboard.
-    bool is_asking() const { return browser_.is_open() || dialog_.is_open() || is_working(); }
+    bool is_asking() const { return browser_.is_open() || dialog_.is_open() || fitting_.is_open(); }
 
-    /// Whether work goes on that shows how far it is.
-    bool is_working() const { return fitting_.is_running(); }
+    /// Whether work goes on, so that there is something new to show soon.
+    bool is_working() const { return fitting_.is_working(); }
+
+    /// The offer to fit meshes, while there is one.
+    const MeshFitting& fitting() const { return fitting_; }
+
+    /// Whether the document is being written, while the window goes on.
+    bool is_saving() const { return saving_.has_value(); }
 
     /// Where the file browser's cursor is, while it is open.
     std::optional<std::filesystem::path> browsed() const { return browser_.cursor_path(); }
 
     /// Draws them in the middle of \p area and acts on the answers; call it in every frame.
-    void show(const Rect& area, double now);
+    /// \param density  framebuffer pixels a screen coordinate
+    void show(const Rect& area, float density, double now);
 
     /// Writes the autosave and looks for changes on disk, when it is time to; call it in every frame.
     void look_after(double now);
@@ -62,7 +70,7 @@ class DocumentFiles {
     void remember_window(glm::ivec2 size);
 
   private:
-    using Action = std::function<void()>;
+    using Action = std::function<void()>;  ///< null for nothing
 
     void offer_recovery();
     void recover();
@@ -71,20 +79,30 @@ class DocumentFiles {
     void save(const Action& next);
     void save_as(Action next);
     void write(const std::filesystem::path& folder, const Action& next);
+    bool finish_saving();
     void browse(FileRequest request, std::function<void(const FileChoice&)> answer);
     void browse_to_open();
     void browse_to_add();
     void read_or_fit(const std::vector<std::filesystem::path>& files,
-                     const std::function<void(Family)>& receiver, const MeshFitting::Receiver& fitted);
+                     const std::function<void(Family)>& receiver,
+                     const std::function<void(const std::string&)>& fit);
     void reopen();
-    void offer_fit(const std::vector<std::filesystem::path>& meshes, MeshFitting::Receiver receiver);
-    void open_fitted(const std::vector<std::filesystem::path>& meshes, std::vector<Key> keys);
+    void offer_to_add(const std::vector<std::filesystem::path>& meshes, const std::string& reason);
+    void open_fitted(const std::vector<std::filesystem::path>& meshes, const Comparisons& fitted);
+    void offer_comparison(const Comparisons& fitted);
     void replace_document(Family family, std::vector<std::filesystem::path> sources);
     void set_sources(std::vector<std::filesystem::path> sources);
     void forget_unsaved();
     void remember(const std::filesystem::path& path);
     void change_settings(const std::function<void(Settings&)>& change);
     void complain(const std::string& text);
+    void complain(const std::runtime_error& error);
+
+    struct Saving {
+        std::shared_ptr<const Family> family;
+        std::filesystem::path folder;
+        std::future<void> written;
+    };
 
     ViewerState& state_;
     std::vector<std::filesystem::path> sources_;
@@ -99,14 +117,10 @@ class DocumentFiles {
     Dialog dialog_;
     std::function<void(const Answer&)> on_answer_;
     MeshFitting fitting_;
+    std::optional<Saving> saving_;
     double now_ = 0;
 
-    std::optional<AutosaveWriter> autosave_;
-    std::shared_ptr<const Family> autosaved_;  ///< the state that the autosave has taken care of
-    std::shared_ptr<const Family> seen_;       ///< the document's state of the last frame,
-    double seen_since_ = 0;                    ///< and since when
-    std::vector<Recovery> abandoned_;
-    std::optional<Recovery> recovered_;  ///< what the document was recovered from, until it is saved
+    std::optional<DocumentRecovery> recovery_;  ///< none if the user's are left alone
 };
 
 }  // namespace interleaf

@@ -64,7 +64,7 @@ void edit(ViewerState& state, std::string step, const FamilyChange& change, doub
         Family family = change(state.document.family());
         change_document(state, now, [&] { state.document.edit(std::move(step), std::move(family)); });
     } catch (const InputError& error) {
-        state.message = error.what();
+        state.message = message_of(error);
     }
 }
 
@@ -121,8 +121,10 @@ void add_keys(ViewerState& state, std::vector<Key> keys, double now) {
                 result.keys.push_back(std::move(key));
             }
             const Synchronisation synchronisation = synchronise(result.keys);
-            if (!synchronisation.mismatches.empty())
-                throw InputError(synchronisation.mismatches.front().text);
+            if (!synchronisation.mismatches.empty()) {
+                const KeyMismatch& mismatch = synchronisation.mismatches.front();
+                throw MismatchError(mismatch.text, result.keys, mismatch);
+            }
             return result;
         },
         now);

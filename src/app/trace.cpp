@@ -82,6 +82,7 @@ Json json_of(const Document& document) {
     json["redo"] = document.redo_step() != nullptr ? Json(*document.redo_step()) : Json();
     json["keys"] = Json::array();
     for (const Key& key : family.keys) json["keys"].push_back(key.name);
+    json["roots"] = family.keys.front().hierarchy->roots.triangle_count();
     json["times"] = Json::array();
     if (family.timeline)
         for (const TimelineKey& key : family.timeline->keys())
@@ -90,6 +91,17 @@ Json json_of(const Document& document) {
     if (family.domain)
         for (const DomainVertex& vertex : family.domain->vertices())
             json["domain"].push_back({vertex.at.x, vertex.at.y, family.keys[vertex.key].name});
+    return json;
+}
+
+Json json_of(const FitDialog& offer) {
+    const FitChoices& choices = offer.choices();
+    Json json{
+        {"row", offer.row()},       {"mesh", offer.selected_mesh()},  {"by_tolerance", choices.by_tolerance},
+        {"leaves", choices.leaves}, {"tolerance", choices.tolerance}, {"roots", choices.roots},
+        {"turns", Json::array()}};
+    for (const FitChoices::Turn& turn : choices.turns)
+        json["turns"].push_back({std::string(1, "xyz"[turn.axis]), turn.degrees});
     return json;
 }
 
@@ -113,7 +125,10 @@ void Trace::record(std::size_t frame, const ViewerState& state, const SurfaceFig
     json["asking"] = places.is_asking;
     json["takes_text"] = places.takes_text;
     json["browsed"] = places.browsed ? Json(places.browsed->string()) : Json();
-    json["message"] = state.message;
+    json["comparing"] = state.is_comparing;
+    json["compared"] = state.compared ? Json(state.compared->mesh_name) : Json();
+    json["offer"] = places.offer != nullptr ? json_of(*places.offer) : Json();
+    json["message"] = state.message.text;
     json["window"] = {places.window.x, places.window.y};
     json["pointer"] = {places.pointer.x, places.pointer.y};
     json["button_down"] = places.button_down;

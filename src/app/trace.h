@@ -12,6 +12,7 @@
 
 #include "app/morph_surface.h"
 #include "app/viewer_state.h"
+#include "ui/fit_dialog.h"
 #include "ui/rect.h"
 
 namespace interleaf {
@@ -29,6 +30,7 @@ struct TracePlaces {
     bool takes_text;                               ///< what is typed goes into a field
     std::optional<Rect> popup;                     ///< the menu or question in front of all others
     std::optional<std::filesystem::path> browsed;  ///< the file browser's cursor, or its folder
+    const FitDialog* offer;                        ///< to fit meshes; null for none
 };
 
 class Trace {

@@ -15,11 +15,14 @@
 #include <glm/common.hpp>
 #include <malloc.h>
 
+#include "app/camera_control.h"
 #include "app/commands.h"
+#include "app/comparison_view.h"
 #include "app/document_files.h"
 #include "app/document_panels.h"
 #include "app/edit_commands.h"
 #include "app/key_portraits.h"
+#include "app/mismatch_pictures.h"
 #include "app/morph_surface.h"
 #include "app/scene_picture.h"
 #include "app/shown_field.h"
@@ -91,7 +94,9 @@ struct Input {
 
 class Viewer {
   public:
-    Viewer(Family family, std::vector<std::filesystem::path> sources, const ViewerOptions& options);
+    /// \param meshes  to fit, as soon as nothing else is asked
+    Viewer(Family family, std::vector<std::filesystem::path> sources,
+           std::vector<std::filesystem::path> meshes, const ViewerOptions& options);
     void run();
 
   private:
@@ -101,16 +106,16 @@ class Viewer {
     void take_drop(double now);
     void follow_document();
     void show_panels(double now);
+    void show_comparison(const Rect& area);
+    void show_document(float menu_height, double now);
     void show_keys_and_display(double now);
     void move_camera(const ViewInput& input);
-    glm::vec2 device_coordinates(glm::vec2 point) const;
-    void zoom(const ViewInput& input);
     const FamilyField* shown() const { return shown_field(state_.session.display, fields_); }
     void draw_surface();
     void draw_portraits();
+    void draw_mismatch();
     void show_value();
     void save_picture();
-    float aspect() const { return layout_.view.width / std::max(layout_.view.height, 1.0F); }
     const Family& family() const { return state_.document.family(); }
 
     Window window_;
@@ -124,7 +129,11 @@ class Viewer {
     Gui gui_;
     MorphSurface surface_;
     KeyPortraits portraits_;
+    MismatchPictures mismatch_pictures_;
     ScenePicture picture_;
+    ComparisonView comparison_;
+    bool shows_comparison_ = false;              ///< in this frame, instead of the document
+    std::vector<std::filesystem::path> meshes_;  ///< that are still to be opened
     std::optional<std::filesystem::path> picture_file_;
     Camera camera_;
     std::optional<Trace> trace_;
@@ -144,7 +153,7 @@ GLFWwindow* watch_input(GLFWwindow* window, Input& input) {
     glfwSetKeyCallback(window, [](GLFWwindow* source, int key, int, int action, int modifiers) {
         if (action == GLFW_RELEASE) return;
         auto& seen = *static_cast<Input*>(glfwGetWindowUserPointer(source));
-        seen.keys.push_back(key);
+        if (action == GLFW_PRESS) seen.keys.push_back(key);
         const Shortcut shortcut{key, modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT)};
         const Command* const command = find_command(shortcut);
         if (command == nullptr || (action == GLFW_REPEAT && !command->repeats)) return;
@@ -157,11 +166,13 @@ GLFWwindow* watch_input(GLFWwindow* window, Input& input) {
     return window;
 }
 
-Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources, const ViewerOptions& options)
+Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
+               std::vector<std::filesystem::path> meshes, const ViewerOptions& options)
     : window_("Interleaf", options.size.value_or(first_size).x, options.size.value_or(first_size).y),
       state_(std::move(family), family_folder(sources)),
       files_(state_, std::move(sources), options.picture.has_value()),
       gui_(watch_input(window_.handle(), input_)),
+      meshes_(std::move(meshes)),
       picture_file_(options.picture) {
     if (options.trace) trace_.emplace(*options.trace);
     if (const auto last = files_.window_size(); last && !options.size)
@@ -191,7 +202,7 @@ void Viewer::wait() {
         --settling_;
         glfwPollEvents();
     } else {
-        const double longest = files_.is_working() ? work_interval : longest_wait;
+        const double longest = files_.is_working() || files_.is_saving() ? work_interval : longest_wait;
         const double before = glfwGetTime();
         glfwWaitEventsTimeout(longest);
         if (glfwGetTime() - before < longest) settling_ = settling_frames;  // something has come
@@ -218,7 +229,9 @@ void Viewer::frame() {
                .is_asking = false,
                .takes_text = false,
                .popup = std::nullopt,
-               .browsed = std::nullopt};
+               .browsed = std::nullopt,
+               .offer = nullptr};
+    draw_mismatch();
     show_panels(now);
     files_.grant(std::exchange(state_.file_wish, FileWish::none));
     files_.look_after(now);
@@ -228,24 +241,35 @@ void Viewer::frame() {
     places_.takes_text = gui_.takes_text();
     places_.popup = gui_.popup();
     places_.browsed = files_.browsed();
+    places_.offer = files_.fitting().offered();
     follow_document();
     fit_display(state_.session.display, fields_);
     const FamilyField* const field = shown();
     surface_.update(state_.session.family(), state_.session.weights(), field ? &field->label : nullptr);
-    draw_surface();
-    draw_portraits();
-    show_value();
+    if (state_.is_comparing != shows_comparison_) settling_ = settling_frames;
+    if (shows_comparison_) {
+        if (!comparison_.draw(state_.session.display, gui_, places_.window.y))
+            settling_ = std::max(settling_, 1);
+        comparison_.show_value();
+    } else {
+        draw_surface();
+        draw_portraits();
+        show_value();
+    }
     gui_.end_frame();
-    if (picture_file_ && settling_ == 0) save_picture();
+    if (picture_file_ && settling_ == 0 && !files_.is_working()) save_picture();
     glfwSwapBuffers(window_.handle());
 
     frame_milliseconds_ = 1000 * (glfwGetTime() - now);
     if (state_.session.is_playing() || gui_.has_input()) settling_ = settling_frames;
     ++frame_;
-    if (trace_) trace_->record(frame_, state_, surface_.figures(), camera_.eye(), places_);
+    if (trace_)
+        trace_->record(frame_, state_, surface_.figures(),
+                       shows_comparison_ ? comparison_.eye() : camera_.eye(), places_);
 }
 
 void Viewer::read_input(double now) {
+    if (!meshes_.empty() && !files_.is_asking()) files_.open(std::exchange(meshes_, {}));
     take_drop(now);
     if (gui_.takes_text() || files_.is_asking()) input_.pressed.clear();
     for (const Shortcut shortcut : std::exchange(input_.pressed, {}))
@@ -255,9 +279,10 @@ void Viewer::read_input(double now) {
     state_.reload_wanted = false;
     try {
         surface_.renderer().reload_shaders();
+        comparison_.reload_shaders();
         picture_.forget();
     } catch (const std::runtime_error& error) {
-        state_.message = error.what();
+        state_.message = message_of(error);
     }
 }
 
@@ -294,7 +319,29 @@ void Viewer::follow_document() {
 void Viewer::show_panels(double now) {
     const std::vector<MenuEntry> entries = entries_of(state_);
     const MenuBarResult menu = menu_bar(entries, recent_menu(files_), title_);
-    layout_ = lay_out(places_.window, menu.height, gui_.scale(), state_.session.has_timeline());
+    const Rect below_menu{0, menu.height, places_.window.x, places_.window.y - menu.height};
+    shows_comparison_ = state_.is_comparing && !compared_keys(family(), state_.comparisons).empty();
+    if (shows_comparison_ && state_.session.is_playing()) state_.session.toggle_playing(now);
+    if (shows_comparison_)
+        show_comparison(below_menu);
+    else
+        show_document(menu.height, now);
+    help_overlay(entries, below_menu, state_.help_shown);
+    if (message_panel(state_.message.text, mismatch_pictures_.shown(), places_.view)) state_.message.clear();
+    if (menu.chosen) run_command(commands()[*menu.chosen], state_, now);
+    if (menu.chosen_item) files_.open({files_.recent_files()[*menu.chosen_item]});
+    files_.show(below_menu, gui_.density(), now);
+}
+
+void Viewer::show_comparison(const Rect& area) {
+    comparison_.show(state_, area, camera_, !is_asking_ && !gui_.takes_text());
+    places_.view = area;
+    pointed_at_view_ = false;
+    keys_in_sight_ = {};
+}
+
+void Viewer::show_document(float menu_height, double now) {
+    layout_ = lay_out(places_.window, menu_height, gui_.scale(), state_.session.has_timeline());
     places_.view = layout_.view;
     const ViewInput view_input = view_area(layout_.view);
     pointed_at_view_ = view_input.pointed_at;
@@ -325,12 +372,6 @@ void Viewer::show_panels(double now) {
                                  .vertices = figures.vertices,
                                  .rebuild_milliseconds = figures.rebuild_milliseconds,
                                  .frame_milliseconds = frame_milliseconds_});
-    const Rect below_menu{0, menu.height, places_.window.x, places_.window.y - menu.height};
-    help_overlay(entries, below_menu, state_.help_shown);
-    message_panel(state_.message, layout_.view);
-    if (menu.chosen) run_command(commands()[*menu.chosen], state_, now);
-    if (menu.chosen_item) files_.open({files_.recent_files()[*menu.chosen_item]});
-    files_.show(below_menu, now);
 }
 
 void Viewer::show_keys_and_display(double now) {
@@ -347,34 +388,9 @@ void Viewer::show_keys_and_display(double now) {
 }
 
 void Viewer::move_camera(const ViewInput& input) {
-    camera_.orbit(input.orbit);
-    camera_.pan(input.pan);
-    if (input.zoom != 1) zoom(input);
+    interleaf::move_camera(camera_, input, layout_.view, picture_.target());
     if (input.frame || std::exchange(state_.frame_wanted, false))
-        camera_.frame(portraits_.extent(), aspect());
-}
-
-/// A point of the window in the view's normalised device coordinates, -1 to 1, y up.
-glm::vec2 Viewer::device_coordinates(glm::vec2 point) const {
-    const Rect& view = layout_.view;
-    return {2 * (point.x - view.x) / view.width - 1, 1 - 2 * (point.y - view.y) / view.height};
-}
-
-void Viewer::zoom(const ViewInput& input) {
-    const glm::vec2 pointer = device_coordinates(input.pointer);
-    const glm::vec2 part{(pointer.x + 1) / 2, (1 - pointer.y) / 2};
-    const auto pixel = [](float place, int count) {
-        return std::clamp(static_cast<int>(place * static_cast<float>(count)), 0, count - 1);
-    };
-    OffscreenTarget* const target = picture_.target();
-    const float depth =
-        target != nullptr ? target->depth_at(pixel(part.x, target->width()), pixel(part.y, target->height()))
-                          : 1;
-    if (depth < 1) {
-        camera_.approach(input.zoom, camera_.point_at(pointer, depth, aspect()));
-    } else {
-        camera_.zoom(input.zoom, pointer, aspect());
-    }
+        camera_.frame(portraits_.extent(), aspect_of(layout_.view));
 }
 
 void Viewer::draw_surface() {
@@ -400,12 +416,19 @@ void Viewer::draw_portraits() {
         settling_ = std::max(settling_, 2);
 }
 
+/// What the message is about; before the panels, which show it.
+void Viewer::draw_mismatch() {
+    const glm::vec2 size = message_picture_size() * gui_.density();
+    mismatch_pictures_.update(state_.message.mismatch, glm::max(glm::ivec2(glm::round(size)), 1));
+}
+
 /// The value of the field under the pointer, unless the surface moves.
 void Viewer::show_value() {
     const FamilyField* const field = shown();
     if (field == nullptr || !pointed_at_view_ || state_.session.is_playing()) return;
-    const glm::vec2 pointer = device_coordinates(places_.pointer);
-    const Ray ray{camera_.point_at(pointer, 0, aspect()), camera_.point_at(pointer, 1, aspect())};
+    const glm::vec2 pointer = device_coordinates(layout_.view, places_.pointer);
+    const float aspect = aspect_of(layout_.view);
+    const Ray ray{camera_.point_at(pointer, 0, aspect), camera_.point_at(pointer, 1, aspect)};
     const std::optional<glm::vec3> value = surface_.field_at(ray, state_.session.weights());
     if (!value) return;
     const bool is_scalar = field->label.kind == FieldKind::scalar;
@@ -427,14 +450,15 @@ void Viewer::save_picture() {
 
 }  // namespace
 
-void run_viewer(Family family, std::vector<std::filesystem::path> sources, const ViewerOptions& options) {
+void run_viewer(Family family, std::vector<std::filesystem::path> sources,
+                std::vector<std::filesystem::path> meshes, const ViewerOptions& options) {
     if (options.at && !family.domain) throw UsageError("--at: the family has no parameter domain");
     require_field(options.display, fields_of(family.keys));
     if (options.time && !family.timeline) throw UsageError("--time: the family has no timeline");
     // A software renderer takes and gives back its frame's memory every time otherwise, which costs it most
     // of its speed.
     mallopt(M_TRIM_THRESHOLD, 256 << 20);
-    Viewer(std::move(family), std::move(sources), options).run();
+    Viewer(std::move(family), std::move(sources), std::move(meshes), options).run();
 }
 
 }  // namespace interleaf

@@ -22,11 +22,12 @@ struct ViewerOptions {
     std::optional<std::filesystem::path> trace;  ///< gets a JSON line at every change of state
 };
 
-/// Opens a window on \p family, read from \p sources (none for the built-in family), and returns when it is
-/// closed.
+/// Opens a window on \p family, read from \p sources (none for the built-in family), offers to fit \p meshes
+/// as if they had been dropped on it, if there are any, and returns when it is closed.
 /// \throw UsageError   when the family lacks the domain or the timeline that the options need
 /// \throw DisplayError when no window can be opened
 /// \throw MachineError when the picture or the trace cannot be written
-void run_viewer(Family family, std::vector<std::filesystem::path> sources, const ViewerOptions& options);
+void run_viewer(Family family, std::vector<std::filesystem::path> sources,
+                std::vector<std::filesystem::path> meshes, const ViewerOptions& options);
 
 }  // namespace interleaf

@@ -6,10 +6,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "app/document.h"
+#include "app/fit_comparison.h"
+#include "app/message.h"
 #include "app/session.h"
 
 namespace interleaf {
@@ -38,13 +41,18 @@ struct ViewerState {
     bool edits_domain = false;  ///< dragging in the domain moves its vertices
     bool is_dragging = false;   ///< the present step of the document is a drag that goes on
 
+    Comparisons comparisons;      ///< of keys that were fitted to meshes since the document was opened
+    bool is_comparing = false;    ///< one of them is shown instead of the document
+    bool compares_colors = true;  ///< with distances as colours
+    std::shared_ptr<const FitComparison> compared;  ///< which of them; the first where this is none of them
+
     FileWish file_wish = FileWish::none;
     std::optional<TextQuestion> question;
     bool help_shown = false;
     bool frame_wanted = true;  ///< the camera shall see the whole of the model
     bool reload_wanted = false;
     bool quit_wanted = false;
-    std::string message{};  ///< an error to read; empty for none
+    Message message{};  ///< empty for none
 };
 
 }  // namespace interleaf

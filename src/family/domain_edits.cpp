@@ -251,7 +251,7 @@ ParameterDomain with_vertex_moved(const ParameterDomain& domain, Index vertex, g
         vertices[vertex].at = from + part * (to - from);
         if (turns_over(domain, vertices)) return std::nullopt;
         try {
-            return ParameterDomain(std::move(vertices), triangles_of(domain));
+            return domain.with_vertex_at(vertex, vertices[vertex].at);
         } catch (const InputError&) {
             return std::nullopt;
         }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
@@ -39,13 +40,15 @@ double least_height(const Corners& corners) {
     return std::abs(double_area(corners[0], corners[1], corners[2])) / longest;
 }
 
-/// Whether \p point is farther than \p slack from the box of \p corners: most points are, and that is found
-/// fast.
-bool is_beside(const Corners& corners, const glm::dvec2& point, double slack) {
+/// Sides parallel to the axes.
+struct Rectangle {
+    glm::dvec2 low;
+    glm::dvec2 high;
+};
+
+Rectangle rectangle_about(const Corners& corners) {
     const auto& [a, b, c] = corners;
-    const glm::dvec2 low = glm::min(a, glm::min(b, c)) - slack;
-    const glm::dvec2 high = glm::max(a, glm::max(b, c)) + slack;
-    return point.x < low.x || point.y < low.y || point.x > high.x || point.y > high.y;
+    return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
 
 /// Whether an edge of \p a has all of \p points outside or at most \p slack inside. Corners
@@ -139,34 +142,140 @@ void check_vertices(std::span<const DomainVertex> vertices, std::span<const Tria
     }
 }
 
+bool meet(const Rectangle& a, const Rectangle& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
+/// The numbers from 0 to \p count - 1 by ascending \p place_of.
+template <typename PlaceOf>
+std::vector<Index> sorted_by(std::size_t count, const PlaceOf& place_of) {
+    std::vector<Index> order(count);
+    std::iota(order.begin(), order.end(), Index{0});
+    std::ranges::sort(order, {}, place_of);
+    return order;
+}
+
+/// Two numbers of what does not fit, the smallest there are; none if all fits.
+using Misfit = std::optional<std::array<Index, 2>>;
+
+void keep_least(Misfit& misfit, std::array<Index, 2> other) {
+    misfit = misfit ? std::min(*misfit, other) : other;
+}
+
+/// What is to be checked of a domain's triangles. Only what is near each other is compared: along x in order,
+/// as far as rectangles about triangles meet. Triangles whose rectangles are apart do not overlap, and a
+/// point outside a rectangle is at least as far from the triangle in it. In a domain of n triangles of about
+/// one size that are as wide as high this takes about n^1.5 steps, quick ones.
+class TriangleChecks {
+  public:
+    TriangleChecks(std::span<const DomainVertex> vertices, std::span<const Triangle> triangles)
+        : vertices_(vertices), triangles_(triangles), slack_(touching * diagonal(vertices)) {
+        corners_.reserve(triangles.size());
+        rectangles_.reserve(triangles.size());
+        for (const Triangle& triangle : triangles) {
+            corners_.push_back(oriented(corners_of(vertices, triangle)));
+            rectangles_.push_back(rectangle_about(corners_.back()));
+        }
+    }
+
+    /// The first triangle without area.
+    std::optional<std::size_t> flat() const {
+        const double least = thinnest * diagonal(vertices_);
+        // Negated, so that what overflows is flat, too.
+        const auto found = std::ranges::find_if(
+            corners_, [least](const Corners& corners) { return !(least_height(corners) > least); });
+        if (found == corners_.end()) return std::nullopt;
+        return static_cast<std::size_t>(found - corners_.begin());
+    }
+
+    /// Two triangles that overlap, the later one first.
+    Misfit overlap() const {
+        Misfit misfit;
+        const auto begin_of = [this](Index t) { return rectangles_[t].low.x; };
+        const std::vector<Index> order = sorted_by(triangles_.size(), begin_of);
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const Index t = order[i];
+            for (std::size_t j = i + 1; j < order.size() && begin_of(order[j]) <= rectangles_[t].high.x; ++j)
+                keep_overlap(misfit, t, order[j]);
+        }
+        return misfit;
+    }
+
+    /// The same of those in which a triangle with the corner \p vertex takes part.
+    Misfit overlap_at(Index vertex) const {
+        Misfit misfit;
+        for (Index t = 0; t < triangles_.size(); ++t) {
+            if (!has_corner(t, vertex)) continue;
+            for (Index other = 0; other < triangles_.size(); ++other)
+                if (other < t || !has_corner(other, vertex)) keep_overlap(misfit, t, other);
+        }
+        return misfit;
+    }
+
+    /// A triangle, and a vertex on it that is no corner of it.
+    Misfit vertex_on_triangle() const {
+        Misfit misfit;
+        const auto x_of = [this](Index v) { return vertices_[v].at.x; };
+        const std::vector<Index> order = sorted_by(vertices_.size(), x_of);
+        for (Index t = 0; t < triangles_.size() && !misfit; ++t) {
+            const double begin = rectangles_[t].low.x - slack_;
+            const double end = rectangles_[t].high.x + slack_;
+            for (auto v = std::ranges::lower_bound(order, begin, {}, x_of);
+                 v != order.end() && x_of(*v) <= end; ++v)
+                if (lies_on(*v, t)) keep_least(misfit, {t, *v});
+        }
+        return misfit;
+    }
+
+    /// The same where the vertex is \p vertex, or a corner of the triangle is.
+    Misfit vertex_on_triangle_at(Index vertex) const {
+        Misfit misfit;
+        for (Index t = 0; t < triangles_.size(); ++t) {
+            if (!has_corner(t, vertex)) {
+                if (lies_on(vertex, t)) keep_least(misfit, {t, vertex});
+                continue;
+            }
+            for (Index v = 0; v < vertices_.size(); ++v)
+                if (lies_on(v, t)) keep_least(misfit, {t, v});
+        }
+        return misfit;
+    }
+
+  private:
+    bool has_corner(Index triangle, Index vertex) const {
+        return std::ranges::find(triangles_[triangle], vertex) != triangles_[triangle].end();
+    }
+
+    void keep_overlap(Misfit& misfit, Index a, Index b) const {
+        const std::array<Index, 2> pair{std::max(a, b), std::min(a, b)};
+        if (!meet(rectangles_[a], rectangles_[b]) || (misfit && *misfit < pair)) return;
+        if (!edge_separates(corners_[a], corners_[b], slack_) &&
+            !edge_separates(corners_[b], corners_[a], slack_))
+            misfit = pair;
+    }
+
+    bool lies_on(Index vertex, Index triangle) const {
+        const glm::dvec2 at = vertices_[vertex].at;
+        const Rectangle about{at - slack_, at + slack_};
+        return meet(about, rectangles_[triangle]) && !has_corner(triangle, vertex) &&
+               nearest_in_triangle(corners_[triangle], at).distance <= slack_;
+    }
+
+    std::span<const DomainVertex> vertices_;
+    std::span<const Triangle> triangles_;
+    double slack_;
+    std::vector<Corners> corners_;
+    std::vector<Rectangle> rectangles_;
+};
+
 /// Triangles may share vertices and edges, and nothing else: weights would jump across a vertex in an edge.
-void check_triangles(std::span<const DomainVertex> vertices, std::span<const Triangle> triangles) {
-    const double size = diagonal(vertices);
-    std::vector<Corners> corners;
-    corners.reserve(triangles.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        corners.push_back(oriented(corners_of(vertices, triangles[t])));
-        // Negated, so that what overflows is refused, too.
-        if (!(least_height(corners[t]) > thinnest * size)) {
-            throw InputError(fmt::format("domain triangle {} has no area", t));
-        }
-        for (std::size_t other = 0; other < t; ++other) {
-            if (!edge_separates(corners[t], corners[other], touching * size) &&
-                !edge_separates(corners[other], corners[t], touching * size)) {
-                throw InputError(fmt::format("domain triangles {} and {} overlap", other, t));
-            }
-        }
-    }
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        for (std::size_t v = 0; v < vertices.size(); ++v) {
-            if (std::find(triangles[t].begin(), triangles[t].end(), v) != triangles[t].end()) continue;
-            if (is_beside(corners[t], vertices[v].at, touching * size)) continue;
-            if (nearest_in_triangle(corners[t], vertices[v].at).distance <= touching * size) {
-                throw InputError(
-                    fmt::format("domain vertex {} lies on triangle {} and is not a corner of it", v, t));
-            }
-        }
-    }
+void require_fit(const std::optional<std::size_t>& flat, const Misfit& overlap, const Misfit& on_triangle) {
+    if (flat) throw InputError(fmt::format("domain triangle {} has no area", *flat));
+    if (overlap)
+        throw InputError(fmt::format("domain triangles {} and {} overlap", (*overlap)[1], (*overlap)[0]));
+    if (on_triangle)
+        throw InputError(fmt::format("domain vertex {} lies on triangle {} and is not a corner of it",
+                                     (*on_triangle)[1], (*on_triangle)[0]));
 }
 
 }  // namespace
@@ -175,7 +284,23 @@ ParameterDomain::ParameterDomain(std::vector<DomainVertex> vertices, std::vector
     : vertices_(std::move(vertices)), triangles_(std::move(triangles)) {
     if (triangles_.empty()) throw InputError("the parameter domain has no triangle; it needs at least one");
     check_vertices(vertices_, triangles_);
-    check_triangles(vertices_, triangles_);
+    const TriangleChecks checks(vertices_, triangles_);
+    require_fit(checks.flat(), checks.overlap(), checks.vertex_on_triangle());
+}
+
+// What is checked of triangles and vertices depends on their positions and on the diagonal of them all, which
+// the tolerances are fractions of. With the same diagonal all that the vertex has no part in is as it was,
+// and so passes again. That a move keeps the diagonal is the rule: only those of the outermost vertices
+// change it.
+ParameterDomain ParameterDomain::with_vertex_at(Index vertex, glm::dvec2 at) const {
+    ParameterDomain moved = *this;
+    moved.vertices_[vertex].at = at;
+    if (diagonal(moved.vertices_) != diagonal(vertices_))
+        return {std::move(moved.vertices_), std::move(moved.triangles_)};
+    check_vertices(moved.vertices_, moved.triangles_);
+    const TriangleChecks checks(moved.vertices_, moved.triangles_);
+    require_fit(checks.flat(), checks.overlap_at(vertex), checks.vertex_on_triangle_at(vertex));
+    return moved;
 }
 
 DomainPoint ParameterDomain::locate(glm::dvec2 point, Index current) const {

@@ -38,6 +38,10 @@ class ParameterDomain {
     ///                   triangles overlap, and what triangles share is a vertex or a whole edge
     ParameterDomain(std::vector<DomainVertex> vertices, std::vector<Triangle> triangles);
 
+    /// The domain with \p vertex at \p at: what constructing it gives, only quicker in most cases.
+    /// \throw InputError as the constructor
+    ParameterDomain with_vertex_at(Index vertex, glm::dvec2 at) const;
+
     std::span<const DomainVertex> vertices() const { return vertices_; }
     std::span<const Triangle> triangles() const { return triangles_; }
 

@@ -110,6 +110,12 @@ class Synchroniser {
 
 }  // namespace
 
+MismatchError::MismatchError(const std::string& text, std::span<const Key> family,
+                             const KeyMismatch& mismatch)
+    : InputError(text),
+      keys(std::make_shared<const MismatchedKeys>(
+          MismatchedKeys{family[mismatch.key], family.front(), mismatch.mismatch})) {}
+
 Synchronisation synchronise(std::span<Key> keys, std::span<const std::vector<Index>> given) {
     return Synchroniser(keys, given).run();
 }

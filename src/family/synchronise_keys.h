@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "family/family.h"
+#include "hierarchy/error.h"
 #include "hierarchy/root_match.h"
 
 namespace interleaf {
@@ -22,6 +24,21 @@ struct KeyMismatch {
 struct Synchronisation {
     std::vector<std::string> changes;  ///< one sentence for each key that was changed
     std::vector<KeyMismatch> mismatches;
+};
+
+/// A key that could not be put over the roots of another, for showing where.
+struct MismatchedKeys {
+    Key key;
+    Key reference;  ///< the first of its family
+    RootMismatch mismatch;
+};
+
+/// Keys do not match: what() says it in words, `keys` has the first of them.
+struct MismatchError : InputError {
+    /// \pre  \p family are the keys among which \p mismatch was found
+    MismatchError(const std::string& text, std::span<const Key> family, const KeyMismatch& mismatch);
+
+    std::shared_ptr<const MismatchedKeys> keys;  ///< not null
 };
 
 /// Puts every key over the roots of the first, whose numbering stays. Keys that have these roots already stay

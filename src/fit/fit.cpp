@@ -219,6 +219,7 @@ FittedKey fit(SurfaceMesh mesh, const FitOptions& options, const Progress& progr
         key = fit_clean(clean.mesh, Keeps::areas, options, part_of(progress, second_map_begins, 1));
     }
     key.report.clean_up = clean.report;
+    key.mesh = std::move(clean.mesh);
     key.report.times.insert(key.report.times.begin(), times.begin(), times.end());
     return key;
 }

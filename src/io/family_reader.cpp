@@ -117,7 +117,7 @@ void synchronise_all(std::span<Key> keys, std::span<const std::vector<Index>> gi
     faults.reserve(synchronisation.mismatches.size());
     for (const KeyMismatch& mismatch : synchronisation.mismatches)
         faults.push_back(fmt::format("{}: {}", place_of(mismatch.key), mismatch.text));
-    if (!faults.empty()) throw InputError(joined(faults, "; "));
+    if (!faults.empty()) throw MismatchError(joined(faults, "; "), keys, synchronisation.mismatches.front());
     if (changes != nullptr)
         changes->insert(changes->end(), synchronisation.changes.begin(), synchronisation.changes.end());
 }

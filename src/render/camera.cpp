@@ -60,6 +60,11 @@ void Camera::pan(glm::vec2 delta) {
     target_ += axes() * (height * glm::vec3(-delta.x, delta.y, 0));
 }
 
+void Camera::center(glm::vec3 point) {
+    const glm::vec3 offset = glm::transpose(axes()) * (point - target_);
+    target_ += axes() * glm::vec3(offset.x, offset.y, 0);
+}
+
 void Camera::zoom(float factor, glm::vec2 pointer, float aspect) {
     const glm::vec3 offset(pointer.x * aspect, pointer.y, 0);
     approach(factor, target_ + axes() * (half_height() * distance_ * offset));

@@ -31,6 +31,9 @@ class Camera {
     /// Shifts the target so that it stays under the pointer; \p delta as in orbit().
     void pan(glm::vec2 delta);
 
+    /// Shifts the target so that \p point is in the middle of the picture.
+    void center(glm::vec3 point);
+
     /// Comes nearer by \p factor (above 1 nearer) with the point under the pointer, at the target's depth,
     /// staying there. \p pointer in normalised device coordinates, -1 to 1, y up.
     void zoom(float factor, glm::vec2 pointer, float aspect);

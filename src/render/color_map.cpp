@@ -9,11 +9,6 @@
 namespace interleaf {
 namespace {
 
-constexpr glm::vec3 from_hex(unsigned rgb) {
-    return {static_cast<float>(rgb >> 16 & 0xff) / 255.0F, static_cast<float>(rgb >> 8 & 0xff) / 255.0F,
-            static_cast<float>(rgb & 0xff) / 255.0F};
-}
-
 // Every fifth of matplotlib's 256 colours (_cm_listed.py; public domain, CC0). Between them the colours are
 // linear, at most 1/255 off.
 constexpr std::array<glm::vec3, 52> viridis = {

@@ -15,6 +15,12 @@
 
 namespace interleaf {
 
+/// The colour 0xrrggbb, sRGB-encoded, components 0 to 1.
+constexpr glm::vec3 from_hex(unsigned rgb) {
+    return {static_cast<float>(rgb >> 16 & 0xff) / 255.0F, static_cast<float>(rgb >> 8 & 0xff) / 255.0F,
+            static_cast<float>(rgb & 0xff) / 255.0F};
+}
+
 enum class ColorMap { viridis, magma, coolwarm };
 
 /// All maps, in the order in which they are offered.

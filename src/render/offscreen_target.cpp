@@ -105,4 +105,22 @@ float OffscreenTarget::depth_at(int x, int y) {
     return depth;
 }
 
+std::vector<float> OffscreenTarget::read_depths() {
+    resolve(GL_DEPTH_BUFFER_BIT);
+    const auto width = static_cast<std::size_t>(width_);
+    const auto height = static_cast<std::size_t>(height_);
+    std::vector<float> bottom_first(width * height);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, readable());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, bottom_first.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    std::vector<float> depths;
+    depths.reserve(bottom_first.size());
+    for (std::size_t row = height; row-- > 0;) {
+        const auto begin = bottom_first.begin() + static_cast<std::ptrdiff_t>(row * width);
+        depths.insert(depths.end(), begin, begin + width_);
+    }
+    return depths;
+}
+
 }  // namespace interleaf

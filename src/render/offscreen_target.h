@@ -35,6 +35,9 @@ class OffscreenTarget {
     /// Depth at the pixel \p x, \p y (from the top), 0 at the near plane; 1 where nothing was drawn.
     float depth_at(int x, int y);
 
+    /// The same of all pixels, top row first.
+    std::vector<float> read_depths();
+
   private:
     void resolve(unsigned mask);
     unsigned readable() const { return samples_ > 1 ? resolved_framebuffer_.name() : framebuffer_.name(); }

@@ -9,11 +9,6 @@
 namespace interleaf {
 namespace {
 
-constexpr glm::vec3 from_hex(unsigned rgb) {
-    return {static_cast<float>(rgb >> 16 & 0xff) / 255.0F, static_cast<float>(rgb >> 8 & 0xff) / 255.0F,
-            static_cast<float>(rgb & 0xff) / 255.0F};
-}
-
 /// Orange, blue, green, purple, yellow, sky blue, vermilion: neighbours far apart.
 constexpr std::array<glm::vec3, 7> okabe_ito = {from_hex(0xe69f00), from_hex(0x0072b2), from_hex(0x009e73),
                                                 from_hex(0xcc79a7), from_hex(0xf0e442), from_hex(0x56b4e9),

@@ -1,10 +1,12 @@
 #include "ui/display_panel.h"
 
+#include <array>
 #include <cmath>
 
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include "ui/choice.h"
 #include "ui/field_panel.h"
 #include "ui/style.h"
 
@@ -12,23 +14,17 @@ namespace interleaf {
 
 namespace {
 
-/// Buttons side by side of which one is chosen.
+/// Buttons side by side, as wide as the panel, of which one is chosen.
 template <typename Choice, std::size_t count>
 void choice(const char* name, Choice& value, const std::pair<const char*, Choice> (&options)[count]) {
-    ImGui::PushID(name);
-    const float gap = scaled(2);
-    const float width =
-        (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
-    bool first = true;
-    for (const auto& [label, option] : options) {
-        if (!first) ImGui::SameLine(0, gap);
-        first = false;
-        const bool chosen = value == option;
-        if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-        if (ImGui::Button(label, {width, 0})) value = option;
-        if (chosen) ImGui::PopStyleColor();
+    std::array<const char*, count> labels{};
+    std::size_t chosen = count;
+    for (std::size_t i = 0; i < count; ++i) {
+        labels[i] = options[i].first;
+        if (options[i].second == value) chosen = i;
     }
-    ImGui::PopID();
+    const std::size_t now = interleaf::choice(name, labels, chosen, ImGui::GetContentRegionAvail().x);
+    if (now < count) value = options[now].second;
 }
 
 void level_legend(LevelRange levels) {

@@ -64,19 +64,31 @@ void Gui::end_frame() {
 }
 
 /// Dear ImGui sees the keys that are down when a frame begins: one that was pressed and released since the
-/// last, as on a slow frame, would be lost.
+/// last, as on a slow frame, would be lost. And it sees a key pressed anew only after a frame with it up.
 void Gui::hold_taps(std::span<const int> pressed) {
     ImGuiIO& io = ImGui::GetIO();
-    for (const int key : pressed) {
-        if (key < 0 || key > GLFW_KEY_LAST || io.KeysDown[key]) continue;
-        io.KeysDown[key] = true;
-        taps_.push_back(key);
+    waiting_taps_.insert(waiting_taps_.end(), pressed.begin(), pressed.end());
+    std::erase_if(waiting_taps_, [](int key) { return key < 0 || key > GLFW_KEY_LAST; });
+    bool is_early = false;
+    for (const int key : waiting_taps_) {
+        if (io.KeysDownDuration[key] < 0) continue;
+        io.KeysDown[key] = false;
+        is_early = true;
     }
+    if (is_early) return follow_modifiers();
+    auto end = waiting_taps_.begin();
+    for (; end != waiting_taps_.end(); ++end) {
+        if (std::find(waiting_taps_.begin(), end, *end) != end) break;  // twice in one frame
+        if (io.KeysDown[*end]) continue;
+        io.KeysDown[*end] = true;
+        taps_.push_back(*end);
+    }
+    waiting_taps_.erase(waiting_taps_.begin(), end);
     if (!taps_.empty()) follow_modifiers();
 }
 
 void Gui::release_taps() {
-    for (const int key : taps_) ImGui::GetIO().KeysDown[key] = false;
+    for (const int key : taps_) ImGui::GetIO().KeysDown[key] = glfwGetKey(window_, key) == GLFW_PRESS;
     if (!taps_.empty()) follow_modifiers();
     taps_.clear();
 }
@@ -87,7 +99,7 @@ bool Gui::has_input() const {
         return std::ranges::find(flags, true) != std::end(flags);
     };
     return io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || changed(io.MouseClicked) ||
-           changed(io.MouseReleased);
+           changed(io.MouseReleased) || !waiting_taps_.empty();
 }
 
 glm::vec2 Gui::pointer() const {

@@ -30,7 +30,8 @@ class Gui {
     /// Draws the frame over what the window shows.
     void end_frame();
 
-    /// Whether this frame has seen the mouse do something, so that a next frame may look different.
+    /// Whether this frame has seen the mouse do something, or has keys left for the next, so that this one
+    /// may look different.
     bool has_input() const;
 
     /// Where this frame has the pointer, in screen coordinates of the window.
@@ -58,7 +59,8 @@ class Gui {
     GLFWwindow* window_;
     float scale_ = 0;  ///< of the user interface, in screen coordinates
     float density_ = 0;
-    std::vector<int> taps_;  ///< keys that are held down for this frame
+    std::vector<int> taps_;          ///< keys that are held down for this frame
+    std::vector<int> waiting_taps_;  ///< those for the next ones, in order
 };
 
 }  // namespace interleaf

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* payload_type = "key";
 constexpr const char* menu_name = "key menu";
 
-float row_height() {
+float key_row_height() {
     return key_picture_side() + scaled(6);
 }
 
@@ -32,11 +32,8 @@ void draw_picture(ImDrawList& list, const KeyRow& row, glm::vec2 corner) {
     const ImVec2 end{corner.x + side, corner.y + side};
     list.AddRectFilled(to_imgui(corner), end, colors::well, scaled(4));
     if (row.picture == 0) return;
-    // Dear ImGui names a texture by a pointer's worth of bits.
-    ImTextureID texture = nullptr;
-    const std::uintptr_t name = row.picture;
-    std::memcpy(static_cast<void*>(&texture), &name, sizeof texture);
-    list.AddImageRounded(texture, to_imgui(corner), end, {0, 0}, {1, 1}, colors::white, scaled(4));
+    list.AddImageRounded(texture_id(row.picture), to_imgui(corner), end, {0, 0}, {1, 1}, colors::white,
+                         scaled(4));
 }
 
 void draw_row(const KeyRow& row, std::size_t key, glm::vec2 corner, float width, bool is_active,
@@ -46,7 +43,7 @@ void draw_row(const KeyRow& row, std::size_t key, glm::vec2 corner, float width,
     draw_picture(list, row, corner + inset);
     const float left = corner.x + inset + key_picture_side() + scaled(10);
     const float line = ImGui::GetTextLineHeight();
-    const float top = corner.y + std::round(row_height() / 2 - line) - scaled(1);
+    const float top = corner.y + std::round(key_row_height() / 2 - line) - scaled(1);
     const float dot = scaled(4);
     list.AddCircleFilled({left + dot, top + line / 2 + 1}, dot,
                          to_color(key_color(key), is_active ? 1.0F : 0.45F));
@@ -86,7 +83,7 @@ void show_rows(const KeysPanel& panel, KeysPanelResult& result) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     const float width = ImGui::GetContentRegionAvail().x;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(panel.keys.size()), row_height());
+    clipper.Begin(static_cast<int>(panel.keys.size()), key_row_height());
     bool is_first = true;
     while (clipper.Step()) {
         const auto begin = static_cast<std::size_t>(clipper.DisplayStart);
@@ -99,7 +96,7 @@ void show_rows(const KeysPanel& panel, KeysPanelResult& result) {
             ImGui::PushID(static_cast<int>(key));
             const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
             if (ImGui::Selectable("##row", panel.selected == key, ImGuiSelectableFlags_AllowDoubleClick,
-                                  {width, row_height()})) {
+                                  {width, key_row_height()})) {
                 result.chosen = key;
                 if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) result.renamed = key;
             }
@@ -133,8 +130,8 @@ std::optional<std::size_t> dropped_key() {
 KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
     KeysPanelResult result;
     heading("Keys", fmt::format("{}", panel.keys.size()));
-    const float wanted = row_height() * static_cast<float>(panel.keys.size());
-    const float shown = std::min(wanted, std::max(height, row_height()));
+    const float wanted = key_row_height() * static_cast<float>(panel.keys.size());
+    const float shown = std::min(wanted, std::max(height, key_row_height()));
     const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
     // In a narrow window the panel scrolls, and the list may be out of sight.
     const float bottom = std::min(corner.y + shown, ImGui::GetWindowDrawList()->GetClipRectMax().y);

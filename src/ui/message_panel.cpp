@@ -2,14 +2,47 @@
 
 #include <algorithm>
 
+#include <glm/common.hpp>
 #include <imgui.h>
 
 #include "ui/style.h"
 
 namespace interleaf {
 
-void message_panel(std::string& message, const Rect& area) {
-    if (message.empty()) return;
+namespace {
+
+constexpr std::size_t most_pictures = 2;
+
+/// Two pictures and their captions in a panel \p width wide, at most \p height high; none if that is too
+/// little.
+void show_pictures(std::span<const MessagePicture> pictures, float width, float height) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float caption = ImGui::GetTextLineHeightWithSpacing();
+    glm::vec2 size = message_picture_size();
+    size *= std::min({1.0F, (width - gap) / (most_pictures * size.x), (height - caption) / size.y});
+    size = glm::floor(size);
+    if (size.y < scaled(60)) return;
+    const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    glm::vec2 left = corner;
+    for (const MessagePicture& picture : pictures) {
+        list.AddImageRounded(texture_id(picture.texture), to_imgui(left), to_imgui(left + size), {0, 0},
+                             {1, 1}, colors::white, scaled(4));
+        draw_text({left.x, left.y + size.y + ImGui::GetStyle().ItemSpacing.y / 2}, size.x, colors::dim_text,
+                  picture.caption);
+        left.x += size.x + gap;
+    }
+    ImGui::Dummy({width, size.y + caption});
+}
+
+}  // namespace
+
+glm::vec2 message_picture_size() {
+    return {scaled(304), scaled(228)};
+}
+
+bool message_panel(const std::string& message, std::span<const MessagePicture> pictures, const Rect& area) {
+    if (message.empty()) return false;
     const float margin = scaled(12);
     const float width = std::min(scaled(640), area.width - 2 * margin);
     ImGui::SetNextWindowPos({area.x + area.width / 2, area.y + margin}, ImGuiCond_Always, {0.5F, 0});
@@ -24,12 +57,20 @@ void message_panel(std::string& message, const Rect& area) {
     ImGui::TextUnformatted(message.data(), message.data() + message.size());
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
+    if (!pictures.empty()) {
+        const float used =
+            ImGui::GetCursorPosY() + ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().WindowPadding.y;
+        show_pictures(pictures.first(std::min(pictures.size(), most_pictures)),
+                      ImGui::GetContentRegionAvail().x, area.height - 2 * margin - used);
+        ImGui::Spacing();
+    }
     if (ImGui::Button("Copy")) ImGui::SetClipboardText(message.c_str());
     ImGui::SameLine();
-    if (ImGui::Button("Dismiss")) message.clear();
+    const bool dismissed = ImGui::Button("Dismiss");
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
+    return dismissed;
 }
 
 }  // namespace interleaf

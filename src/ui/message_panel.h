@@ -1,13 +1,26 @@
 // An error, over the view until it is dismissed.
 #pragma once
 
+#include <span>
 #include <string>
+
+#include <glm/vec2.hpp>
 
 #include "ui/rect.h"
 
 namespace interleaf {
 
-/// Shows \p message, if any, at the top of \p area; clears it when it is dismissed. It can be copied.
-void message_panel(std::string& message, const Rect& area);
+/// A picture that shows what a message is about.
+struct MessagePicture {
+    unsigned texture;  ///< of OpenGL, of the size of message_picture_size() or another of that form
+    std::string caption;
+};
+
+/// Shows \p message, if any, at the top of \p area, and at most two \p pictures side by side, as large as
+/// there is room. It can be copied. \return whether it was dismissed
+bool message_panel(const std::string& message, std::span<const MessagePicture> pictures, const Rect& area);
+
+/// The largest size of a picture, in screen coordinates.
+glm::vec2 message_picture_size();
 
 }  // namespace interleaf

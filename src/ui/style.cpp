@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include <imgui_internal.h>
 
@@ -101,6 +103,14 @@ ImFont* small_font() {
     return ImGui::GetIO().Fonts->Fonts[1];
 }
 
+ImTextureID texture_id(unsigned name) {
+    // By a pointer's worth of bits.
+    ImTextureID texture = nullptr;
+    const std::uintptr_t bits = name;
+    std::memcpy(static_cast<void*>(&texture), &bits, sizeof texture);
+    return texture;
+}
+
 ImU32 to_color(glm::vec3 color, float alpha) {
     return ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, alpha});
 }
@@ -144,7 +154,8 @@ void heading(std::string_view title, std::string_view remark) {
 
 void draw_text(glm::vec2 position, float max_width, ImU32 color, std::string_view text) {
     const float right = position.x + max_width;
-    const ImVec2 end{right, position.y + ImGui::GetTextLineHeight()};
+    // Descenders reach below the line.
+    const ImVec2 end{right, position.y + ImGui::GetTextLineHeight() + scaled(3)};
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), to_imgui(position), end, right, right, text.data(),
                               text.data() + text.size(), nullptr);

@@ -33,6 +33,9 @@ float scaled(float length);
 /// The typeface for headings, legends and marks.
 ImFont* small_font();
 
+/// How Dear ImGui names the OpenGL texture \p name.
+ImTextureID texture_id(unsigned name);
+
 ImU32 to_color(glm::vec3 color, float alpha = 1);
 ImVec2 to_imgui(glm::vec2 point);
 glm::vec2 from_imgui(ImVec2 point);

@@ -59,7 +59,10 @@ int TextField::edit(ImGuiInputTextCallbackData* data) {
 
 TextFieldResult TextField::show(const char* name, const char* hint, float width, bool focused,
                                 const Completion& completion) {
-    if (focused && !had_focus_) ImGui::SetKeyboardFocusHere();
+    // Not while a button of the mouse is down: it would be taken from what was pressed, whose click would be
+    // lost.
+    const bool takes_focus = focused && !had_focus_ && !ImGui::IsAnyMouseDown();
+    if (takes_focus) ImGui::SetKeyboardFocusHere();
     // What was typed in the frame that set the text has led to it.
     if (!std::exchange(is_set_now_, false) && focused && !was_active_) take_early_letters();
     Edit edit{.field = *this, .completion = completion};
@@ -74,12 +77,13 @@ TextFieldResult TextField::show(const char* name, const char* hint, float width,
     result.tabbed = edit.tabbed;
     const bool is_active = ImGui::IsItemActive();
     was_active_ = is_active;
-    result.clicked = !focused && is_active && ImGui::IsItemActivated();
+    result.clicked =
+        !focused && is_active && ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (focused || is_active) draw_focus();
     if (!focused && is_active && !result.clicked) ImGui::ClearActiveID();
     // Where a click beside it has taken the keyboard from it, it takes it back.
     const bool has_lost_it = had_focus_ && ImGui::IsItemDeactivated();
-    had_focus_ = (focused || result.clicked) && !has_lost_it;
+    had_focus_ = (takes_focus || (focused && had_focus_) || result.clicked) && !has_lost_it;
     return result;
 }
 

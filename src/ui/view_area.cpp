@@ -8,12 +8,12 @@
 
 namespace interleaf {
 
-ViewInput view_area(const Rect& rect) {
+ViewInput view_area(const Rect& rect, const char* name) {
     ViewInput input;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
     ImGui::SetNextWindowBgAlpha(0);
-    begin_panel("view", rect);
+    begin_panel(name, rect);
     if (rect.width >= 1 && rect.height >= 1) {
         ImGui::InvisibleButton("surface", {rect.width, rect.height},
                                ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |

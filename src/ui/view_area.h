@@ -17,6 +17,7 @@ struct ViewInput {
 };
 
 /// Left drag orbits; right, middle and Shift + left drag pan; the wheel zooms; a double click frames.
-ViewInput view_area(const Rect& rect);
+/// \param name  unique in the frame
+ViewInput view_area(const Rect& rect, const char* name = "view");
 
 }  // namespace interleaf

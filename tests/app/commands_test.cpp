@@ -157,7 +157,7 @@ TEST_CASE("no command fails without timeline and domain") {
 TEST_CASE("Escape closes a message before it closes the help") {
     ViewerState state = sample_state();
     press(state, {GLFW_KEY_F1});
-    state.message = "something is wrong";
+    state.message = {"something is wrong", nullptr};
     press(state, {GLFW_KEY_ESCAPE});
     CHECK(state.message.empty());
     CHECK(state.help_shown);
@@ -175,4 +175,45 @@ TEST_CASE("quitting, framing and reloading are wishes") {
     CHECK(state.reload_wanted);
     press(state, {GLFW_KEY_Q, GLFW_MOD_CONTROL});
     CHECK(state.file_wish == FileWish::quit);
+}
+
+TEST_CASE(
+    "only a document with keys that were fitted here can be compared with meshes, and not edited meanwhile") {
+    ViewerState state = sample_state();
+    const Command& compare_command = command_named("Compare with mesh");
+    CHECK_FALSE(is_enabled(compare_command, state));
+    run_command(compare_command, state, 0);
+    CHECK_FALSE(state.is_comparing);
+
+    for (const std::size_t key : {1U, 3U}) {
+        FitComparison comparison;
+        comparison.mesh_name = state.document.family().keys[key].name;
+        comparison.key = state.document.family().keys[key].hierarchy;
+        state.comparisons.push_back(std::make_shared<const FitComparison>(std::move(comparison)));
+    }
+    state.selected_key = 3;
+    CHECK(is_enabled(command_named("Keep blend"), state));
+    run_command(compare_command, state, 0);
+    CHECK(state.is_comparing);
+    CHECK(state.compared == state.comparisons[1]);
+    for (const char* name : {"Keep blend", "Undo", "Rename family", "Remove key", "Play", "Step forward"})
+        CHECK_FALSE(is_enabled(command_named(name), state));
+    for (const char* name : {"Open", "Save", "Quit", "Wireframe", "Frame model", "Keys and mouse"})
+        CHECK(is_enabled(command_named(name), state));
+
+    const Coloring before = state.session.display.coloring;
+    run_command(command_named("Next colouring"), state, 0);
+    CHECK_FALSE(state.compares_colors);
+    CHECK(state.session.display.coloring == before);
+
+    state.message.text = "something";
+    state.help_shown = true;
+    run_command(command_named("Dismiss"), state, 0);
+    CHECK(state.message.empty());
+    CHECK(state.help_shown);
+    run_command(command_named("Dismiss"), state, 0);
+    CHECK_FALSE(state.help_shown);
+    CHECK(state.is_comparing);
+    run_command(command_named("Dismiss"), state, 0);
+    CHECK_FALSE(state.is_comparing);
 }

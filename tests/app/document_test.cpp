@@ -17,12 +17,6 @@ using interleaf::testing::Random;
 
 namespace {
 
-Family named(const std::string& name) {
-    Family family = sample_family();
-    family.name = name;
-    return family;
-}
-
 /// The step's name; "" for none.
 std::string text(const std::string* step) {
     return step != nullptr ? *step : "";

@@ -191,7 +191,7 @@ TEST_CASE("what cannot be done becomes the message and is no step") {
     for (int i = 0; i < 9; ++i) many = with_key_added(many, many.keys[0]);
     ViewerState full(many);
     make_domain(full, 0);
-    CHECK(full.message.find("three to nine") != std::string::npos);
+    CHECK(full.message.text.find("three to nine") != std::string::npos);
     CHECK(full.document.undo_step() == nullptr);
     ViewerState single({"single", {sample_family().keys[0]}, {}, {}});
     single.selected_key = 0;

@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <memory>
+#include <tuple>
 
 #include <doctest/doctest.h>
 #include <fmt/core.h>
@@ -10,6 +11,7 @@
 #include <unistd.h>
 
 #include "app/autosave_writer.h"
+#include "app/document_recovery.h"
 #include "app/running_process.h"
 #include "io/family_file.h"
 #include "io/samples.h"
@@ -277,6 +279,88 @@ TEST_CASE("an error is reported once, and again only after a success") {
     put(state / "recovery", "in the way");
     CHECK(write());
     CHECK_FALSE(write());
+}
+
+TEST_CASE(
+    "what was recovered is autosaved where it was, so that it is kept once, and goes once it is saved") {
+    for (const bool is_saved : {false, true}) {
+        CAPTURE(is_saved);
+        const ScratchFolder state;
+        put_abandoned(state.path(), nobody, "lost", 1);
+        {
+            Document document(*family_called("begun"));
+            DocumentRecovery recovery(state.path(), document);
+            REQUIRE(recovery.offered() != nullptr);
+            CHECK(recovery.offered()->note.name == "lost");
+            auto claimed = recovery.claim_offered();
+            REQUIRE(claimed);
+            CHECK(recovery.offered() == nullptr);
+            recovery.forget(document);
+            document = Document(read_family(claimed->family()));
+            document.mark_unsaved();
+            recovery.adopt(*std::move(claimed));
+            CHECK(folders_in(state / "recovery") == 1);
+
+            document.edit("Rename", *family_called("found"));
+            recovery.look_after(document, false, 10);
+            recovery.look_after(document, false, 20);
+            if (is_saved) {
+                document.mark_saved(document.snapshot(), "/documents/found");
+                recovery.forget(document);
+            }
+        }  // ends as the program does
+        CHECK(folders_in(state / "recovery") == (is_saved ? 0 : 1));
+        if (is_saved) continue;
+        const Recovery left{.folder = fs::directory_iterator(state / "recovery")->path(), .note = {}};
+        CHECK(read_family(left.family()).name == "found");
+        CHECK(parse_recovery_note(content(left.note_file()), "NOTE").name == "found");
+    }
+}
+
+TEST_CASE("a document is autosaved once it rests, not while it is dragged, and no more once it is undone") {
+    const ScratchFolder state;
+    Document document(*family_called("begun"));
+    for (const auto& [is_dragging, rests, expected] :
+         {std::tuple(false, 0.5, 0U), std::tuple(true, 5.0, 0U), std::tuple(false, 5.0, 1U)}) {
+        CAPTURE(is_dragging);
+        CAPTURE(rests);
+        fs::remove_all(state / "recovery");
+        {
+            DocumentRecovery recovery(state.path(), document);
+            document.edit("Rename", *family_called("changed"));
+            recovery.look_after(document, is_dragging, 1);
+            recovery.look_after(document, is_dragging, 1 + rests);
+            document.undo();
+        }
+        CHECK(folders_in(state / "recovery") == expected);
+    }
+    fs::remove_all(state / "recovery");
+    {
+        DocumentRecovery recovery(state.path(), document);
+        document.edit("Rename", *family_called("changed"));
+        recovery.look_after(document, false, 1);
+        recovery.look_after(document, false, 5);
+        document.undo();
+        recovery.look_after(document, false, 6);
+        recovery.look_after(document, false, 10);
+    }
+    CHECK(folders_in(state / "recovery") == 0);
+}
+
+TEST_CASE("recoveries are offered one after the other as they are discarded") {
+    const ScratchFolder state;
+    put_abandoned(state.path(), "4194305-1", "older", 1);
+    put_abandoned(state.path(), "4194305-2", "newer", 2);
+    DocumentRecovery recovery(state.path(), Document(*family_called("begun")));
+    REQUIRE(recovery.offered());
+    CHECK(question_about(recovery.offered()->note).text == "Recover newer?");
+    recovery.discard_offered();
+    REQUIRE(recovery.offered());
+    CHECK(recovery.offered()->note.name == "older");
+    CHECK(folders_in(state / "recovery") == 1);
+    recovery.discard_offered();
+    CHECK(recovery.offered() == nullptr);
+    CHECK(folders_in(state / "recovery") == 0);
 }
 
 TEST_CASE("another user cannot look into a recovery") {

@@ -15,4 +15,10 @@ Family sample_family() {
     return family;
 }
 
+Family named(const std::string& name) {
+    Family family = sample_family();
+    family.name = name;
+    return family;
+}
+
 }  // namespace interleaf

@@ -106,6 +106,8 @@ TEST_CASE("a faulty command line exits with 2 and one message that names the wor
 TEST_CASE("a file that is missing or not what it should be exits with 1 and one message that names it") {
     const TemporaryFolder folder;
     set_content(folder / "text.ilh", "not a hierarchy");
+    CHECK(run_interleaf({"view", folder / "missing.off"}).status == 1);
+    CHECK(run_interleaf({folder / "missing.ply", folder / "missing.obj"}).status == 1);
     for (const std::string name : {"missing.ilh", "missing.json", "text.ilh"}) {
         const std::string file = folder / name;
         const std::vector<std::vector<std::string>> lines = {{file},
@@ -129,7 +131,10 @@ TEST_CASE("a file that is missing or not what it should be exits with 1 and one 
 }
 
 TEST_CASE("without a display the viewer exits with 3 and says how to draw without one") {
-    const std::vector<std::vector<std::string>> lines = {{}, {"view"}, {INTERLEAF_FIVE_KEYS}};
+    const TemporaryFolder folder;
+    set_content(folder / "mesh.off", "OFF\n0 0 0\n");
+    const std::vector<std::vector<std::string>> lines = {
+        {}, {"view"}, {INTERLEAF_FIVE_KEYS}, {folder / "mesh.off"}};
     for (const std::vector<std::string>& line : lines) {
         const Outcome outcome = run_interleaf(line);
         CAPTURE(outcome.errors);

@@ -59,7 +59,7 @@ std::string torus_off() {
 
 TEST_CASE("a mesh becomes a key over the cube's roots, near to it, with a report") {
     const TemporaryFolder folder;
-    const std::string mesh = shape_obj(folder, "cushion", 3000);
+    const std::string mesh = shape_obj(folder, "cushion", 800);
     const Outcome outcome =
         run_interleaf({"fit", mesh, "-o", folder / "key.ilh", "--leaves", "4000", "--report", "json"});
     REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
@@ -82,7 +82,7 @@ TEST_CASE("a mesh becomes a key over the cube's roots, near to it, with a report
 
 TEST_CASE("the same mesh gives the same file; standard output gets it alone") {
     const TemporaryFolder folder;
-    const std::string mesh = shape_obj(folder, "star", 2000);
+    const std::string mesh = shape_obj(folder, "star", 500);
     REQUIRE(run_interleaf({"fit", mesh, "-o", folder / "key.ilh", "--leaves", "1000"}).status == 0);
     const Outcome outcome = run_interleaf({"fit", mesh, "-o", "-", "--leaves", "1000"});
     CHECK(outcome.status == 0);
@@ -91,7 +91,7 @@ TEST_CASE("the same mesh gives the same file; standard output gets it alone") {
 
 TEST_CASE("a tolerance is met, and roots of one's own are taken") {
     const TemporaryFolder folder;
-    const std::string mesh = shape_obj(folder, "cushion", 3000);
+    const std::string mesh = shape_obj(folder, "cushion", 800);
     for (const std::string& roots :
          std::vector<std::string>{"icosahedron", "octahedron", folder / "roots.obj"}) {
         CAPTURE(roots);
@@ -110,10 +110,10 @@ TEST_CASE("a tolerance is met, and roots of one's own are taken") {
 
 TEST_CASE("several meshes become a family over the same roots, three of them with a domain") {
     const TemporaryFolder folder;
-    const std::string star = shape_obj(folder, "star", 2000);
-    const std::string cushion = shape_obj(folder, "cushion", 2000);
-    const std::string sphere = shape_obj(folder, "sphere", 1000);
-    Outcome outcome = run_interleaf({"fit", star, cushion, sphere, "-o", folder / "three", "--leaves", "1500",
+    const std::string star = shape_obj(folder, "star", 500);
+    const std::string cushion = shape_obj(folder, "cushion", 500);
+    const std::string sphere = shape_obj(folder, "sphere", 300);
+    Outcome outcome = run_interleaf({"fit", star, cushion, sphere, "-o", folder / "three", "--leaves", "500",
                                      "--rotate", "x,0", "--rotate", "y,90", "--rotate", "z,-20.5"});
     REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
     const Family three = read_family(folder / "three");

@@ -146,6 +146,22 @@ TEST_CASE("check names the file at fault and goes on with the others") {
     CHECK(outcome.output == INTERLEAF_FIVE_KEYS "/star.ilh: sound, 1 key\n");
 }
 
+TEST_CASE("check names a file that cannot be opened, goes on, and exits with 3, whatever else is at fault") {
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("loop.ilh", folder.path() / "loop.ilh");
+    set_content(folder / "damaged.ilh", "not a hierarchy");
+    const std::string star = INTERLEAF_FIVE_KEYS "/star.ilh";
+    const Outcome outcome =
+        run_interleaf({"check", folder / "loop.ilh", star, folder / "damaged.ilh", folder / "loop.ilh"});
+    CHECK(outcome.status == 3);
+    CHECK(outcome.output == star + ": sound, 1 key\n");
+    CHECK(std::ranges::count(outcome.errors, '\n') == 3);
+    const std::string loop = "interleaf: " + (folder / "loop.ilh") + ": cannot open: ";
+    CHECK(outcome.errors.starts_with(loop));
+    CHECK(outcome.errors.rfind(loop) > outcome.errors.find(folder / "damaged.ilh"));
+    CHECK(run_interleaf({"check", star, folder / "loop.ilh"}).status == 3);
+}
+
 TEST_CASE("check names every damaged key of a family") {
     const TemporaryFolder folder;
     std::filesystem::copy(INTERLEAF_FIVE_KEYS, folder.path(), std::filesystem::copy_options::recursive);

@@ -61,8 +61,4 @@ bool is_one_message(const std::string& text) {
     return text.starts_with("interleaf: ") && text.ends_with('\n') && std::ranges::count(text, '\n') == 1;
 }
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 }  // namespace interleaf

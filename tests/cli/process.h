@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "messages.h"
+
 namespace interleaf {
 
 struct Surroundings {
@@ -25,7 +27,5 @@ Outcome run_interleaf(const std::vector<std::string>& arguments, const Surroundi
 
 /// Whether \p text has exactly one line, and it begins with "interleaf: ".
 bool is_one_message(const std::string& text);
-
-bool contains(const std::string& text, const std::string& part);
 
 }  // namespace interleaf

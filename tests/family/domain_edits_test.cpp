@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "numbers.h"
+#include "trials.h"
 #include <doctest/doctest.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -22,8 +23,6 @@ using namespace interleaf;
 using interleaf::testing::Random;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Polygon = std::vector<glm::dvec2>;
 
@@ -178,7 +177,7 @@ ParameterDomain triangle() {
     return {{{{0, 0}, 0}, {{1, 0}, 1}, {{0.25, 1}, 2}}, {{0, 1, 2}}};
 }
 
-ParameterDomain square() {
+ParameterDomain unit_square() {
     return {{{{0, 0}, 0}, {{1, 0}, 1}, {{1, 1}, 2}, {{0, 1}, 3}, {{0.5, 0.5}, 4}},
             {{0, 1, 4}, {2, 1, 4}, {2, 3, 4}, {3, 0, 4}}};
 }
@@ -220,7 +219,7 @@ ParameterDomain strip() {
 }
 
 std::vector<ParameterDomain> samples() {
-    return {triangle(), square(), ring(), angle(), butterfly(), strip()};
+    return {triangle(), unit_square(), ring(), angle(), butterfly(), strip()};
 }
 
 ParameterDomain transformed(const ParameterDomain& domain, double scale, glm::dvec2 offset) {
@@ -234,6 +233,48 @@ struct Place {
     double scale;
     glm::dvec2 offset;
 };
+
+/// A grid of \p side x \p side vertices about a unit apart, not straight, its squares halved either way.
+ParameterDomain bent_grid(unsigned side, Random& random) {
+    std::vector<DomainVertex> vertices;
+    std::vector<Triangle> triangles;
+    for (unsigned y = 0; y < side; ++y)
+        for (unsigned x = 0; x < side; ++x) {
+            vertices.push_back({glm::dvec2(x, y) + 0.3 * random_point(random), 0});
+            if (x + 1 == side || y + 1 == side) continue;
+            const Index a = y * side + x;
+            triangles.push_back({a, a + 1, a + side + 1});
+            triangles.push_back({a, a + side + 1, a + side});
+            if (random.below(2) == 0) {
+                triangles.end()[-2] = {a, a + 1, a + side};
+                triangles.end()[-1] = {a + 1, a + side + 1, a + side};
+            }
+        }
+    return {std::move(vertices), std::move(triangles)};
+}
+
+/// What ParameterDomain promises of triangles, by comparing all with all, in areas.
+bool has_no_overlap(const std::vector<DomainVertex>& vertices, const std::vector<Triangle>& triangles) {
+    const double flat = 1e-9;
+    std::vector<Polygon> polygons;
+    for (const Triangle& triangle : triangles) {
+        Polygon polygon;
+        for (const Index corner : triangle) polygon.push_back(vertices[corner].at);
+        if (area(polygon) < 0) std::swap(polygon[1], polygon[2]);
+        if (area(polygon) < flat) return false;
+        for (const Polygon& other : polygons)
+            if (common_area(polygon, other) > flat) return false;
+        for (Index v = 0; v < vertices.size(); ++v) {
+            if (has_corner(triangle, v)) continue;
+            const glm::dvec2 at = vertices[v].at;
+            if (area({polygon[0], polygon[1], at}) > -flat && area({polygon[1], polygon[2], at}) > -flat &&
+                area({polygon[2], polygon[0], at}) > -flat)
+                return false;
+        }
+        polygons.push_back(std::move(polygon));
+    }
+    return true;
+}
 
 /// One random edit of \p domain, with what it promises about the covered area.
 ParameterDomain randomly_edited(const ParameterDomain& domain, const Place& place, Random& random) {
@@ -306,7 +347,7 @@ TEST_CASE(
     for (const Place& place :
          {Place{1, {0, 0}}, Place{1e-60, {0, 0}}, Place{1e60, {-3, 5}}, Place{1, {400, -700}}}) {
         CAPTURE(place.scale);
-        for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+        for (std::uint64_t seed = 1; seed <= trials(25); ++seed) {
             CAPTURE(seed);
             Random random(seed);
             for (const ParameterDomain& sample : samples()) {
@@ -328,10 +369,59 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "a domain with one vertex elsewhere is refused as one made of the same, in the same words, or equal to "
+    "it") {
+    const unsigned side = 7;
+    std::size_t accepted = 0;
+    std::size_t refused = 0;
+    for (std::uint64_t seed = 1; seed <= trials(60); ++seed) {
+        CAPTURE(seed);
+        Random random(seed);
+        ParameterDomain domain = bent_grid(side, random);
+        for (int step = 0; step < 40; ++step) {
+            CAPTURE(step);
+            const auto vertex = static_cast<Index>(random.below(domain.vertices().size()));
+            // Mostly near, so that many moves are valid; some onto another vertex or an edge.
+            const glm::dvec2 from = domain.vertices()[vertex].at;
+            const glm::dvec2 other = domain.vertices()[random.below(domain.vertices().size())].at;
+            const double reach = random.below(3) == 0 ? 8 : 1;
+            glm::dvec2 to = from + reach * (2.0 * random_point(random) - 1.0);
+            if (random.below(8) == 0) to = other;
+            if (random.below(8) == 0) to = (from + other) / 2.0;
+
+            std::vector<DomainVertex> vertices(domain.vertices().begin(), domain.vertices().end());
+            vertices[vertex].at = to;
+            const std::vector<Triangle> triangles(domain.triangles().begin(), domain.triangles().end());
+            std::optional<ParameterDomain> whole;
+            std::string fault;
+            try {
+                whole.emplace(vertices, triangles);
+            } catch (const InputError& error) {
+                fault = error.what();
+            }
+            CHECK(whole.has_value() == has_no_overlap(vertices, triangles));
+            try {
+                const ParameterDomain moved = domain.with_vertex_at(vertex, to);
+                REQUIRE(whole);
+                REQUIRE(moved == *whole);
+                domain = moved;
+                ++accepted;
+            } catch (const InputError& error) {
+                REQUIRE(error.what() == fault);
+                ++refused;
+            }
+        }
+    }
+    MESSAGE(accepted, " moves accepted, ", refused, " refused");
+    CHECK(accepted > trials(300));
+    CHECK(refused > trials(300));
+}
+
 TEST_CASE("a vertex moved where nothing turns over is there, to the last bit") {
-    const ParameterDomain after = with_vertex_moved(square(), 4, {0.3, 0.8});
+    const ParameterDomain after = with_vertex_moved(unit_square(), 4, {0.3, 0.8});
     CHECK(after.vertices()[4] == DomainVertex{{0.3, 0.8}, 4});
-    CHECK(std::ranges::equal(after.triangles(), square().triangles()));
+    CHECK(std::ranges::equal(after.triangles(), unit_square().triangles()));
 }
 
 TEST_CASE(
@@ -365,11 +455,11 @@ TEST_CASE("a vertex moved towards another triangle stops before it overlaps") {
 TEST_CASE("a vertex that cannot move at all stays") {
     for (const glm::dvec2 to :
          {glm::dvec2(std::nan(""), 0), glm::dvec2(0, infinity), glm::dvec2(-infinity, 0)})
-        CHECK(with_vertex_moved(square(), 4, to) == square());
+        CHECK(with_vertex_moved(unit_square(), 4, to) == unit_square());
 }
 
 TEST_CASE("a vertex inside a triangle splits it in three and leaves the others") {
-    const ParameterDomain after = with_vertex_added(square(), {0.5, 0.2}, 7, 0.01);
+    const ParameterDomain after = with_vertex_added(unit_square(), {0.5, 0.2}, 7, 0.01);
     CHECK(after.triangles().size() == 6);
     CHECK(after.vertices().back() == DomainVertex{{0.5, 0.2}, 7});
     CHECK(covered_area(after) == doctest::Approx(1).epsilon(1e-14));
@@ -380,7 +470,7 @@ TEST_CASE("a vertex inside a triangle splits it in three and leaves the others")
 }
 
 TEST_CASE("a vertex near an edge lies on it and splits both of its triangles") {
-    const ParameterDomain after = with_vertex_added(square(), {0.25, 0.26}, 7, 0.01);
+    const ParameterDomain after = with_vertex_added(unit_square(), {0.25, 0.26}, 7, 0.01);
     CHECK(after.triangles().size() == 6);
     CHECK(glm::distance(after.vertices().back().at, {0.255, 0.255}) < 1e-15);
     CHECK(covered_area(after) == doctest::Approx(1).epsilon(1e-14));
@@ -388,7 +478,7 @@ TEST_CASE("a vertex near an edge lies on it and splits both of its triangles") {
 
 TEST_CASE("a vertex near the boundary, on either side, lies on it and splits one triangle") {
     for (const double y : {-0.005, 0.0, 0.005}) {
-        const ParameterDomain after = with_vertex_added(square(), {0.4, y}, 7, 0.01);
+        const ParameterDomain after = with_vertex_added(unit_square(), {0.4, y}, 7, 0.01);
         CHECK(after.triangles().size() == 5);
         CHECK(glm::distance(after.vertices().back().at, {0.4, 0}) < 1e-15);
         CHECK(covered_area(after) == doctest::Approx(1).epsilon(1e-14));
@@ -396,7 +486,7 @@ TEST_CASE("a vertex near the boundary, on either side, lies on it and splits one
 }
 
 TEST_CASE("a vertex outside gets one triangle, over the nearest boundary edge it sees; a hole is outside") {
-    const ParameterDomain below = with_vertex_added(square(), {0.4, -0.5}, 7, 0.01);
+    const ParameterDomain below = with_vertex_added(unit_square(), {0.4, -0.5}, 7, 0.01);
     CHECK(below.triangles().size() == 5);
     CHECK(covered_area(below) == doctest::Approx(1.25));
     CHECK(has_corner(below.triangles().back(), 0));
@@ -413,12 +503,12 @@ TEST_CASE("a vertex is refused on another one, where it is not finite, and where
     const auto refused = [](const ParameterDomain& domain, glm::dvec2 at, double snap) {
         CHECK_THROWS_AS(with_vertex_added(domain, at, 0, snap), InputError);
     };
-    refused(square(), {0.505, 0.5}, 0.01);
-    refused(square(), {1.005, 1}, 0.01);
-    refused(square(), {std::nan(""), 0}, 0.01);
-    refused(square(), {infinity, 0}, 0.01);
-    refused(square(), {1e300, 1e300}, 0.01);
-    refused(square(), {0.5, 1e-13}, 1e-15);
+    refused(unit_square(), {0.505, 0.5}, 0.01);
+    refused(unit_square(), {1.005, 1}, 0.01);
+    refused(unit_square(), {std::nan(""), 0}, 0.01);
+    refused(unit_square(), {infinity, 0}, 0.01);
+    refused(unit_square(), {1e300, 1e300}, 0.01);
+    refused(unit_square(), {0.5, 1e-13}, 1e-15);
 }
 
 TEST_CASE("adding a vertex and removing it covers what was covered before") {
@@ -486,7 +576,7 @@ TEST_CASE("a vertex within a straight boundary goes and what is covered stays, h
 }
 
 TEST_CASE("removing a corner uncovers what only its triangles covered") {
-    const auto after = without_vertex(square(), 0);
+    const auto after = without_vertex(unit_square(), 0);
     REQUIRE(after);
     CHECK(covered_area(*after) == doctest::Approx(0.5));
     CHECK(after->vertices().size() == 4);
@@ -552,7 +642,7 @@ TEST_CASE("a vertex inside a ring of neighbours with some in a row goes, though 
 }
 
 TEST_CASE("a vertex gets another key and nothing else changes") {
-    const ParameterDomain after = with_vertex_key(square(), 4, 2);
+    const ParameterDomain after = with_vertex_key(unit_square(), 4, 2);
     CHECK(after.vertices()[4] == DomainVertex{{0.5, 0.5}, 2});
-    CHECK(with_vertex_key(after, 4, 4) == square());
+    CHECK(with_vertex_key(after, 4, 4) == unit_square());
 }

@@ -14,7 +14,7 @@ Key key_with(std::string name, std::vector<Field> fields) {
     return {std::move(name), std::move(triangle)};
 }
 
-Family three_keys() {
+Family three_keys_with_fields() {
     const Field color{"color", FieldKind::color, {0, 0, 0, 1, 1, 1, 0.5F, 0.5F, 0.5F}};
     Family family{.name = "three", .keys = {}, .timeline = {}, .domain = {}};
     family.keys = {
@@ -28,7 +28,7 @@ Family three_keys() {
 
 TEST_CASE(
     "a family has each field once, in the first key's kind, with the range over all keys that have it") {
-    const std::vector<FamilyField> fields = fields_of(three_keys().keys);
+    const std::vector<FamilyField> fields = fields_of(three_keys_with_fields().keys);
     REQUIRE(fields.size() == 3);
     CHECK(fields[0].label == FieldName{"T", FieldKind::scalar});
     CHECK(fields[0].min == -1);
@@ -43,7 +43,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the first active key without a field is named, also where it has another kind") {
-    const Family family = three_keys();
+    const Family family = three_keys_with_fields();
     const FieldName p{"p", FieldKind::scalar};
     CHECK_FALSE(key_without(family, {{1, 1.0}}, p));
     CHECK(key_without(family, {{0, 0.5}, {1, 0.5}}, p) == 0);
@@ -52,7 +52,7 @@ TEST_CASE("the first active key without a field is named, also where it has anot
 }
 
 TEST_CASE("the fields of active keys are united in the order of the keys") {
-    const Family family = three_keys();
+    const Family family = three_keys_with_fields();
     const Weights weights{{0, 0.5}, {2, 0.5}};
     UnionMesh mesh = unite(family, weights);
     const UnionField united = united_field(family, weights, mesh, {"T", FieldKind::scalar});

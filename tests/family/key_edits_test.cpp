@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "numbers.h"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 
@@ -22,8 +23,6 @@ using namespace interleaf;
 using interleaf::testing::Random;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Hierarchy surface(float height) {
     return unrefined(RootComplex(3, {{0, 1, 2}}), {{0, 0, height}, {1, 0, height}, {0, 1, height}});

@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "numbers.h"
 #include <doctest/doctest.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -66,7 +67,7 @@ void check_is_barycentric(const DomainPoint& point) {
 /// Least distance of \p point from a fine grid in every triangle.
 double sampled_distance(const ParameterDomain& domain, const glm::dvec2& point) {
     constexpr int parts = 200;
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (const auto& [a, b, c] : domain.triangles()) {
         for (int i = 0; i <= parts; ++i) {
             for (int j = 0; i + j <= parts; ++j) {
@@ -201,7 +202,7 @@ TEST_CASE("points far away are located, points that are not finite refused") {
     check_is_barycentric(square().locate({huge, huge}));
     check_is_barycentric(square().locate({-huge, 0}));
     CHECK_THROWS_AS(square().locate({std::nan(""), 0}), InputError);
-    CHECK_THROWS_AS(square().locate({0, std::numeric_limits<double>::infinity()}), InputError);
+    CHECK_THROWS_AS(square().locate({0, infinity}), InputError);
 }
 
 TEST_CASE("a key at several corners gets the sum of their weights") {
@@ -249,7 +250,6 @@ TEST_CASE("a domain is refused unless its triangles share vertices and edges and
         CAPTURE(part);
         CHECK_THROWS_WITH_AS(ParameterDomain(vertices, triangles), doctest::Contains(part), InputError);
     };
-    const double infinity = std::numeric_limits<double>::infinity();
     const Vertices corner = {{{0, 0}, 0}, {{1, 0}, 1}, {{0, 1}, 2}};
 
     refused(corner, {}, "no triangle");

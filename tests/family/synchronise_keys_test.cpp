@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "messages.h"
 #include <doctest/doctest.h>
 
 #include "hierarchy/checker.h"
@@ -39,10 +40,6 @@ Shuffled shuffled_keys(std::uint64_t seed, bool flat) {
 
 bool is_same(const Hierarchy& a, const Hierarchy& b) {
     return a.roots == b.roots && a.bits == b.bits && a.midpoints == b.midpoints && a.positions == b.positions;
-}
-
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
 }
 
 Hierarchy with_roots(const RootComplex& roots) {
@@ -136,4 +133,11 @@ TEST_CASE("two bisected keys with other refinement edges stay as they are, and t
                    " of key sphere's root 4, which is not its refinement edge; both "
                    "keys are bisected, so neither can be marked anew"));
     CHECK(is_same(*keys[1].hierarchy, before));
+
+    const MismatchError error("what is wrong", keys, result.mismatches[0]);
+    CHECK(error.what() == std::string("what is wrong"));
+    CHECK(error.keys->key.name == "star");
+    CHECK(error.keys->key.hierarchy.is_same(keys[1].hierarchy));
+    CHECK(error.keys->reference.hierarchy.is_same(keys[0].hierarchy));
+    CHECK(error.keys->mismatch.root == 4);
 }

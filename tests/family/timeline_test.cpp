@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numbers.h"
 #include <doctest/doctest.h>
 
 #include "hierarchy/error.h"
@@ -12,7 +13,6 @@ using namespace interleaf;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "messages.h"
+#include "trials.h"
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -26,10 +28,6 @@ std::string error_of(Action action) {
         return error.what();
     }
     return {};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace
@@ -156,8 +154,9 @@ TEST_CASE("it ends at whatever call of progress says so, and says how far it is"
         return true;
     });
     REQUIRE(calls > 20);
-    // Every call for the first twenty, then more sparsely.
-    for (int stop = 1; stop <= calls; stop += stop < 20 ? 1 : 1 + calls / 25) {
+    // Every call for the first ones, then more sparsely.
+    const auto first = static_cast<int>(trials(20));
+    for (int stop = 1; stop <= calls; stop += stop < first ? 1 : 1 + calls / first) {
         int left = stop;
         CHECK_THROWS_AS(fit(mesh, {.leaves = 500}, [&](std::string_view, double) { return --left > 0; }),
                         Cancelled);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "messages.h"
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -28,10 +29,6 @@ std::string refusal(const Hierarchy& roots) {
         return error.what();
     }
     return {};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

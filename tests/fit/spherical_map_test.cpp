@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "messages.h"
+#include "trials.h"
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -18,10 +20,6 @@ using namespace interleaf;
 using namespace interleaf::testing;
 
 namespace {
-
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
 
 std::vector<glm::dvec3> on_sphere(const SurfaceMesh& mesh) {
     std::vector<glm::dvec3> points = mesh.positions;
@@ -76,7 +74,7 @@ TEST_CASE("every closed surface of genus 0 is mapped one to one, long, thin, fla
 
 TEST_CASE(
     "200 random simplicial spheres at random positions, which intersect themselves, are mapped one to one") {
-    for (std::uint32_t seed = 1; seed <= 200; ++seed) {
+    for (std::uint32_t seed = 1; seed <= trials(200); ++seed) {
         CAPTURE(seed);
         const SurfaceMesh mesh = random_sphere(seed, 4 + seed);
         CHECK(fault_of_map(mesh, map_to_sphere(mesh, {}).points) == "");

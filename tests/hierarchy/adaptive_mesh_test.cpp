@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "trials.h"
 #include <doctest/doctest.h>
 
 #include "hierarchy/checker.h"
@@ -22,21 +23,11 @@ std::vector<Node> nodes_of(const AdaptiveMesh& mesh) {
     return leaf_nodes(bisected_nodes(hierarchy), hierarchy.roots.triangle_count());
 }
 
-/// A fan of triangles around vertex 0 in which each waits for the next, all the way round.
-RootComplex pinwheel(Index spokes) {
-    std::vector<Triangle> triangles;
-    for (Index n = 0; n < spokes; ++n) {
-        const Index from = 1 + n, to = 1 + (n + 1) % spokes;
-        triangles.push_back({from, to, 0});  // refinement edge: the spoke shared with the next triangle
-    }
-    return {spokes + 1, std::move(triangles)};
-}
-
 }  // namespace
 
 TEST_CASE("every refinement conforms, keeps the mesh's own invariants and freezes soundly, 10,000 meshes") {
     std::size_t leaves = 0;
-    for (std::uint64_t seed = 1; seed <= 10000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(10000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const auto marking = static_cast<Marking>(random.below(3));
@@ -52,11 +43,11 @@ TEST_CASE("every refinement conforms, keeps the mesh's own invariants and freeze
         REQUIRE(triangulation_violations(complex, nodes_of(mesh), difference) == std::vector<std::string>{});
         leaves += mesh.leaf_count();
     }
-    CHECK(leaves > 200000);
+    CHECK(leaves > trials(200000));
 }
 
 TEST_CASE("refinement gives exactly what algorithm (A) gives in passes") {
-    for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1500); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = marked(random_roots(random), static_cast<Marking>(random.below(3)), random);
@@ -81,7 +72,7 @@ TEST_CASE("refinement gives exactly what algorithm (A) gives in passes") {
 }
 
 TEST_CASE("leaves_added_by tells what refinement adds, refine which leaves changed") {
-    for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(2000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = random_roots(random);

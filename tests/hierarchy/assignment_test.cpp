@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "trials.h"
 #include <doctest/doctest.h>
 
 #include "hierarchy/random_families.h"
@@ -11,7 +12,7 @@ using namespace interleaf;
 using interleaf::testing::Random;
 
 TEST_CASE("an assignment is a permutation, and none of all permutations costs less") {
-    for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(500); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const std::size_t count = 1 + random.below(7);

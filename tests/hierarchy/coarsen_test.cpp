@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "trials.h"
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -34,7 +35,7 @@ std::vector<Index> leaves_of(const AdaptiveMesh& mesh) {
 }
 
 /// The nodes of the leaves, with their indices.
-std::map<Node, Index> nodes_of(const AdaptiveMesh& mesh) {
+std::map<Node, Index> indexed_nodes(const AdaptiveMesh& mesh) {
     const std::vector<Index> order = mesh.preorder();
     std::vector<unsigned> levels;
     levels.reserve(order.size());
@@ -89,13 +90,6 @@ void shuffle(std::vector<Index>& values, Random& random) {
 RootComplex random_marked_roots(Random& random) {
     const auto marking = static_cast<Marking>(random.below(3));
     return marked(random_roots(random), marking, random);
-}
-
-/// A fan of triangles around vertex 0 in which each waits for the next, all the way round.
-RootComplex pinwheel(Index spokes) {
-    std::vector<Triangle> triangles;
-    for (Index n = 0; n < spokes; ++n) triangles.push_back({1 + n, 1 + (n + 1) % spokes, 0});
-    return {spokes + 1, std::move(triangles)};
 }
 
 /// A pinwheel with a triangle behind each of its outer edges, which waits for that edge's triangle.
@@ -173,7 +167,7 @@ class WatchedMesh {
           complex_(roots_),
           mesh_(roots_, random_points(random, roots_.vertex_count()),
                 [this](Index a, Index b, Index midpoint) { return place(a, b, midpoint); }),
-          nodes_(nodes_of(mesh_)) {
+          nodes_(indexed_nodes(mesh_)) {
         for (Index vertex = 0; vertex < roots_.vertex_count(); ++vertex)
             stored_[vertex] = {vertex, mesh_.positions()[vertex]};
         compare();
@@ -253,7 +247,7 @@ class WatchedMesh {
     /// The leaves must be those of \p expected, the ones that stay at their index, \p changed must name the
     /// others.
     void compare_with(const std::set<Node>& expected, const std::vector<Index>& changed) {
-        const std::map<Node, Index> before = std::exchange(nodes_, nodes_of(mesh_));
+        const std::map<Node, Index> before = std::exchange(nodes_, indexed_nodes(mesh_));
         REQUIRE(node_set(nodes_) == expected);
         std::set<Index> others;
         for (const auto& [node, leaf] : nodes_) {
@@ -374,13 +368,6 @@ void require_unrefined(const AdaptiveMesh& mesh, const std::vector<glm::vec3>& p
     }
 }
 
-double longest_edge(const AdaptiveMesh& mesh, Index leaf) {
-    REQUIRE(mesh.is_leaf(leaf));
-    const auto& [a, b, c] = mesh.vertices(leaf);
-    const auto p = mesh.positions();
-    return std::max({glm::distance(p[a], p[b]), glm::distance(p[b], p[c]), glm::distance(p[c], p[a])});
-}
-
 /// Refined at random, and coarsened so that places are free.
 void make_holes(AdaptiveMesh& mesh, Random& random) {
     for (unsigned step = 0; step < 3; ++step) {
@@ -396,7 +383,7 @@ TEST_CASE(
     "every refinement and every coarsening conforms, freezes soundly and keeps what stays, 10,000 "
     "sequences") {
     std::size_t removed = 0;
-    for (std::uint64_t seed = 1; seed <= 10000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(10000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = random_marked_roots(random);
@@ -437,32 +424,32 @@ TEST_CASE(
             positions.assign(mesh.positions().begin(), mesh.positions().end());
         }
     }
-    CHECK(removed > 100000);
+    CHECK(removed > trials(100000));
 }
 
 TEST_CASE("coarsening and refinement give exactly what their literal versions give, at the same indices") {
     Removed removed;
-    for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1500); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         WatchedMesh mesh(random_marked_roots(random), random);
         removed += refine_and_coarsen(mesh, random, 6, 60);
     }
-    CHECK(removed.alone > 10000);
-    CHECK(removed.cycles > 10);
+    CHECK(removed.alone > trials(10000));
+    CHECK(removed.cycles > trials(10));
 }
 
 TEST_CASE("the same where leaves wait for each other in cycles") {
     Removed removed;
-    for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1500); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         WatchedMesh mesh(cyclic_roots(random), random);
         removed += refine_and_coarsen(mesh, random, 9, 40);
     }
-    CHECK(removed.alone > 10000);
-    CHECK(removed.cycles > 400);
-    CHECK(removed.deep_cycles > 200);
+    CHECK(removed.alone > trials(10000));
+    CHECK(removed.cycles > trials(400));
+    CHECK(removed.deep_cycles > trials(200));
 }
 
 TEST_CASE("the same for every marking of a tetrahedron") {
@@ -533,7 +520,7 @@ TEST_CASE("every choice of marks on a pinwheel's nine leaves gives what the lite
 }
 
 TEST_CASE("coarsening everything again and again ends at the roots") {
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = seed % 2 == 0 ? random_marked_roots(random) : cyclic_roots(random);
@@ -616,7 +603,7 @@ TEST_CASE("leaves of the deepest level are coarsened to the roots") {
 }
 
 TEST_CASE("refining the triangles that coarsening made leaves again gives the mesh before") {
-    for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1500); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = seed % 2 == 0 ? random_marked_roots(random) : cyclic_roots(random);
@@ -636,7 +623,7 @@ TEST_CASE("refining the triangles that coarsening made leaves again gives the me
 // back all of it.
 TEST_CASE("coarsening what refinement changed never goes below the mesh before, and ends there") {
     std::size_t at_once = 0, cycles_at_once = 0, in_several = 0;
-    for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1500); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = seed % 2 == 0 ? random_marked_roots(random) : cyclic_roots(random);
@@ -646,14 +633,14 @@ TEST_CASE("coarsening what refinement changed never goes below the mesh before, 
             mesh.refine(random_marks(mesh, random));
         const Hierarchy before = mesh.freeze();
         const std::set<Node> bisected_before = bisected_nodes(before);
-        const std::set<Node> leaves_before = node_set(nodes_of(mesh));
+        const std::set<Node> leaves_before = node_set(indexed_nodes(mesh));
         std::vector<Index> changed;
         mesh.refine(random_marks(mesh, random), &changed);
         const std::set<Node> bisected_after = bisected_nodes(mesh.freeze());
         bool bisects_once = true;
         for (const Node& node : bisected_after)
             bisects_once &= bisected_before.contains(node) || leaves_before.contains(node);
-        const std::set<Node> leaves = node_set(nodes_of(mesh));
+        const std::set<Node> leaves = node_set(indexed_nodes(mesh));
 
         mesh.coarsen(changed);
         const std::set<Node> bisected = bisected_nodes(mesh.freeze());
@@ -674,19 +661,19 @@ TEST_CASE("coarsening what refinement changed never goes below the mesh before, 
         for (unsigned calls = 0; bisected_nodes(mesh.freeze()) != bisected_before; ++calls) {
             REQUIRE(calls < 1000);
             std::vector<Index> marks;
-            for (const auto& [node, leaf] : nodes_of(mesh))
+            for (const auto& [node, leaf] : indexed_nodes(mesh))
                 if (!leaves_before.contains(node)) marks.push_back(leaf);
             mesh.coarsen(marks);
         }
         REQUIRE(is_same(mesh.freeze(), before));
     }
-    CHECK(at_once > 200);
-    CHECK(cycles_at_once > 50);
-    CHECK(in_several > 200);
+    CHECK(at_once > trials(200));
+    CHECK(cycles_at_once > trials(50));
+    CHECK(in_several > trials(200));
 }
 
 TEST_CASE("the order of marks does not matter, and a leaf may be marked twice") {
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1000); ++seed) {
         CAPTURE(seed);
         struct Result {
             Hierarchy hierarchy;
@@ -721,7 +708,7 @@ TEST_CASE("the order of marks does not matter, and a leaf may be marked twice") 
 }
 
 TEST_CASE("a leaf that is not marked keeps its vertices") {
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = seed % 2 == 0 ? random_marked_roots(random) : cyclic_roots(random);

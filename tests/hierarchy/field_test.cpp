@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "messages.h"
 #include <doctest/doctest.h>
 #include <glm/common.hpp>
 
@@ -61,11 +62,6 @@ std::vector<float> random_weights(std::size_t count, Random& random) {
     std::vector<float> weights;
     for (std::size_t n = 0; n < count; ++n) weights.push_back(static_cast<float>(4 * random.unit() - 2));
     return weights;
-}
-
-bool mentions(const std::vector<std::string>& violations, std::string_view text) {
-    return std::ranges::any_of(
-        violations, [&](const std::string& violation) { return violation.find(text) != std::string::npos; });
 }
 
 }  // namespace

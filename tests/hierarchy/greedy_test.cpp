@@ -16,12 +16,6 @@ using namespace interleaf::testing;
 
 namespace {
 
-double longest_edge(const AdaptiveMesh& mesh, Index leaf) {
-    const auto& [a, b, c] = mesh.vertices(leaf);
-    const auto p = mesh.positions();
-    return std::max({glm::distance(p[a], p[b]), glm::distance(p[b], p[c]), glm::distance(p[c], p[a])});
-}
-
 std::vector<glm::vec3> octahedron_points() {
     return {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 }

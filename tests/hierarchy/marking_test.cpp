@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "trials.h"
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -31,7 +32,7 @@ bool differ_by_marking_only(const RootComplex& a, const RootComplex& b) {
 
 TEST_CASE(
     "a compatible marking exists on every surface, closed and open, and changes nothing but the marking") {
-    for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(3000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = random_roots(random);
@@ -42,7 +43,7 @@ TEST_CASE(
 }
 
 TEST_CASE("marking by the longest edge puts the longest edge opposite the first vertex") {
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(1000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = random_roots(random);

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "trials.h"
 #include <glm/geometric.hpp>
 
 #include "hierarchy/error.h"
@@ -133,6 +134,12 @@ RootComplex octahedron() {
     return {6, {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
 }
 
+RootComplex pinwheel(Index spokes) {
+    std::vector<Triangle> triangles;
+    for (Index n = 0; n < spokes; ++n) triangles.push_back({1 + n, 1 + (n + 1) % spokes, 0});
+    return {spokes + 1, std::move(triangles)};
+}
+
 RootComplex sheet(unsigned columns, unsigned rows) {
     std::vector<Triangle> triangles;
     const auto vertex = [&](unsigned x, unsigned y) { return static_cast<Index>(y * (columns + 1) + x); };
@@ -208,6 +215,12 @@ Hierarchy random_key(const RootComplex& roots, Random& random) {
     return mesh.freeze();
 }
 
+float longest_edge(const AdaptiveMesh& mesh, Index leaf) {
+    const auto& [a, b, c] = mesh.vertices(leaf);
+    const auto p = mesh.positions();
+    return std::max({glm::distance(p[a], p[b]), glm::distance(p[b], p[c]), glm::distance(p[c], p[a])});
+}
+
 RandomFamily random_family(std::uint64_t seed, std::size_t key_count) {
     Random random(seed);
     const auto marking = static_cast<Marking>(random.below(3));
@@ -216,9 +229,9 @@ RandomFamily random_family(std::uint64_t seed, std::size_t key_count) {
     return family;
 }
 
-void for_random_families(std::size_t hierarchy_count, std::size_t key_count,
+void for_random_families(unsigned hierarchy_count, std::size_t key_count,
                          const std::function<void(const RandomFamily&)>& property) {
-    for (std::size_t n = 0; n * key_count < hierarchy_count; ++n)
+    for (std::size_t n = 0; n * key_count < trials(hierarchy_count); ++n)
         property(random_family(20260001 + n, key_count));
 }
 

@@ -65,6 +65,10 @@ RootComplex sheet(unsigned columns, unsigned rows);
 /// A closed torus of \p columns x \p rows squares, at least 3 x 3.
 RootComplex torus(unsigned columns, unsigned rows);
 
+/// A fan of triangles around vertex 0 in which each waits for the next, all the way round: its refinement
+/// edge is the spoke that it shares with the next.
+RootComplex pinwheel(Index spokes);
+
 /// Closed surfaces of genus 0 to 3, open ones made of them by cutting triangles out, sheets, and two of these
 /// side by side; vertices and triangles in random order, each triple rotated at random.
 RootComplex random_roots(Random& random);
@@ -80,10 +84,13 @@ void refine_at_random(AdaptiveMesh& mesh, Random& random, unsigned rounds, Index
 /// A key over \p roots: refined at random, midpoints moved off their edges.
 Hierarchy random_key(const RootComplex& roots, Random& random);
 
+/// Length of the longest edge of a leaf.
+float longest_edge(const AdaptiveMesh& mesh, Index leaf);
+
 RandomFamily random_family(std::uint64_t seed, std::size_t key_count);
 
-/// Calls \p property on families of \p key_count keys until \p hierarchy_count keys have been seen.
-void for_random_families(std::size_t hierarchy_count, std::size_t key_count,
+/// Calls \p property on families of \p key_count keys until trials(\p hierarchy_count) keys have been seen.
+void for_random_families(unsigned hierarchy_count, std::size_t key_count,
                          const std::function<void(const RandomFamily&)>& property);
 
 }  // namespace interleaf::testing

@@ -1,5 +1,6 @@
 #include "hierarchy/root_complex.h"
 
+#include "trials.h"
 #include <doctest/doctest.h>
 
 #include "hierarchy/error.h"
@@ -9,7 +10,7 @@ using namespace interleaf;
 using namespace interleaf::testing;
 
 TEST_CASE("neighbours are mutual and share the edge opposite the vertex they are listed at") {
-    for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(2000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const RootComplex roots = random_roots(random);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "trials.h"
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -77,11 +78,11 @@ TEST_CASE("one more key of weight 0 refines the union and changes no normal, 10,
                 REQUIRE(glm::distance(before[two.own_vertices[key][v]], after[three.own_vertices[key][v]]) <=
                         2e-5F * scale);
     });
-    CHECK(refined > 1500);
+    CHECK(refined > trials(1500));
 }
 
 TEST_CASE("a flat triangle has one normal direction everywhere, however it is bisected") {
-    for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(500); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const std::vector<glm::vec3> grid = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0},

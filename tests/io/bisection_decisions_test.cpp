@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 
+#include "trials.h"
 #include <doctest/doctest.h>
 
 #include "hierarchy/checker.h"
@@ -126,8 +127,8 @@ TEST_CASE("whatever is decided makes a sound hierarchy, or is refused") {
             ++refused;
         }
     });
-    CHECK(sound > 300);
-    CHECK(refused > 300);
+    CHECK(sound > trials(300));
+    CHECK(refused > trials(300));
 }
 
 TEST_CASE("decisions that do not fit the counts are named") {

@@ -9,6 +9,8 @@
 #include <random>
 #include <string>
 
+#include "messages.h"
+#include "trials.h"
 #include <doctest/doctest.h>
 #include <libdeflate.h>
 
@@ -20,6 +22,7 @@
 #include "io/coordinate_grid.h"
 #include "io/family_file.h"
 #include "io/hierarchy_file.h"
+#include "io/key_bytes.h"
 #include "io/position_planes.h"
 #include "io/samples.h"
 #include "io/scratch_folder.h"
@@ -29,11 +32,9 @@ namespace interleaf {
 
 namespace {
 
-using Bytes = std::vector<std::byte>;
 using testing::for_random_families;
 using testing::RandomFamily;
 
-constexpr HierarchyFileOptions compressed{.compressed = true, .rounding_bits = 0};
 constexpr std::size_t header_size = 64;
 
 Bytes compressed_to(const Hierarchy& hierarchy, unsigned bits) {
@@ -56,34 +57,9 @@ Value get(const Bytes& bytes, std::size_t offset) {
     return value;
 }
 
-void repair_checksum(Bytes& bytes) {
-    const std::size_t end = bytes.size() - 4;
-    set<std::uint32_t>(bytes, end, libdeflate_crc32(0, bytes.data(), end));
-}
-
-std::string error_of(const Bytes& bytes) {
-    return input_error_of([&] { parse_hierarchy(bytes, "key.ilh"); });
-}
-
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
-
-Hierarchy sample() {
+Hierarchy compressed_sample() {
     std::mt19937 random(3);
     return random_hierarchy(random, false, 20);
-}
-
-/// Refused with an error that names the file, or a sound hierarchy. \return whether it is one
-bool is_sound_or_refused(const Bytes& bytes) {
-    try {
-        const Hierarchy parsed = parse_hierarchy(bytes, "key.ilh");
-        CHECK(check(parsed).empty());
-        return true;
-    } catch (const InputError& error) {
-        CHECK(std::string_view(error.what()).starts_with("key.ilh: "));
-        return false;
-    }
 }
 
 /// The most memory that this process holds while \p action runs, beyond what it held before; bytes.
@@ -111,10 +87,10 @@ TEST_CASE("a compressed file holds what was written, bit for bit") {
     for_random_families(600, 2, [&](const RandomFamily& family) {
         CAPTURE(family.seed);
         for (const Hierarchy& key : family.keys)
-            CHECK(is_same(parse_hierarchy(serialize_hierarchy(key, compressed), "memory"), key));
+            CHECK(is_same(parse_hierarchy(serialize_hierarchy(key, compressed_form), "memory"), key));
     });
-    const Hierarchy key = sample();
-    write_hierarchy(key, folder / "key.ilh", compressed);
+    const Hierarchy key = compressed_sample();
+    write_hierarchy(key, folder / "key.ilh", compressed_form);
     CHECK(is_compressed_hierarchy(folder / "key.ilh"));
     CHECK(is_same(read_hierarchy(folder / "key.ilh"), key));
     write_hierarchy(key, folder / "plain.ilh");
@@ -140,7 +116,7 @@ TEST_CASE("any floats come back, signs of zero and the extremes among them") {
         for (glm::vec3& position : key.positions)
             for (int axis = 0; axis < 3; ++axis)
                 if (random() % 4 == 0) position[axis] = odd[random() % std::size(odd)];
-        CHECK(is_same(parse_hierarchy(serialize_hierarchy(key, compressed), "memory"), key));
+        CHECK(is_same(parse_hierarchy(serialize_hierarchy(key, compressed_form), "memory"), key));
     }
 }
 
@@ -148,7 +124,7 @@ TEST_CASE("the five keys are compressed to a fifth, without loss") {
     const Family family = read_family(INTERLEAF_FIVE_KEYS);
     for (const Key& key : family.keys) {
         CAPTURE(key.name);
-        const Bytes bytes = serialize_hierarchy(*key.hierarchy, compressed);
+        const Bytes bytes = serialize_hierarchy(*key.hierarchy, compressed_form);
         CHECK(is_same(parse_hierarchy(bytes, "memory"), *key.hierarchy));
         if (key.hierarchy->leaf_count() > 1000) CHECK(bytes_a_leaf(bytes, *key.hierarchy) < 2.05);
     }
@@ -160,7 +136,7 @@ TEST_CASE("keys of 40,000 leaves take at most 2.8 bytes a leaf, and less when ro
         CAPTURE(shape.name);
         const Hierarchy key = make_key(shape, {.leaves = 40'000, .tolerance = {}});
         REQUIRE(key.leaf_count() > 39'000);
-        const double lossless = bytes_a_leaf(serialize_hierarchy(key, compressed), key);
+        const double lossless = bytes_a_leaf(serialize_hierarchy(key, compressed_form), key);
         CHECK(lossless <= 2.8);
         double before = lossless;
         for (const unsigned bits : {20U, 16U, 12U, 8U}) {
@@ -190,7 +166,7 @@ TEST_CASE("a rounded file holds coordinates within the stated bound, in either f
             const Bytes plain = serialize_hierarchy(key, {.compressed = false, .rounding_bits = bits});
             CHECK(is_same(parse_hierarchy(plain, "memory"), rounded));
             // What is rounded stays small when it is compressed again, without being rounded again.
-            CHECK(serialize_hierarchy(rounded, compressed) == bytes);
+            CHECK(serialize_hierarchy(rounded, compressed_form) == bytes);
         }
     });
 }
@@ -198,7 +174,7 @@ TEST_CASE("a rounded file holds coordinates within the stated bound, in either f
 TEST_CASE("the layout of the compressed form is the documented one") {
     const Hierarchy triangle =
         unrefined(RootComplex(3, {{0, 1, 2}}), std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-    const Bytes bytes = serialize_hierarchy(triangle, compressed);
+    const Bytes bytes = serialize_hierarchy(triangle, compressed_form);
     CHECK(get<std::uint32_t>(bytes, 8) == 2);   // version
     CHECK(get<std::uint32_t>(bytes, 12) == 0);  // fields
     CHECK(get<std::uint32_t>(bytes, 16) == 3);  // root vertices
@@ -219,7 +195,7 @@ TEST_CASE("the layout of the compressed form is the documented one") {
 
 TEST_CASE("a compressed file cut off anywhere, or too long, is refused") {
     const ScratchFolder folder;
-    const Bytes whole = serialize_hierarchy(sample(), compressed);
+    const Bytes whole = serialize_hierarchy(compressed_sample(), compressed_form);
     for (std::size_t size = 0; size < whole.size(); ++size) {
         CAPTURE(size);
         const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
@@ -234,7 +210,7 @@ TEST_CASE("a compressed file cut off anywhere, or too long, is refused") {
 }
 
 TEST_CASE("every single damaged byte of a compressed file is found") {
-    const Bytes whole = serialize_hierarchy(sample(), compressed);
+    const Bytes whole = serialize_hierarchy(compressed_sample(), compressed_form);
     std::mt19937 random(5);
     for (std::size_t place = 0; place < whole.size(); ++place) {
         CAPTURE(place);
@@ -246,7 +222,7 @@ TEST_CASE("every single damaged byte of a compressed file is found") {
 
 TEST_CASE("whatever stands behind the right checksum of a compressed file is refused or sound") {
     const std::size_t memory = memory_of([] {
-        for (unsigned seed = 0; seed < 6000; ++seed) {
+        for (unsigned seed = 0; seed < trials(6000); ++seed) {
             CAPTURE(seed);
             std::mt19937 random(seed);
             const Hierarchy key = random_hierarchy(random, seed % 2 == 1, static_cast<int>(seed % 30));
@@ -264,7 +240,7 @@ TEST_CASE("counts that the content does not bear out take no memory") {
     constexpr unsigned seed = 11;
     CAPTURE(seed);
     std::mt19937 random(seed);
-    const Bytes whole = serialize_hierarchy(sample(), compressed);
+    const Bytes whole = serialize_hierarchy(compressed_sample(), compressed_form);
     const std::size_t memory = memory_of([&] {
         for (int round = 0; round < 20'000; ++round) {
             Bytes bytes = whole;
@@ -279,7 +255,7 @@ TEST_CASE("counts that the content does not bear out take no memory") {
 }
 
 TEST_CASE("a frame cut off anywhere is refused, though sizes and checksum say so") {
-    const Bytes whole = serialize_hierarchy(sample(), compressed);
+    const Bytes whole = serialize_hierarchy(compressed_sample(), compressed_form);
     const auto first = get<std::uint64_t>(whole, 40);
     const auto second = get<std::uint64_t>(whole, 48);
     const auto error_without = [&](std::size_t size_offset, std::size_t end, std::uint64_t cut) {
@@ -297,7 +273,7 @@ TEST_CASE("a frame cut off anywhere is refused, though sizes and checksum say so
 }
 
 TEST_CASE("whatever the planes of positions hold, some positions come out") {
-    const Hierarchy key = sample();
+    const Hierarchy key = compressed_sample();
     const Connectivity connectivity = open_decisions(key).connectivity;
     for (unsigned seed = 0; seed < 300; ++seed) {
         CAPTURE(seed);
@@ -313,7 +289,7 @@ TEST_CASE("whatever the planes of positions hold, some positions come out") {
 
 TEST_CASE("each part of a compressed file that is wrong is named") {
     const auto error_with = [](auto&& change) {
-        Bytes bytes = serialize_hierarchy(sample(), compressed);
+        Bytes bytes = serialize_hierarchy(compressed_sample(), compressed_form);
         change(bytes);
         repair_checksum(bytes);
         return error_of(bytes);
@@ -340,7 +316,7 @@ TEST_CASE("each part of a compressed file that is wrong is named") {
     CHECK(contains(error_of_change(header_size, 0U), "connectivity: cannot be decompressed: "));
     CHECK(contains(error_with([](Bytes& b) { set(b, header_size + get<std::uint64_t>(b, 40), 0U); }),
                    "positions: cannot be decompressed: "));
-    Bytes damaged = serialize_hierarchy(sample(), compressed);
+    Bytes damaged = serialize_hierarchy(compressed_sample(), compressed_form);
     damaged[header_size + 5] ^= std::byte{1};
     CHECK(contains(error_of(damaged), "key.ilh: checksum: is "));
 }
@@ -352,12 +328,12 @@ TEST_CASE("a key that would shrink beyond all measure is written plain") {
         return unrefined(roots, std::vector<glm::vec3>(roots.vertex_count()));
     };
     const Hierarchy small = flat(200);
-    const Bytes little = serialize_hierarchy(small, compressed);
+    const Bytes little = serialize_hierarchy(small, compressed_form);
     CHECK(bytes_a_leaf(little, small) < 0.1);
     CHECK(is_same(parse_hierarchy(little, "memory"), small));
 
     const Hierarchy large = flat(1000);
-    const Bytes bytes = serialize_hierarchy(large, compressed);
+    const Bytes bytes = serialize_hierarchy(large, compressed_form);
     CHECK(bytes == serialize_hierarchy(large));
 }
 

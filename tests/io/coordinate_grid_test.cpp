@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "trials.h"
 #include <doctest/doctest.h>
 
 #include "hierarchy/random_families.h"
@@ -38,7 +39,7 @@ double longest_side(std::span<const glm::vec3> points) {
 }  // namespace
 
 TEST_CASE("rounding moves no coordinate further than the stated bound") {
-    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    for (std::uint64_t seed = 0; seed < trials(2000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const std::vector<glm::vec3> points = points_anywhere(random);
@@ -54,7 +55,7 @@ TEST_CASE("rounding moves no coordinate further than the stated bound") {
 }
 
 TEST_CASE("what was rounded lies on a grid that gives its floats back, bit by bit") {
-    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    for (std::uint64_t seed = 0; seed < trials(2000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const std::vector<glm::vec3> points = points_anywhere(random);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "messages.h"
 #include <doctest/doctest.h>
 
 #include "io/hierarchy_file.h"
@@ -14,10 +15,6 @@ namespace interleaf {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
 
 void check_same(const Family& a, const Family& b) {
     CHECK(a.name == b.name);

@@ -7,6 +7,8 @@
 #include <random>
 #include <string>
 
+#include "messages.h"
+#include "trials.h"
 #include <doctest/doctest.h>
 #include <libdeflate.h>
 
@@ -14,6 +16,7 @@
 #include "hierarchy/error.h"
 #include "hierarchy/random_families.h"
 #include "io/hierarchy_file.h"
+#include "io/key_bytes.h"
 #include "io/samples.h"
 #include "io/scratch_folder.h"
 #include "shapes/shapes.h"
@@ -22,29 +25,12 @@ namespace interleaf {
 
 namespace {
 
-using Bytes = std::vector<std::byte>;
-
-constexpr HierarchyFileOptions plain{};
-constexpr HierarchyFileOptions compressed{.compressed = true, .rounding_bits = 0};
+constexpr HierarchyFileOptions plain_form{};
 /// Where the table of fields begins.
 constexpr std::size_t plain_table = 32, compressed_table = 72;
 
-std::string error_of(const Bytes& bytes) {
-    return input_error_of([&] { parse_hierarchy(bytes, "key.ilh"); });
-}
-
-void repair_checksum(Bytes& bytes) {
-    const std::size_t end = bytes.size() - 4;
-    const std::uint32_t checksum = libdeflate_crc32(0, bytes.data(), end);
-    std::memcpy(bytes.data() + end, &checksum, 4);
-}
-
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
-
 /// A key with a scalar field and a colour field.
-Hierarchy sample() {
+Hierarchy sample_with_fields() {
     std::mt19937 random(3);
     Hierarchy key = random_hierarchy(random, false, 10);
     Field height{"height", FieldKind::scalar, {}};
@@ -59,18 +45,6 @@ Hierarchy sample() {
     return key;
 }
 
-/// Refused with an error that names the file, or a sound hierarchy. \return whether it is one
-bool is_sound_or_refused(const Bytes& bytes) {
-    try {
-        const Hierarchy parsed = parse_hierarchy(bytes, "key.ilh");
-        CHECK(check(parsed).empty());
-        return true;
-    } catch (const InputError& error) {
-        CHECK(std::string_view(error.what()).starts_with("key.ilh: "));
-        return false;
-    }
-}
-
 }  // namespace
 
 TEST_CASE("a file of either form holds the fields that were written, bit for bit") {
@@ -81,7 +55,7 @@ TEST_CASE("a file of either form holds the fields that were written, bit for bit
         const Hierarchy bare = random_hierarchy(random, seed % 2 == 1, static_cast<int>(seed));
         const Hierarchy key = with_fields(bare, random, seed % 7 == 6 ? 64 : seed % 7);
         REQUIRE(check(key) == std::vector<std::string>{});
-        for (const HierarchyFileOptions& form : {plain, compressed}) {
+        for (const HierarchyFileOptions& form : {plain_form, compressed_form}) {
             CHECK(is_same(parse_hierarchy(serialize_hierarchy(key, form), "memory"), key));
             write_hierarchy(key, folder / "key.ilh", form);
             CHECK(is_same(read_hierarchy(folder / "key.ilh"), key));
@@ -91,7 +65,7 @@ TEST_CASE("a file of either form holds the fields that were written, bit for bit
         CAPTURE(family.seed);
         std::mt19937 random(static_cast<unsigned>(family.seed));
         const Hierarchy key = with_fields(family.keys[0], random, 3);
-        CHECK(is_same(parse_hierarchy(serialize_hierarchy(key, compressed), "memory"), key));
+        CHECK(is_same(parse_hierarchy(serialize_hierarchy(key, compressed_form), "memory"), key));
     });
 }
 
@@ -108,7 +82,7 @@ TEST_CASE("the layout of fields is the documented one") {
     constexpr std::array<float, 12> values{1, 2, 3, 1, 0, 0, 0, 1, 0, 0, 0, 0.5F};
     CHECK(std::memcmp(bytes.data() + bytes.size() - 4 - sizeof(values), values.data(), sizeof(values)) == 0);
 
-    const Bytes small = serialize_hierarchy(key, compressed);
+    const Bytes small = serialize_hierarchy(key, compressed_form);
     CHECK(small[12] == std::byte{2});
     CHECK(std::memcmp(small.data() + compressed_table, table.data(), table.size()) == 0);
     std::array<std::uint64_t, 2> first_sizes{};
@@ -120,7 +94,7 @@ TEST_CASE("the layout of fields is the documented one") {
 }
 
 TEST_CASE("rounding leaves fields as they are") {
-    const Hierarchy key = sample();
+    const Hierarchy key = sample_with_fields();
     const Hierarchy rounded =
         parse_hierarchy(serialize_hierarchy(key, {.compressed = true, .rounding_bits = 8}), "memory");
     CHECK_FALSE(rounded.positions == key.positions);
@@ -132,21 +106,22 @@ TEST_CASE("a smooth field takes less than 2 bytes a vertex in the compressed for
     ShapeBudget budget;
     budget.leaves = 20000;
     Hierarchy key = make_key(*find_shape("star"), budget);
-    const std::size_t bare = serialize_hierarchy(key, compressed).size();
+    const std::size_t bare = serialize_hierarchy(key, compressed_form).size();
     const std::size_t bare_plain = serialize_hierarchy(key).size();
     Field height{"height", FieldKind::scalar, {}};
     for (const glm::vec3& p : key.positions) height.values.push_back(1 + 0.1F * p.y * p.y);
     key.fields.push_back(std::move(height));
     const double vertices = static_cast<double>(key.vertex_count());
-    const double each = static_cast<double>(serialize_hierarchy(key, compressed).size() - bare) / vertices;
+    const double each =
+        static_cast<double>(serialize_hierarchy(key, compressed_form).size() - bare) / vertices;
     MESSAGE("a smooth scalar takes " << each << " bytes a vertex");
     CHECK(each < 2);
     CHECK(serialize_hierarchy(key).size() - bare_plain == 4 * key.vertex_count() + 8);
 }
 
 TEST_CASE("a file with fields that is cut off anywhere is refused") {
-    for (const HierarchyFileOptions& form : {plain, compressed}) {
-        const Bytes whole = serialize_hierarchy(sample(), form);
+    for (const HierarchyFileOptions& form : {plain_form, compressed_form}) {
+        const Bytes whole = serialize_hierarchy(sample_with_fields(), form);
         for (std::size_t size = 0; size < whole.size(); ++size) {
             CAPTURE(size);
             const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
@@ -160,8 +135,8 @@ TEST_CASE("a file with fields that is cut off anywhere is refused") {
 
 TEST_CASE("every single damaged byte of a file with fields is found") {
     std::mt19937 random(5);
-    for (const HierarchyFileOptions& form : {plain, compressed}) {
-        const Bytes whole = serialize_hierarchy(sample(), form);
+    for (const HierarchyFileOptions& form : {plain_form, compressed_form}) {
+        const Bytes whole = serialize_hierarchy(sample_with_fields(), form);
         for (std::size_t place = 0; place < whole.size(); ++place) {
             CAPTURE(place);
             Bytes damaged = whole;
@@ -174,10 +149,10 @@ TEST_CASE("every single damaged byte of a file with fields is found") {
 TEST_CASE("whatever stands behind a right checksum is refused or has sound fields") {
     int sound = 0;
     int refused = 0;
-    for (unsigned seed = 0; seed < 30'000; ++seed) {
+    for (unsigned seed = 0; seed < trials(30'000); ++seed) {
         CAPTURE(seed);
         std::mt19937 random(seed);
-        const HierarchyFileOptions& form = seed % 3 == 0 ? compressed : plain;
+        const HierarchyFileOptions& form = seed % 3 == 0 ? compressed_form : plain_form;
         Bytes bytes = serialize_hierarchy(
             with_fields(random_hierarchy(random, false, static_cast<int>(seed % 6)), random, 1 + seed % 3),
             form);
@@ -189,16 +164,16 @@ TEST_CASE("whatever stands behind a right checksum is refused or has sound field
         repair_checksum(bytes);
         ++(is_sound_or_refused(bytes) ? sound : refused);
     }
-    CHECK(sound > 1000);
-    CHECK(refused > 1000);
+    CHECK(sound > trials(1000));
+    CHECK(refused > trials(1000));
 }
 
 TEST_CASE("random tables of fields ask for no memory that the file does not hold") {
-    for (unsigned seed = 0; seed < 20'000; ++seed) {
+    for (unsigned seed = 0; seed < trials(20'000); ++seed) {
         CAPTURE(seed);
         std::mt19937 random(seed);
         const bool is_plain = seed % 2 == 0;
-        Bytes bytes = serialize_hierarchy(sample(), is_plain ? plain : compressed);
+        Bytes bytes = serialize_hierarchy(sample_with_fields(), is_plain ? plain_form : compressed_form);
         bytes[12] = static_cast<std::byte>(random() % 65);
         const std::size_t begin = is_plain ? plain_table : compressed_table;
         for (std::size_t place = begin; place < begin + 40; ++place)
@@ -210,14 +185,14 @@ TEST_CASE("random tables of fields ask for no memory that the file does not hold
 
 TEST_CASE("each part of a field that is wrong is named, with what was expected") {
     const auto error_with = [](const HierarchyFileOptions& form, const std::function<void(Bytes&)>& change) {
-        Bytes bytes = serialize_hierarchy(sample(), form);
+        Bytes bytes = serialize_hierarchy(sample_with_fields(), form);
         change(bytes);
         repair_checksum(bytes);
         return error_of(bytes);
     };
     for (const bool is_plain : {true, false}) {
         CAPTURE(is_plain);
-        const HierarchyFileOptions& form = is_plain ? plain : compressed;
+        const HierarchyFileOptions& form = is_plain ? plain_form : compressed_form;
         const std::size_t table = is_plain ? plain_table : compressed_table;
         const auto put = [&](std::size_t place, int value) {
             return error_with(form, [=](Bytes& b) { b[place] = static_cast<std::byte>(value); });
@@ -231,14 +206,14 @@ TEST_CASE("each part of a field that is wrong is named, with what was expected")
         CHECK_FALSE(put(table + 1, 255).empty());
     }
     // A name that moves a terminal's cursor; a value that is none; a colour that is none.
-    CHECK(contains(error_with(plain, [](Bytes& b) { b[plain_table + 2] = std::byte{0x1b}; }),
+    CHECK(contains(error_with(plain_form, [](Bytes& b) { b[plain_table + 2] = std::byte{0x1b}; }),
                    "hierarchy: the name of field 0 is not"));
     const auto last_float = [&](float value) {
-        return error_with(plain, [=](Bytes& b) { std::memcpy(&b[b.size() - 8], &value, 4); });
+        return error_with(plain_form, [=](Bytes& b) { std::memcpy(&b[b.size() - 8], &value, 4); });
     };
     CHECK(contains(last_float(1.5F), "hierarchy: field \"color\" is 1.5 at vertex"));
     CHECK(contains(last_float(-INFINITY), "hierarchy: field \"color\" is -inf at vertex"));
-    CHECK(contains(error_with(compressed,
+    CHECK(contains(error_with(compressed_form,
                               [](Bytes& b) {
                                   const std::uint64_t huge = ~std::uint64_t{0};
                                   std::memcpy(&b[64], &huge, 8);

@@ -5,11 +5,14 @@
 #include <limits>
 #include <random>
 
+#include "messages.h"
+#include "trials.h"
 #include <doctest/doctest.h>
 #include <libdeflate.h>
 
 #include "hierarchy/checker.h"
 #include "hierarchy/error.h"
+#include "io/key_bytes.h"
 #include "io/samples.h"
 #include "io/scratch_folder.h"
 
@@ -17,13 +20,7 @@ namespace interleaf {
 
 namespace {
 
-using Bytes = std::vector<std::byte>;
-
-constexpr std::size_t header_size = 32;
-
-std::string error_of(const Bytes& bytes) {
-    return input_error_of([&] { parse_hierarchy(bytes, "key.ilh"); });
-}
+constexpr std::size_t plain_header_size = 32;
 
 /// The error of a file with \p bytes.
 std::string file_error_of(const ScratchFolder& folder, const Bytes& bytes) {
@@ -35,12 +32,7 @@ void set_word(Bytes& bytes, std::size_t offset, std::uint32_t value) {
     std::memcpy(bytes.data() + offset, &value, sizeof(value));
 }
 
-void repair_checksum(Bytes& bytes) {
-    const std::size_t end = bytes.size() - 4;
-    set_word(bytes, end, libdeflate_crc32(0, bytes.data(), end));
-}
-
-Bytes sample() {
+Bytes plain_sample() {
     std::mt19937 random(3);
     return serialize_hierarchy(random_hierarchy(random, false, 10));
 }
@@ -53,10 +45,6 @@ std::uint32_t literal_crc32(std::span<const std::byte> bytes) {
         for (int bit = 0; bit < 8; ++bit) crc = (crc & 1) != 0 ? crc >> 1 ^ 0xedb88320u : crc >> 1;
     }
     return ~crc;
-}
-
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace
@@ -78,12 +66,12 @@ TEST_CASE("a hierarchy file holds what was written, bit for bit") {
 TEST_CASE("the layout is the documented one") {
     const Hierarchy triangle = unrefined(RootComplex(3, {{0, 1, 2}}), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     const Bytes bytes = serialize_hierarchy(triangle);
-    constexpr std::array<unsigned char, header_size> header{
+    constexpr std::array<unsigned char, plain_header_size> header{
         0x89, 'I', 'L', 'H', 0x0d, 0x0a, 0x1a, 0x0a,  // signature
         1,    0,   0,   0,   0,    0,    0,    0,     // version, fields
         3,    0,   0,   0,   1,    0,    0,    0,     // root vertices, root triangles
         0,    0,   0,   0,   3,    0,    0,    0};    // midpoints, vertices
-    REQUIRE(bytes.size() == header_size + 12 + 8 + 0 + 36 + 4);
+    REQUIRE(bytes.size() == plain_header_size + 12 + 8 + 0 + 36 + 4);
     CHECK(std::memcmp(bytes.data(), header.data(), header.size()) == 0);
     constexpr std::array<Index, 3> root{0, 1, 2};
     CHECK(std::memcmp(bytes.data() + 32, root.data(), 12) == 0);
@@ -110,21 +98,21 @@ TEST_CASE("the checksum is CRC-32, by its published check value and by its defin
 
 TEST_CASE("a file cut off anywhere is refused") {
     const ScratchFolder folder;
-    const Bytes whole = sample();
+    const Bytes whole = plain_sample();
     for (std::size_t size = 0; size < whole.size(); ++size) {
         CAPTURE(size);
         const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
         const std::string error = error_of(cut);
         CHECK(contains(error, "key.ilh: size: " + std::to_string(size) + " bytes, expected "));
         CHECK(contains(error, "cut off"));
-        if (size >= header_size + 4) CHECK(contains(error, std::to_string(whole.size())));
+        if (size >= plain_header_size + 4) CHECK(contains(error, std::to_string(whole.size())));
         CHECK(file_error_of(folder, cut) == (folder.path() / error).string());
     }
 }
 
 TEST_CASE("a file that is too long is refused") {
     const ScratchFolder folder;
-    Bytes bytes = sample();
+    Bytes bytes = plain_sample();
     const std::size_t size = bytes.size();
     for (const std::size_t extra : {1u, 3u, 4u, 8u, 12u, 4096u}) {
         CAPTURE(extra);
@@ -135,7 +123,7 @@ TEST_CASE("a file that is too long is refused") {
 }
 
 TEST_CASE("every single damaged byte is found") {
-    const Bytes whole = sample();
+    const Bytes whole = plain_sample();
     std::mt19937 random(5);
     for (std::size_t place = 0; place < whole.size(); ++place) {
         CAPTURE(place);
@@ -148,7 +136,7 @@ TEST_CASE("every single damaged byte is found") {
 TEST_CASE("whatever stands behind a right checksum is refused or is a sound hierarchy") {
     int sound = 0;
     int refused = 0;
-    for (unsigned seed = 0; seed < 20'000; ++seed) {
+    for (unsigned seed = 0; seed < trials(20'000); ++seed) {
         CAPTURE(seed);
         std::mt19937 random(seed);
         Bytes bytes =
@@ -165,8 +153,8 @@ TEST_CASE("whatever stands behind a right checksum is refused or is a sound hier
             ++refused;
         }
     }
-    CHECK(sound > 1000);
-    CHECK(refused > 1000);
+    CHECK(sound > trials(1000));
+    CHECK(refused > trials(1000));
 }
 
 TEST_CASE("random counts ask for no memory that the file does not hold") {
@@ -174,8 +162,8 @@ TEST_CASE("random counts ask for no memory that the file does not hold") {
     CAPTURE(seed);
     std::mt19937 random(seed);
     for (int round = 0; round < 20'000; ++round) {
-        Bytes bytes = sample();
-        for (std::size_t offset = 16; offset < header_size; offset += 4)
+        Bytes bytes = plain_sample();
+        for (std::size_t offset = 16; offset < plain_header_size; offset += 4)
             if (random() % 2 == 0)
                 set_word(bytes, offset, static_cast<std::uint32_t>(random() >> random() % 32));
         repair_checksum(bytes);
@@ -190,13 +178,13 @@ TEST_CASE("random counts ask for no memory that the file does not hold") {
 
 TEST_CASE("the largest counts are held against the size before anything else") {
     constexpr std::uint32_t most = std::numeric_limits<std::uint32_t>::max();
-    Bytes bytes = sample();
-    for (std::size_t offset = 16; offset < header_size; offset += 4) set_word(bytes, offset, most);
+    Bytes bytes = plain_sample();
+    for (std::size_t offset = 16; offset < plain_header_size; offset += 4) set_word(bytes, offset, most);
     // 36 + 12 n + 8 ceil(3 n / 64) + 4 n + 12 n with n = 2^32 - 1
     CHECK(contains(error_of(bytes), "expected 121869697032 by its counts"));
 
     // Root vertices do not count in the size of the file.
-    Bytes roots = sample();
+    Bytes roots = plain_sample();
     set_word(roots, 16, most);
     repair_checksum(roots);
     CHECK(contains(error_of(roots), "key.ilh: root vertex count: is 4294967295, expected at most"));
@@ -204,7 +192,7 @@ TEST_CASE("the largest counts are held against the size before anything else") {
 
 TEST_CASE("each part that is wrong is named, with what was expected") {
     const auto error_with = [](auto&& change) {
-        Bytes bytes = sample();
+        Bytes bytes = plain_sample();
         change(bytes);
         repair_checksum(bytes);
         return error_of(bytes);
@@ -216,13 +204,13 @@ TEST_CASE("each part that is wrong is named, with what was expected") {
     CHECK(contains(error_with([](Bytes& b) { set_word(b, 8, 3); }), "version: is 3, expected 1 or 2"));
     CHECK(contains(error_with([](Bytes& b) { set_word(b, 12, 65); }),
                    "field count: is 65, expected at most 64"));
-    CHECK(contains(error_with([](Bytes& b) { set_word(b, header_size, 77); }), "root complex: "));
-    CHECK(contains(error_with([](Bytes& b) { b[header_size + std::size_t{8} * 12] ^= std::byte{1}; }),
+    CHECK(contains(error_with([](Bytes& b) { set_word(b, plain_header_size, 77); }), "root complex: "));
+    CHECK(contains(error_with([](Bytes& b) { b[plain_header_size + std::size_t{8} * 12] ^= std::byte{1}; }),
                    "hierarchy: "));
     CHECK(contains(error_with([](Bytes& b) { set_word(b, b.size() - 8, 0x7fc00000); }), "hierarchy: "));
 
-    Bytes damaged = sample();
-    damaged[header_size] ^= std::byte{1};
+    Bytes damaged = plain_sample();
+    damaged[plain_header_size] ^= std::byte{1};
     CHECK(contains(error_of(damaged), "checksum: is "));
 
     const Hierarchy empty;

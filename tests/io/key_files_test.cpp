@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "messages.h"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -18,10 +19,6 @@ namespace interleaf {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
 
 /// Two keys over a random surface; the second also renumbered, as written to b.ilh.
 struct Shuffled {

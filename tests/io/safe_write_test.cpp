@@ -1,5 +1,6 @@
 #include "io/safe_write.h"
 
+#include "messages.h"
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/file.h>
@@ -15,13 +16,7 @@ namespace interleaf {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("a file is written whole and nothing else stays beside it") {
     const ScratchFolder folder;

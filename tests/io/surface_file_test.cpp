@@ -8,6 +8,7 @@
 #include <random>
 #include <string>
 
+#include "messages.h"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 
@@ -105,10 +106,6 @@ void check_loose_pyramid(const SurfaceFile& surface) {
         for (std::size_t corner = 0; corner < 3; ++corner)
             CHECK(surface.positions[surface.triangles[t][corner]] ==
                   pyramid().positions[pyramid().triangles[t][corner]]);
-}
-
-bool contains(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

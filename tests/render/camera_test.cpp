@@ -127,6 +127,21 @@ TEST_CASE("panning keeps the point under the pointer") {
     CHECK(after.y - before.y == doctest::Approx(-2 * delta.y).epsilon(1e-4));
 }
 
+TEST_CASE("a centred point is in the middle of the picture, seen in the same direction from as far") {
+    std::mt19937 generator(13);
+    for (int i = 0; i < 100; ++i) {
+        Camera camera = looking_at_unit_box(random(generator, -180, 180), random(generator, -80, 80));
+        const Camera before = camera;
+        const glm::vec3 point = random_point(generator, 1);
+        camera.center(point);
+        const glm::vec3 seen = device_coordinates(camera, point);
+        CHECK(std::abs(seen.x) < 1e-5F);
+        CHECK(std::abs(seen.y) < 1e-5F);
+        CHECK(seen.z == doctest::Approx(device_coordinates(before, point).z).epsilon(1e-4));
+        CHECK(glm::mat3(camera.view()) == glm::mat3(before.view()));
+    }
+}
+
 TEST_CASE("zooming and approaching keep the point under the pointer and come nearer by the factor") {
     const unsigned seed = 11;
     CAPTURE(seed);

@@ -10,8 +10,6 @@ using namespace interleaf;
 
 namespace {
 
-constexpr float one[] = {1};
-
 Display showing(bool wireframe, bool refinement_edges, bool root_edges) {
     Display display;
     display.wireframe = wireframe;

@@ -19,8 +19,6 @@ using namespace interleaf;
 
 namespace {
 
-constexpr float one[] = {1};
-
 /// The keys of a square, not bisected alike, with scalar fields "f" and colour fields "c" of their own.
 std::vector<Hierarchy> keys_with_fields() {
     std::vector<Hierarchy> keys = two_keys_of_a_square();

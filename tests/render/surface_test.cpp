@@ -16,7 +16,6 @@ using namespace interleaf;
 
 namespace {
 
-constexpr float one[] = {1};
 constexpr float both[] = {0.5F, 0.5F};
 
 Picture background_of(OffscreenTarget& target) {

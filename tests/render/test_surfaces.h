@@ -12,6 +12,9 @@
 
 namespace interleaf {
 
+/// The weights of the only key.
+inline constexpr float one[] = {1};
+
 /// A union with its normals.
 struct TestSurface {
     UnionMesh mesh;

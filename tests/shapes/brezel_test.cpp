@@ -17,6 +17,7 @@
 #include "hierarchy/marking.h"
 #include "hierarchy/measure.h"
 #include "shapes/leaf_fit.h"
+#include "shapes/leaf_triangles.h"
 #include "shapes/shapes.h"
 
 using namespace interleaf;
@@ -25,12 +26,6 @@ namespace {
 
 Hierarchy make_brezel(const ShapeBudget& budget) {
     return make_key(*find_shape("brezel"), budget);
-}
-
-std::vector<Triangle> leaf_triangles(const Hierarchy& key) {
-    std::vector<Triangle> triangles;
-    for (const Leaf& leaf : leaves_of(key)) triangles.push_back(leaf.vertices);
-    return triangles;
 }
 
 std::array<glm::dvec3, 3> corners_of(const Triangle& triangle, const Hierarchy& key) {

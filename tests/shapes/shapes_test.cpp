@@ -16,6 +16,7 @@
 #include "shapes/bisection_of_sphere.h"
 #include "shapes/icosahedron.h"
 #include "shapes/leaf_fit.h"
+#include "shapes/leaf_triangles.h"
 
 using namespace interleaf;
 
@@ -41,12 +42,6 @@ std::vector<Shape> shapes_over_the_icosahedron() {
     for (const Shape& shape : shapes())
         if (shape.base.roots == icosahedron) found.push_back(shape);
     return found;
-}
-
-std::vector<Triangle> leaf_triangles(const Hierarchy& key) {
-    std::vector<Triangle> triangles;
-    for (const Leaf& leaf : leaves_of(key)) triangles.push_back(leaf.vertices);
-    return triangles;
 }
 
 Measures measure_key(const Hierarchy& key) {

@@ -1,0 +1,28 @@
+#include "ui/choice.h"
+
+#include <imgui.h>
+
+#include "ui/style.h"
+
+namespace interleaf {
+
+std::size_t choice(const char* name, std::span<const char* const> labels, std::size_t chosen, float width) {
+    ImGui::PushID(name);
+    ImGui::BeginGroup();
+    const float gap = scaled(2);
+    const auto count = static_cast<float>(labels.size());
+    const float button = (width - gap * (count - 1)) / count;
+    std::size_t now = chosen;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (i > 0) ImGui::SameLine(0, gap);
+        if (i == chosen)
+            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        if (ImGui::Button(labels[i], {button, 0})) now = i;
+        if (i == chosen) ImGui::PopStyleColor();
+    }
+    ImGui::EndGroup();
+    ImGui::PopID();
+    return now;
+}
+
+}  // namespace interleaf

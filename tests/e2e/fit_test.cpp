@@ -1,0 +1,243 @@
+// End-to-end tests of fitting meshes in the window: the offer, by the keyboard alone, and what comes of it.
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "e2e/person.h"
+#include <X11/keysym.h>
+#include <doctest/doctest.h>
+#include <fmt/core.h>
+
+using namespace interleaf;
+using State = RunningViewer::State;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two meshes of the built-in family's keys in \p folder, of different faces and kinds of file.
+std::vector<fs::path> unlike_meshes(const fs::path& folder) {
+    std::vector<fs::path> meshes{folder / "star.obj", folder / "bone.ply"};
+    for (const fs::path& mesh : meshes) {
+        const std::string command = fmt::format("'{}' export --weights {}=1 -o '{}'", INTERLEAF_PROGRAM,
+                                                mesh.stem().string(), mesh.string());
+        REQUIRE(std::system(command.c_str()) == 0);
+    }
+    return meshes;
+}
+
+void wait_for_offer(const RunningViewer& viewer) {
+    wait_for_question(viewer);
+    CHECK(viewer.state()["offer"].is_object());
+}
+
+void wait_for_offered(const RunningViewer& viewer, const char* what, const State& value) {
+    viewer.wait_for(what,
+                    [&](const State& s) { return s["offer"].is_object() && s["offer"][what] == value; });
+}
+
+/// What is offered when the second of two meshes is turned about z.
+State turns(const char* degrees) {
+    return State::array({State::array({"y", "0"}), State::array({"z", degrees})});
+}
+
+/// Moves on to the row called \p name, the next one or the one before.
+void go_to_row(const RunningViewer& viewer, const char* name, bool back = false) {
+    viewer.press(XK_Tab, back ? XK_Shift_L : 0);
+    wait_for_offered(viewer, "row", name);
+}
+
+State wait_for_compared(const RunningViewer& viewer, const char* mesh) {
+    return viewer.wait_for(mesh,
+                           [&](const State& s) { return s["comparing"] == true && s["compared"] == mesh; });
+}
+
+/// Takes the comparison of star and bone that is offered, looks at both, and goes back.
+void compare_and_return(const RunningViewer& viewer) {
+    wait_for_question(viewer);
+    viewer.press(XK_Return);
+    wait_for_no_question(viewer);
+    State state = wait_for_compared(viewer, "star.obj");
+    const State document = state["document"];
+    viewer.point_at({view_middle(state).x, 40});
+    const Picture star = viewer.settled_picture();
+    viewer.press(XK_Right);
+    wait_for_compared(viewer, "bone.ply");
+    const Picture bone = viewer.changed_picture(star);
+    viewer.press(XK_Right);
+    wait_for_compared(viewer, "star.obj");
+    CHECK(viewer.shows(star));
+    viewer.press(XK_c);
+    viewer.changed_picture(star);
+    viewer.press(XK_c);
+    CHECK(viewer.shows(star));
+
+    // Both sides turn together, by the mouse in either.
+    const float eye = state["eye"][0].get<float>();
+    const glm::vec2 left = view_middle(state) - glm::vec2(200, 0);
+    viewer.drag(left, left + glm::vec2(60, 10));
+    viewer.wait_for("another view", [&](const State& s) { return s["eye"][0].get<float>() != eye; });
+
+    // The document is not to be seen, and not to be edited.
+    viewer.press(XK_k, XK_Control_L);
+    viewer.press(XK_Escape);
+    state = viewer.wait_for("the document", [](const State& s) { return s["comparing"] == false; });
+    CHECK(state["document"] == document);
+    viewer.press(XK_m);
+    wait_for_compared(viewer, "star.obj");
+    viewer.press(XK_m);
+    viewer.wait_for("the document", [](const State& s) { return s["comparing"] == false; });
+}
+
+}  // namespace
+
+TEST_CASE("dropped meshes whose faces differ are fitted by Enter alone, unless that is declined") {
+    const TemporaryFolder home;
+    const std::vector<fs::path> meshes = unlike_meshes(home.path());
+    const RunningViewer viewer(home.path());
+    const State before = family_of(viewer.state());
+    viewer.drop(meshes, view_middle(viewer.state()));
+    wait_for_offer(viewer);
+    viewer.press(XK_Escape);
+    wait_for_no_question(viewer);
+    CHECK(family_of(viewer.state()) == before);
+    CHECK(viewer.state()["document"]["changed"] == false);
+
+    viewer.drop(meshes, view_middle(viewer.state()));
+    wait_for_offer(viewer);
+    viewer.press(XK_Return);
+    const State state = wait_for_keys(viewer, 2);
+    CHECK(state["document"]["keys"] == State({"star", "bone"}));
+    CHECK(state["document"]["times"] == State({{0, "star"}, {1, "bone"}}));
+    CHECK(state["document"]["changed"] == true);
+    CHECK(state["document"]["folder"].is_null());
+    CHECK(state["leaves"] > 19'000);
+    CHECK(state["message"] == "");
+
+    // The comparison that is offered then is declined, and can be had later.
+    wait_for_question(viewer);
+    viewer.press(XK_Escape);
+    wait_for_no_question(viewer);
+    CHECK(viewer.state()["comparing"] == false);
+    viewer.press(XK_m);
+    viewer.wait_for("the comparison", [](const State& s) { return s["comparing"] == true; });
+}
+
+TEST_CASE("in the offer, leaves, roots and the turn of each mesh are chosen by the keyboard") {
+    const TemporaryFolder home;
+    const std::vector<fs::path> meshes = unlike_meshes(home.path());
+    const RunningViewer viewer(home.path(), meshes);
+    wait_for_offer(viewer);
+    CHECK(viewer.state()["document"]["name"] == "Five keys");
+
+    // Fewer leaves than roots are not taken.
+    viewer.type("19");
+    wait_for_offered(viewer, "leaves", "19");
+    go_to_row(viewer, "roots");
+    viewer.press(XK_Right);
+    wait_for_offered(viewer, "roots", 1);
+    viewer.press(XK_Return);
+    go_to_row(viewer, "number", true);
+    viewer.type("2000");
+    wait_for_offered(viewer, "leaves", "2000");
+
+    go_to_row(viewer, "roots");
+    go_to_row(viewer, "meshes");
+    viewer.press(XK_Right);
+    wait_for_offered(viewer, "mesh", 1);
+    go_to_row(viewer, "axis");
+    viewer.press(XK_Right);
+    wait_for_offered(viewer, "turns", turns("0"));
+    go_to_row(viewer, "degrees");
+    viewer.type("-90");
+    wait_for_offered(viewer, "turns", turns("-90"));
+    viewer.press(XK_Return);
+    const State state = wait_for_keys(viewer, 2);
+    CHECK(state["document"]["keys"] == State({"star", "bone"}));
+
+    CHECK(state["document"]["roots"] == 20);
+    CHECK(state["leaves"] > 1'900);
+    CHECK(state["leaves"] <= 4'000);
+    compare_and_return(viewer);
+}
+
+TEST_CASE("a mesh dropped on the list is fitted over the family's roots, a refused one changes nothing") {
+    const TemporaryFolder home;
+    const std::vector<fs::path> meshes = unlike_meshes(home.path());
+    const fs::path& bone = meshes.back();
+    const RunningViewer viewer(home.path());
+    const State before = viewer.state();
+    // An .obj is a key as it is, but not one of this family.
+    viewer.drop(std::vector{meshes.front()}, row_pixel(before, 1));
+    wait_for_offer(viewer);
+    viewer.press(XK_Escape);
+    wait_for_no_question(viewer);
+    CHECK(viewer.state()["document"] == before["document"]);
+
+    viewer.drop(std::vector{bone}, row_pixel(before, 1));
+    wait_for_offer(viewer);
+    // There are no roots to choose: behind the number comes the turn.
+    go_to_row(viewer, "axis");
+    viewer.press(XK_Return);
+    State state = wait_for_keys(viewer, 6);
+    CHECK(state["document"]["keys"][5] == "bone 2");
+    CHECK(state["document"]["roots"] == before["document"]["roots"]);
+    CHECK(state["document"]["undo"] == "Add bone");
+    wait_for_question(viewer);
+    viewer.type_keys("d");
+    wait_for_no_question(viewer);
+    viewer.press(XK_z, XK_Control_L);
+    state = wait_for_keys(viewer, 5);
+    viewer.press(XK_m);
+
+    const fs::path sheet = home.path() / "sheet.off";
+    std::ofstream(sheet) << "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    viewer.drop(std::vector{sheet}, view_middle(state));
+    wait_for_offer(viewer);
+    CHECK(viewer.state()["comparing"] == false);
+    viewer.press(XK_Return);
+    const State refused = viewer.wait_for("a message", [](const State& s) {
+        return s["message"].get<std::string>().find("sheet.off") != std::string::npos;
+    });
+    CHECK(family_of(refused) == family_of(before));
+    CHECK(refused["document"]["changed"] == false);
+}
+
+TEST_CASE(
+    "unsaved changes are asked for before a fit is offered, and a fit that is cancelled leaves them alone") {
+    const TemporaryFolder home;
+    const std::vector<fs::path> meshes = unlike_meshes(home.path());
+    const RunningViewer viewer(home.path());
+    viewer.point_at(view_middle(viewer.state()));
+    viewer.press(XK_k, XK_Control_L);
+    const State before = wait_for_keys(viewer, 6);
+
+    viewer.drop(meshes, view_middle(before));
+    wait_for_question(viewer);
+    CHECK(viewer.state()["offer"].is_null());
+    viewer.type_keys("d");
+    viewer.wait_for("the offer", [](const State& s) { return s["offer"].is_object(); });
+
+    // So many leaves take long enough to change one's mind.
+    viewer.type("5000000");
+    wait_for_offered(viewer, "leaves", "5000000");
+    viewer.press(XK_Return);
+    viewer.wait_for("the work", [](const State& s) { return s["asking"] == true && s["offer"].is_null(); });
+    viewer.press(XK_Escape);
+    wait_for_no_question(viewer);
+    CHECK(viewer.state()["document"] == before["document"]);
+    CHECK(viewer.state()["message"] == "");
+
+    // The same with one click on "Fit", and no second thoughts.
+    viewer.drop(meshes, view_middle(before));
+    wait_for_question(viewer);
+    viewer.type_keys("d");
+    const State offered = viewer.wait_for(
+        "the offer", [](const State& s) { return s["offer"].is_object() && !s["rects"]["popup"].is_null(); });
+    const State& popup = offered["rects"]["popup"];
+    const glm::vec2 corner(popup[0].get<float>() + popup[2].get<float>(),
+                           popup[1].get<float>() + popup[3].get<float>());
+    viewer.click(corner - glm::vec2(150, 25));
+    CHECK(wait_for_keys(viewer, 2)["document"]["keys"] == State({"star", "bone"}));
+}
