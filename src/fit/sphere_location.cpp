@@ -30,7 +30,7 @@ SpaceBox box_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     return {glm::min(a, glm::min(b, c)) - margin, glm::max(a, glm::max(b, c)) + margin};
 }
 
-std::vector<SpaceBox> boxes_of(std::span<const Triangle> triangles, std::span<const glm::dvec3> points) {
+std::vector<SpaceBox> cone_boxes_of(std::span<const Triangle> triangles, std::span<const glm::dvec3> points) {
     std::vector<SpaceBox> boxes;
     boxes.reserve(triangles.size());
     for (const auto& [a, b, c] : triangles) boxes.push_back(box_of(points[a], points[b], points[c]));
@@ -40,7 +40,7 @@ std::vector<SpaceBox> boxes_of(std::span<const Triangle> triangles, std::span<co
 }  // namespace
 
 SphereLocation::SphereLocation(std::span<const Triangle> triangles, std::span<const glm::dvec3> points)
-    : triangles_(triangles), points_(points), tree_(boxes_of(triangles, points)) {}
+    : triangles_(triangles), points_(points), tree_(cone_boxes_of(triangles, points)) {}
 
 SphereLocation::Candidate SphereLocation::in_triangle(Index triangle, const glm::dvec3& direction) const {
     const auto& [a, b, c] = triangles_[triangle];
