@@ -25,7 +25,8 @@ class KeyPortraits {
     /// \pre a context is current
     KeyPortraits() = default;
 
-    /// Brings the portraits in line with the keys of \p family; pictures are still to be drawn.
+    /// Brings the portraits in line with the keys of \p family; pictures are still to be drawn. At most once
+    /// a frame.
     void update(const Family& family);
 
     /// Draws the first picture that is missing among the keys from \p begin to \p end - 1, \p side pixels
@@ -40,6 +41,7 @@ class KeyPortraits {
 
   private:
     std::vector<KeyPortrait> portraits_;
+    std::vector<GlTexture> dropped_;  ///< that the panels of the frame being drawn may still show
     Extent extent_;
     Renderer renderer_;
 };

@@ -122,8 +122,7 @@ Subject subject_in(const UnionMesh& mesh, const RootPlace& place) {
 
 /// Directions to look from: along the normal, ever more slanted about it, from behind.
 std::vector<glm::vec3> directions_about(glm::vec3 normal) {
-    const float length = glm::length(normal);
-    const glm::vec3 axis = length > 0 && std::isfinite(length) ? normal / length : glm::vec3(0, 0, 1);
+    const glm::vec3 axis = normalized_or(normal, {0, 0, 1});
     const glm::vec3 across = any_perpendicular(axis);
     const glm::vec3 up = glm::cross(axis, across);
     std::vector<glm::vec3> directions{axis};

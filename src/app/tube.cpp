@@ -15,11 +15,6 @@ constexpr int cap_rings = 3;  // of a half ball, between its pole and its widest
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-glm::vec3 normalized_or(glm::vec3 vector, glm::vec3 otherwise) {
-    const float length = glm::length(vector);
-    return length > 0 && std::isfinite(length) ? vector / length : otherwise;
-}
-
 class TubeMaker {
   public:
     TubeMaker(std::span<const glm::vec3> points, float radius) : points_(points), radius_(radius) {}
@@ -97,6 +92,11 @@ class TubeMaker {
 
 Tube tube_along(std::span<const glm::vec3> points, float radius) {
     return TubeMaker(points, radius).make();
+}
+
+glm::vec3 normalized_or(glm::vec3 vector, glm::vec3 otherwise) {
+    const float length = glm::length(vector);
+    return length > 0 && std::isfinite(length) ? vector / length : otherwise;
 }
 
 glm::vec3 any_perpendicular(glm::vec3 axis) {

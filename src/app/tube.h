@@ -21,7 +21,10 @@ struct Tube {
 /// ball. \pre there is a point
 Tube tube_along(std::span<const glm::vec3> points, float radius);
 
-/// A vector of length 1. \pre \p axis is of length 1
+/// \p vector at length 1; \p otherwise where it has no direction.
+glm::vec3 normalized_or(glm::vec3 vector, glm::vec3 otherwise);
+
+/// A vector of length 1, at a right angle to \p axis. \pre \p axis is of length 1
 glm::vec3 any_perpendicular(glm::vec3 axis);
 
 }  // namespace interleaf

@@ -47,11 +47,8 @@ constexpr std::array<glm::dvec3, 12> places_of_leaf = {{{0, 0.5, 0.5},
                                                         {0.25, 0.5, 0.25},
                                                         {0, 0.75, 0.25}}};
 
-/// Three corners in space.
-using LeafCorners = std::array<glm::dvec3, 3>;
-
 /// The cosine of the least angle; 1 for a triangle without area.
-double largest_cosine(const LeafCorners& corners) {
+double largest_cosine(const TriangleCorners& corners) {
     double largest = -1;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 a = corners[(i + 1) % 3] - corners[i];
@@ -135,7 +132,7 @@ class Smoothing {
     double largest_distance(ProgressMeter& meter) const;
     bool is_near(std::span<const Index> star) const;
 
-    LeafCorners corners(Index leaf) const {
+    TriangleCorners corners(Index leaf) const {
         const auto& [a, b, c] = leaves_[leaf];
         return {surface_.positions[a], surface_.positions[b], surface_.positions[c]};
     }
@@ -270,7 +267,7 @@ bool Smoothing::is_near(std::span<const Index> star) const {
     };
     for (const Index leaf : star) {
         const auto [u, v, w] = directions(leaf);
-        const LeafCorners corner = corners(leaf);
+        const TriangleCorners corner = corners(leaf);
         Index guess = surface_.mesh_points[leaves_[leaf][0]].triangle;
         Index nearest = guess;
         for (const glm::dvec3& place : places_of_leaf) {

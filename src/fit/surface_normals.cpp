@@ -4,15 +4,18 @@
 
 namespace interleaf {
 
+glm::dvec3 unit_normal(const TriangleCorners& corners) {
+    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double length = glm::length(normal);
+    return length > 0 ? normal / length : glm::dvec3(0);
+}
+
 std::vector<glm::dvec3> unit_normals(std::span<const Triangle> triangles,
                                      std::span<const glm::dvec3> positions) {
     std::vector<glm::dvec3> normals;
     normals.reserve(triangles.size());
-    for (const auto& [a, b, c] : triangles) {
-        const glm::dvec3 normal = glm::cross(positions[b] - positions[a], positions[c] - positions[a]);
-        const double length = glm::length(normal);
-        normals.push_back(length > 0 ? normal / length : glm::dvec3(0));
-    }
+    for (const auto& [a, b, c] : triangles)
+        normals.push_back(unit_normal({positions[a], positions[b], positions[c]}));
     return normals;
 }
 

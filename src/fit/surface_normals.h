@@ -8,10 +8,14 @@
 
 #include "fit/sphere_location.h"
 #include "fit/surface_sampling.h"
+#include "fit/triangle_distance.h"
 
 namespace interleaf {
 
-/// One a triangle, zero for one of no area.
+/// Zero for a triangle of no area.
+glm::dvec3 unit_normal(const TriangleCorners& corners);
+
+/// One a triangle.
 std::vector<glm::dvec3> unit_normals(std::span<const Triangle> triangles,
                                      std::span<const glm::dvec3> positions);
 

@@ -23,15 +23,6 @@ constexpr double turn_share = 0.1;
 /// A deeper leaf is not bisected on its own account. Closure may add two levels, and max_level is the end.
 constexpr unsigned deepest_level = max_level - 4;
 
-/// Three corners in space or on the sphere.
-using Corners = std::array<glm::dvec3, 3>;
-
-glm::dvec3 unit_normal(const Corners& corners) {
-    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    const double length = glm::length(normal);
-    return length > 0 ? normal / length : glm::dvec3(0);
-}
-
 class Sampler {
   public:
     Sampler(const SurfaceMesh& mesh, std::span<const glm::dvec3> points, const SphereLocation& location,
@@ -144,7 +135,7 @@ void Sampler::divide_vertices(Index first, Index second) {
 double Sampler::error(const AdaptiveMesh& mesh, Index leaf, bool distance_alone) const {
     if (mesh.level(leaf) >= deepest_level) return 0;
     const auto& [a, b, c] = mesh.vertices(leaf);
-    const Corners corners = {mesh.positions()[a], mesh.positions()[b], mesh.positions()[c]};
+    const TriangleCorners corners = {mesh.positions()[a], mesh.positions()[b], mesh.positions()[c]};
     const glm::dvec3 &u = sphere_points_[a], &v = sphere_points_[b], &w = sphere_points_[c];
     const glm::dvec3 normal = unit_normal(corners);
 

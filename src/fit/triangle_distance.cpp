@@ -18,7 +18,7 @@ double squared_distance_to_segment(const glm::dvec3& a, const glm::dvec3& edge) 
 
 }  // namespace
 
-double squared_distance_to_triangle(const glm::dvec3& point, const std::array<glm::dvec3, 3>& corners) {
+double squared_distance_to_triangle(const glm::dvec3& point, const TriangleCorners& corners) {
     const glm::dvec3 a = corners[0] - point;  // the point is the origin
     const glm::dvec3 b = corners[1] - point;
     const glm::dvec3 c = corners[2] - point;

@@ -8,8 +8,11 @@
 
 namespace interleaf {
 
+/// The corners of a triangle in space.
+using TriangleCorners = std::array<glm::dvec3, 3>;
+
 /// The square of the distance of \p point from the closed triangle with these corners, which may be
 /// degenerate.
-double squared_distance_to_triangle(const glm::dvec3& point, const std::array<glm::dvec3, 3>& corners);
+double squared_distance_to_triangle(const glm::dvec3& point, const TriangleCorners& corners);
 
 }  // namespace interleaf

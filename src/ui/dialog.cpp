@@ -18,18 +18,6 @@ namespace interleaf {
 
 namespace {
 
-float wrapped_height(const std::string& text, float width) {
-    return text.empty() ? 0 : ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
-}
-
-void wrapped_text(const std::string& text, ImU32 color) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-}
-
 float total_width(const std::vector<std::string>& buttons) {
     float width = -ImGui::GetStyle().ItemSpacing.x;
     for (const std::string& label : buttons)

@@ -49,18 +49,6 @@ void row_remark(const std::string& text) {
     ImGui::Dummy({0, ImGui::GetFrameHeight()});
 }
 
-float wrapped_height(const std::string& text, float width) {
-    return ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
-}
-
-void wrapped_text(const std::string& text, ImU32 color) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-}
-
 }  // namespace
 
 void FitDialog::open(std::size_t mesh_count) {

@@ -53,9 +53,7 @@ bool message_panel(const std::string& message, std::span<const MessagePicture> p
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(message.data(), message.data() + message.size());
-    ImGui::PopTextWrapPos();
+    wrapped_text(message, colors::text);
     ImGui::Spacing();
     if (!pictures.empty()) {
         const float used =

@@ -166,4 +166,16 @@ glm::vec2 text_size(std::string_view text) {
     return from_imgui(ImGui::CalcTextSize(text.data(), text.data() + text.size()));
 }
 
+void wrapped_text(std::string_view text, ImU32 color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+float wrapped_height(std::string_view text, float width) {
+    return text.empty() ? 0 : ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, width).y;
+}
+
 }  // namespace interleaf

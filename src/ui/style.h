@@ -56,4 +56,10 @@ void draw_text(glm::vec2 position, float max_width, ImU32 color, std::string_vie
 /// Width and height of \p text in the present typeface.
 glm::vec2 text_size(std::string_view text);
 
+/// Shows \p text in as many lines as the window's width asks for.
+void wrapped_text(std::string_view text, ImU32 color);
+
+/// The height of \p text in lines \p width wide; 0 for none.
+float wrapped_height(std::string_view text, float width);
+
 }  // namespace interleaf
