@@ -44,14 +44,14 @@ class Sampler {
     glm::vec3 place_midpoint(Index a, Index b, Index midpoint) {
         assert(midpoint == sphere_points_.size());
         add_vertex(glm::normalize(sphere_points_[a] + sphere_points_[b]), mesh_points_[a].triangle);
-        new_vertices_.push_back({a, b, midpoint});
+        divided_edges_.push_back({{a, b, midpoint}, middle_of(a, midpoint), middle_of(b, midpoint)});
         return position(midpoint);
     }
 
     /// Takes notice of bisections: \p changed holds the children of each.
     void divide_vertices(std::span<const Index> changed) {
         for (std::size_t i = 0; i < changed.size(); i += 2) divide_vertices(changed[i], changed[i + 1]);
-        new_vertices_.clear();
+        divided_edges_.clear();
     }
 
     double error(const AdaptiveMesh& mesh, Index leaf, bool distance_alone) const;
@@ -67,16 +67,28 @@ class Sampler {
     }
 
   private:
-    /// A leaf's corners, and those vertices of the surface that lie in it: a range of vertices_.
+    /// What is known of a leaf, so that its bisection has little left to locate.
     struct LeafRecord {
         Triangle corners;
-        Index begin;
-        Index end;
+        std::array<MeshPoint, 3> middles;  ///< of the sides, on the surface
+        Index begin;                       ///< of those vertices of the surface that lie in it: a range of
+        Index end;                         ///< vertices_
+    };
+    /// An edge bisected in the present step. Leaves at both its sides take its halves over.
+    struct DividedEdge {
+        NewVertex vertex;
+        MeshPoint middle_at_a;  ///< of the half from a to the new vertex
+        MeshPoint middle_at_b;
     };
 
     void add_vertex(const glm::dvec3& sphere_point, Index guess) {
         sphere_points_.push_back(sphere_point);
         mesh_points_.push_back(location_.locate(sphere_point, guess));
+    }
+    /// Where the middle of an edge lies on the surface; \p b lies there already.
+    MeshPoint middle_of(Index a, Index b) const {
+        return location_.locate(glm::normalize(sphere_points_[a] + sphere_points_[b]),
+                                mesh_points_[b].triangle);
     }
     void assign_vertices(const SphereRoots& roots);
     void divide_vertices(Index first, Index second);
@@ -90,7 +102,7 @@ class Sampler {
     std::vector<MeshPoint> mesh_points_;
     std::vector<Index> vertices_;  ///< of the surface, those of a leaf together
     std::vector<LeafRecord> leaves_;
-    std::vector<NewVertex> new_vertices_;  ///< of the present step
+    std::vector<DividedEdge> divided_edges_;  ///< in the present step
 };
 
 /// Puts every vertex of the surface into the root triangle it is mapped into.
@@ -105,7 +117,9 @@ void Sampler::assign_vertices(const SphereRoots& roots) {
     }
     Index begin = 0;
     for (std::size_t root = 0; root < triangles.size(); ++root) {
-        leaves_.push_back({triangles[root], begin, begin});
+        const auto& [a, b, c] = triangles[root];
+        leaves_.push_back(
+            {triangles[root], {middle_of(b, c), middle_of(c, a), middle_of(a, b)}, begin, begin});
         begin += counts[root];
     }
     vertices_.resize(points_.size());
@@ -115,21 +129,30 @@ void Sampler::assign_vertices(const SphereRoots& roots) {
 
 /// One bisection: the first child takes its parent's place.
 void Sampler::divide_vertices(Index first, Index second) {
-    const auto [corners, begin, end] = leaves_[first];
+    const auto [corners, middles, begin, end] = leaves_[first];
     const auto [low, high] = std::minmax(corners[1], corners[2]);
-    const auto made = std::ranges::find_if(
-        new_vertices_, [low = low, high = high](const NewVertex& v) { return v.a == low && v.b == high; });
-    assert(made != new_vertices_.end());
-    const auto children = bisect(corners, made->midpoint);
+    const auto edge =
+        std::ranges::find_if(divided_edges_, [low = low, high = high](const DividedEdge& divided) {
+            return divided.vertex.a == low && divided.vertex.b == high;
+        });
+    assert(edge != divided_edges_.end());
+    const Index midpoint = edge->vertex.midpoint;
+    const auto children = bisect(corners, midpoint);
     const glm::dvec3& apex = sphere_points_[corners[0]];
-    const glm::dvec3& middle = sphere_points_[made->midpoint];
+    const glm::dvec3& middle = sphere_points_[midpoint];
     const auto divide = std::partition(vertices_.begin() + begin, vertices_.begin() + end, [&](Index vertex) {
         return side_of_arc(apex, middle, points_[vertex]) >= 0;
     });
     const auto between = static_cast<Index>(divide - vertices_.begin());
     if (leaves_.size() <= second) leaves_.resize(second + 1);
-    leaves_[first] = {children[0], begin, between};
-    leaves_[second] = {children[1], between, end};
+
+    // The children's sides, as hierarchy/triangle.h numbers them: the first has the half at corners[2].
+    const bool first_at_b = corners[2] == edge->vertex.b;
+    const MeshPoint& middle_of_first = first_at_b ? edge->middle_at_b : edge->middle_at_a;
+    const MeshPoint& middle_of_second = first_at_b ? edge->middle_at_a : edge->middle_at_b;
+    const MeshPoint middle_between = middle_of(corners[0], midpoint);
+    leaves_[first] = {children[0], {middles[1], middle_between, middle_of_first}, begin, between};
+    leaves_[second] = {children[1], {middles[2], middle_of_second, middle_between}, between, end};
 }
 
 double Sampler::error(const AdaptiveMesh& mesh, Index leaf, bool distance_alone) const {
@@ -141,17 +164,17 @@ double Sampler::error(const AdaptiveMesh& mesh, Index leaf, bool distance_alone)
 
     double squared_distance = 0;
     double squared_turn = 0;
-    Index guess = mesh_points_[b].triangle;
-    for (const glm::dvec3& inside : {v + w, u + v, w + u, u + v + w}) {
-        const MeshPoint point = location_.locate(glm::normalize(inside), guess);
-        guess = point.triangle;
+    const LeafRecord& record = leaves_[leaf];
+    const auto measure_at = [&](const MeshPoint& point) {
         const glm::dvec3 on_surface =
             point.of(std::span<const Triangle>(mesh_.triangles), std::span(mesh_.positions));
         squared_distance = std::max(squared_distance, squared_distance_to_triangle(on_surface, corners));
         const glm::dvec3 turn = normals_[point.triangle] - normal;
         squared_turn = std::max(squared_turn, glm::dot(turn, turn));
-    }
-    for (Index i = leaves_[leaf].begin; i < leaves_[leaf].end; ++i)
+    };
+    for (const MeshPoint& middle : record.middles) measure_at(middle);
+    measure_at(location_.locate(glm::normalize(u + v + w), record.middles[0].triangle));
+    for (Index i = record.begin; i < record.end; ++i)
         squared_distance =
             std::max(squared_distance, squared_distance_to_triangle(mesh_.positions[vertices_[i]], corners));
     if (distance_alone) return std::sqrt(squared_distance);

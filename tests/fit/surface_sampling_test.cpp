@@ -1,15 +1,22 @@
 // Sampling: what a key of a mapped surface must be, on surfaces whose map is known.
 #include "fit/surface_sampling.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
-#include <random>
+#include <vector>
 
 #include <doctest/doctest.h>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
+#include "fit/alignment.h"
 #include "fit/star_shapes.h"
 #include "fit/surface_distance.h"
+#include "fit/triangle_distance.h"
+#include "hierarchy/adaptive_mesh.h"
 #include "hierarchy/checker.h"
+#include "hierarchy/greedy.h"
 
 using namespace interleaf;
 using namespace interleaf::testing;
@@ -20,6 +27,44 @@ SampledSurface sampled(const MappedMesh& mapped, const SamplingOptions& options,
                        const SphereRoots& roots = project_to_sphere(cube())) {
     const SphereLocation location(mapped.mesh.triangles, mapped.points);
     return sample_surface(mapped.mesh, mapped.points, location, roots, options, {});
+}
+
+/// Sampling by distance as it is defined: every leaf's places are located, and the vertices of the surface
+/// in it looked for, from nothing.
+std::vector<Triangle> literally_sampled(const MappedMesh& mapped, const SphereRoots& roots, Index leaves) {
+    const SphereLocation location(mapped.mesh.triangles, mapped.points);
+    const auto on_surface = [&](const glm::dvec3& direction) {
+        return location.locate(glm::normalize(direction))
+            .of(std::span<const Triangle>(mapped.mesh.triangles), std::span(mapped.mesh.positions));
+    };
+    std::vector<glm::dvec3> points = roots.points;
+    std::vector<glm::vec3> root_positions;
+    for (const glm::dvec3& point : points) root_positions.emplace_back(on_surface(point));
+    AdaptiveMesh mesh(roots.complex, root_positions, [&](Index a, Index b, Index) {
+        points.push_back(glm::normalize(points[a] + points[b]));
+        return glm::vec3(on_surface(points.back()));
+    });
+    const auto error = [&](const AdaptiveMesh& refined, Index leaf) {
+        const auto& [a, b, c] = refined.vertices(leaf);
+        const auto positions = refined.positions();
+        const TriangleCorners corners = {positions[a], positions[b], positions[c]};
+        const glm::dvec3 &u = points[a], &v = points[b], &w = points[c];
+        double squared = 0;
+        const auto measure = [&](const glm::dvec3& point) {
+            squared = std::max(squared, squared_distance_to_triangle(point, corners));
+        };
+        for (const glm::dvec3& inside : {u + v, v + w, w + u, u + v + w}) measure(on_surface(inside));
+        for (std::size_t i = 0; i < mapped.points.size(); ++i) {
+            const glm::dvec3& p = mapped.points[i];
+            if (side_of_arc(u, v, p) >= 0 && side_of_arc(v, w, p) >= 0 && side_of_arc(w, u, p) >= 0)
+                measure(mapped.mesh.positions[i]);
+        }
+        return std::sqrt(squared);
+    };
+    refine_greedily(mesh, error, {.leaves = leaves});
+    std::vector<Triangle> triangles;
+    for (const Index leaf : mesh.preorder()) triangles.push_back(mesh.vertices(leaf));
+    return triangles;
 }
 
 }  // namespace
@@ -45,6 +90,19 @@ TEST_CASE("on the unit sphere, a vertex lies where its point of the sphere is") 
     for (std::size_t v = 0; v < surface.positions.size(); ++v)
         CHECK(glm::distance(glm::normalize(glm::dvec3(surface.positions[v])), surface.sphere_points[v]) <
               1e-6);
+}
+
+TEST_CASE("what leaves keep for their children is what the children would find") {
+    for (const Hierarchy& roots_key : {cube(), octahedron()}) {
+        const SphereRoots roots = project_to_sphere(roots_key);
+        MappedMesh mapped = bumpy_ellipsoid(3);
+        // Turned, so that no vertex of the surface lies on an edge between leaves.
+        rotate(mapped.points, glm::dmat3(glm::rotate(glm::dmat4(1), 0.7, glm::dvec3(1, 2, 3))));
+        const SampledSurface surface = sampled(mapped, {.leaves = 1500, .tolerance = 1e-9}, roots);
+        std::vector<Triangle> triangles;
+        for (const Leaf& leaf : surface.leaves) triangles.push_back(leaf.vertices);
+        CHECK(triangles == literally_sampled(mapped, roots, 1500));
+    }
 }
 
 TEST_CASE("the same surface gives the same bits") {
