@@ -131,9 +131,11 @@ class Walk {
 
     // Without branches but the caller's: what a node is can hardly be foreseen.
     bool is_bisected(const Node& node) {
-        const auto& [refinement, second, third] = node.edges;
-        const bool must = has_midpoint(refinement) | has_midpoint(second) | has_midpoint(third);
-        const bool must_not = edges_[refinement].halves == Edge::whole;
+        const bool first = has_midpoint(node.edges[0]);
+        const bool second = has_midpoint(node.edges[1]);
+        const bool third = has_midpoint(node.edges[2]);
+        const bool must = first | second | third;
+        const bool must_not = edges_[node.edges[0]].halves == Edge::whole;
         if (must & must_not)
             throw InputError(fmt::format("node {}: must be bisected at an edge of a leaf", bits_.count()));
         const bool decision = decisions_.peek(bits_.count());

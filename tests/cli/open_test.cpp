@@ -48,7 +48,7 @@ TEST_CASE("a family of compressed keys is the same family in fewer bytes") {
     const Family plain = read_family(folder / "plain");
     const Family small = read_family(folder / "small");
     REQUIRE(small.keys.size() == 2);
-    for (const std::size_t key : {0, 1}) {
+    for (const std::size_t key : {0U, 1U}) {
         CHECK(small.keys[key].hierarchy->bits == plain.keys[key].hierarchy->bits);
         CHECK(small.keys[key].hierarchy->positions == plain.keys[key].hierarchy->positions);
     }

@@ -108,7 +108,7 @@ TEST_CASE("the first key, if nothing is bisected in it, is marked as the first o
                           {"star", renumbered(bisected(marked, 7), random_renumbering(roots, random))},
                           {"bone", bisected(marked_otherwise(marked, 12), 0)}};
     const Synchronisation result = synchronise(keys);
-    for (const std::size_t n : {0, 1, 2}) {
+    for (const std::size_t n : {0U, 1U, 2U}) {
         CHECK(keys[n].hierarchy->roots == marked);
         CHECK(check(*keys[n].hierarchy).empty());
     }

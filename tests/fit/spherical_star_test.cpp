@@ -32,9 +32,9 @@ RandomStar random_star(unsigned seed, double size) {
         const double radius = size * (1 + 0.7 * number(random));
         made.ring.push_back(frame.point_at({radius * std::cos(angle), radius * std::sin(angle)}));
     }
-    for (int i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < made.ring.size(); ++i) {
         const double area = size * size * (0.5 + 0.4 * number(random));
-        made.star.add(made.ring[i], made.ring[(i + 1) % count], 0.6 + 0.5 * number(random),
+        made.star.add(made.ring[i], made.ring[(i + 1) % made.ring.size()], 0.6 + 0.5 * number(random),
                       0.6 + 0.5 * number(random), 0.6 + 0.5 * number(random), area);
     }
     return made;
@@ -112,7 +112,7 @@ TEST_CASE("the middle of the kernel is in it, seen from any point of it; a star 
         const double radius = i % 2 == 0 ? 0.5 : 0.1;
         ring.push_back(frame.point_at({radius * std::cos(angle), radius * std::sin(angle)}));
     }
-    for (int i = 0; i < 8; ++i) pinwheel.add(ring[i], ring[(i + 1) % 8], 0.6, 0.6, 0.6, 0.1);
+    for (std::size_t i = 0; i < 8; ++i) pinwheel.add(ring[i], ring[(i + 1) % 8], 0.6, 0.6, 0.6, 0.1);
     CHECK_FALSE(pinwheel.middle_of_kernel());
     CHECK_FALSE(pinwheel.has_center_in_kernel());
 }

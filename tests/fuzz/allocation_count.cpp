@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "sanitized.h"
 #include <malloc.h>
 #include <sys/mman.h>
 

@@ -4,22 +4,7 @@
 
 #include <cstddef>
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define INTERLEAF_ADDRESS_SANITIZER
-#endif
-#elif defined(__SANITIZE_ADDRESS__)
-#define INTERLEAF_ADDRESS_SANITIZER
-#endif
-
 namespace interleaf::fuzz {
-
-/// Whether this program runs under AddressSanitizer, which takes its time.
-#ifdef INTERLEAF_ADDRESS_SANITIZER
-inline constexpr bool is_sanitized = true;
-#else
-inline constexpr bool is_sanitized = false;
-#endif
 
 void begin_count();
 

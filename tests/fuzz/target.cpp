@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fuzz/allocation_count.h"
+#include "sanitized.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"

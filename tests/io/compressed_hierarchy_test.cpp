@@ -10,6 +10,7 @@
 #include <string>
 
 #include "messages.h"
+#include "sanitized.h"
 #include "trials.h"
 #include <doctest/doctest.h>
 #include <libdeflate.h>
@@ -74,11 +75,8 @@ std::size_t memory_of(const std::function<void()>& action) {
     return std::max(held("VmHWM:"), before) - before;
 }
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr std::size_t memory_limit = std::size_t{1} << 30;  // it keeps freed memory for a while
-#else
-constexpr std::size_t memory_limit = std::size_t{32} << 20;
-#endif
+/// The sanitizer keeps freed memory for a while.
+constexpr std::size_t memory_limit = std::size_t{is_sanitized ? 1024 : 32} << 20;
 
 }  // namespace
 

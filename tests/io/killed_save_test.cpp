@@ -6,6 +6,7 @@
 #include <functional>
 #include <random>
 
+#include "sanitized.h"
 #include <doctest/doctest.h>
 #include <sys/ptrace.h>
 #include <sys/wait.h>
@@ -79,13 +80,12 @@ bool is_same(const Family& a, const Family& b) {
            });
 }
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr unsigned random_kills = 60;  // a process takes many times as long to begin and to end
-constexpr bool calls_repeat = false;   // its allocator makes system calls when it sees fit
-#else
-constexpr unsigned random_kills = 500;
-constexpr bool calls_repeat = true;  // the same system calls in every run, so what is new stays new
-#endif
+/// Whether every run makes the same system calls, so that what is new stays new. The sanitizer's allocator
+/// makes some when it sees fit.
+constexpr bool calls_repeat = !is_sanitized;
+
+/// Under the sanitizer a process takes many times as long to begin and to end.
+constexpr unsigned random_kills = is_sanitized ? 60 : 500;
 
 /// Two families to save over one another: one key stays, one changes, one comes or goes.
 struct Families {

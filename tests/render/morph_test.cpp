@@ -52,7 +52,7 @@ TEST_CASE("the picture is the same for one to four keys on the GPU and for more 
     const Camera camera = framing(two, target);
     renderer.upload(two.mesh, two.form);
     const Picture expected = take_picture(renderer, target, camera, weights);
-    for (const std::size_t count : {3, 4, 5, 6}) {
+    for (const std::size_t count : {3U, 4U, 5U, 6U}) {
         CAPTURE(count);
         const TestSurface surface = repeated(keys, count);
         renderer.upload(surface.mesh, surface.form);
