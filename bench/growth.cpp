@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
     const double uniting = bench::least_seconds_of(runs, [&] { unite(pointers, mesh); });
 
     const std::vector<float> weights = {0.3F, 0.7F};
-    std::vector<glm::vec3> positions;
+    Buffer<glm::vec3> positions;
     morph(mesh, weights, positions);
     const double morphing = bench::least_seconds_of(runs, [&] { morph(mesh, weights, positions); });
     const std::size_t morph_bytes = 3 * positions.size() * sizeof(glm::vec3);

@@ -123,7 +123,7 @@ void count_blended(benchmark::State& state) {
 
 void morph_streams(benchmark::State& state) {
     const auto streams = three_streams(state);
-    std::vector<glm::vec3> sum;
+    Buffer<glm::vec3> sum;
     for (auto _ : state) {
         weighted_sum(streams, blend, sum);
         benchmark::DoNotOptimize(sum.data());

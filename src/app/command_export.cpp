@@ -44,7 +44,7 @@ void run_export(const ExportOptions& options) {
     UnionMesh mesh = unite(family, weights);
     unite_fields(family, weights, mesh);
     const std::vector<float> values = weight_values(weights);
-    const std::vector<glm::vec3> positions = morph(mesh, values);
+    const Buffer<glm::vec3> positions = morph(mesh, values);
     if (!std::ranges::all_of(positions, is_finite))
         throw UsageError("--weights: too large for float positions");
     const std::vector<Field> fields = morphed_fields(mesh, values);

@@ -10,13 +10,13 @@
 
 namespace interleaf {
 
-std::vector<glm::vec3> morph(const UnionMesh& mesh, std::span<const float> weights) {
-    std::vector<glm::vec3> positions;
+Buffer<glm::vec3> morph(const UnionMesh& mesh, std::span<const float> weights) {
+    Buffer<glm::vec3> positions;
     morph(mesh, weights, positions);
     return positions;
 }
 
-void morph(const UnionMesh& mesh, std::span<const float> weights, std::vector<glm::vec3>& positions) {
+void morph(const UnionMesh& mesh, std::span<const float> weights, Buffer<glm::vec3>& positions) {
     assert(weights.size() == mesh.key_count());
     weighted_sum(mesh.positions, weights, positions);
 }
@@ -71,7 +71,7 @@ void add_up(Streams streams, std::span<const float> weights, std::span<float> su
 }  // namespace
 
 void weighted_sum(std::span<const Buffer<glm::vec3>> streams, std::span<const float> weights,
-                  std::vector<glm::vec3>& sum) {
+                  Buffer<glm::vec3>& sum) {
     sum.resize(streams[0].size());
     if (sum.empty()) return;
     std::vector<const float*> floats;
@@ -80,7 +80,7 @@ void weighted_sum(std::span<const Buffer<glm::vec3>> streams, std::span<const fl
     add_up(floats, weights, {&sum.data()->x, 3 * sum.size()});
 }
 
-void morph(const UnionField& field, std::span<const float> weights, std::vector<float>& values) {
+void morph(const UnionField& field, std::span<const float> weights, Buffer<float>& values) {
     assert(weights.size() == field.values.size());
     values.resize(field.values[0].size());
     std::vector<const float*> streams;
@@ -90,7 +90,7 @@ void morph(const UnionField& field, std::span<const float> weights, std::vector<
 }
 
 Field morphed_field(const UnionField& field, std::span<const float> weights) {
-    std::vector<float> values;
+    Buffer<float> values;
     morph(field, weights, values);
     if (field.label.kind == FieldKind::color)
         for (std::size_t n = 0; n < values.size(); n += 3) {
@@ -98,7 +98,7 @@ Field morphed_field(const UnionField& field, std::span<const float> weights) {
             const glm::vec3 color = encoded(glm::clamp(light, 0.0F, 1.0F));
             for (int c = 0; c < 3; ++c) values[n + static_cast<std::size_t>(c)] = color[c];
         }
-    return {field.label.name, field.label.kind, {values.begin(), values.end()}};
+    return {field.label.name, field.label.kind, std::move(values)};
 }
 
 Hierarchy morphed_hierarchy(const UnionMesh& mesh, std::span<const float> weights) {

@@ -256,12 +256,12 @@ void Renderer::upload_field(std::span<const std::span<const float>> values, std:
 
 void Renderer::blend_on_processor(ProcessorBlend& blend, std::span<const float> weights) {
     if (std::equal(weights.begin(), weights.end(), blend.weights.begin(), blend.weights.end())) return;
-    const std::vector<glm::vec3> positions = morph(blend.mesh, weights);
+    const Buffer<glm::vec3> positions = morph(blend.mesh, weights);
     const std::vector<glm::vec3> normals = morph_normals(blend.form, weights);
     const Stream position_stream = positions;
     upload_streams({&position_stream, 1}, normals);
     if (blend.field) {
-        std::vector<float> values;
+        Buffer<float> values;
         morph(*blend.field, weights, values);
         const std::span<const float> stream = values;
         upload_field({&stream, 1}, component_count(blend.field->label.kind));

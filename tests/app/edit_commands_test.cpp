@@ -49,7 +49,7 @@ Family random_sample(std::uint64_t seed) {
 /// The corners of the leaves of the surface that \p weights give, in preorder.
 std::vector<glm::vec3> surface(const Family& family, const Weights& weights) {
     const UnionMesh mesh = unite(family, weights);
-    const std::vector<glm::vec3> positions = morph(mesh, weight_values(weights));
+    const Buffer<glm::vec3> positions = morph(mesh, weight_values(weights));
     std::vector<glm::vec3> corners;
     for (const Triangle& triangle : mesh.triangles)
         for (const Index corner : triangle) corners.push_back(positions[corner]);

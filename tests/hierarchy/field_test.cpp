@@ -80,7 +80,7 @@ TEST_CASE("fields that hold the coordinates are the coordinates of every union a
 
             Random random(family.seed);
             const std::vector<float> weights = random_weights(key_count, random);
-            const std::vector<glm::vec3> positions = morph(mesh, weights);
+            const Buffer<glm::vec3> positions = morph(mesh, weights);
             for (std::size_t axis = 0; axis < 3; ++axis)
                 REQUIRE(morphed_field(mesh.fields[axis], weights).values ==
                         coordinates(positions)[axis].values);

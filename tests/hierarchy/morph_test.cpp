@@ -68,7 +68,7 @@ TEST_CASE("positions agree with the literal composition of level maps, 10,200 hi
             literal.emplace_back(key);
             weights.push_back(static_cast<float>(4 * random.unit() - 2));  // any real weights, used as given
         }
-        const std::vector<glm::vec3> positions = morph(mesh, weights);
+        const Buffer<glm::vec3> positions = morph(mesh, weights);
         double worst = 0;
         for (std::size_t t = 0; t < nodes.size(); ++t) {
             std::array<glm::dvec3, 3> expected{};
@@ -93,7 +93,7 @@ TEST_CASE("weight 1 on a key gives that key's surface: its positions, area and v
         for (std::size_t k = 0; k < 3; ++k) {
             std::vector<float> weights(3, 0.0F);
             weights[k] = 1;
-            const std::vector<glm::vec3> positions = morph(mesh, weights);
+            const Buffer<glm::vec3> positions = morph(mesh, weights);
             const Hierarchy& key = family.keys[k];
             for (std::size_t v = 0; v < key.vertex_count(); ++v)
                 REQUIRE(positions[mesh.own_vertices[k][v]] == key.positions[v]);
@@ -116,7 +116,7 @@ TEST_CASE("the morphed hierarchy is a sound key with the morph's surface") {
         const Hierarchy key = morphed_hierarchy(mesh, weights);
         REQUIRE(check(key).empty());
         const std::vector<Leaf> leaves = leaves_of(key);
-        const std::vector<glm::vec3> positions = morph(mesh, weights);
+        const Buffer<glm::vec3> positions = morph(mesh, weights);
         REQUIRE(leaves.size() == mesh.leaf_count());
         for (std::size_t t = 0; t < leaves.size(); ++t)
             for (std::size_t c = 0; c < 3; ++c)

@@ -31,7 +31,7 @@ std::vector<float> random_weights(Random& random, std::size_t count) {
 /// has; elsewhere the form interpolates (rule 2) and this says nothing.
 std::vector<glm::dvec3> normals_of_blended_mesh(const UnionMesh& mesh, const std::vector<float>& weights) {
     std::vector<glm::dvec3> normals(mesh.vertex_count());
-    const std::vector<glm::vec3> positions = morph(mesh, weights);
+    const Buffer<glm::vec3> positions = morph(mesh, weights);
     for (std::size_t t = 0; t < mesh.leaf_count(); ++t) {
         const auto& [a, b, c] = mesh.triangles[t];
         const glm::dvec3 normal = glm::cross(glm::dvec3(positions[b]) - glm::dvec3(positions[a]),

@@ -44,7 +44,7 @@ TestSurface surface_with_fields(const std::vector<Hierarchy>& keys) {
 }
 
 glm::vec3 middle(const UnionMesh& mesh, std::span<const float> weights, std::size_t leaf) {
-    const std::vector<glm::vec3> positions = morph(mesh, weights);
+    const Buffer<glm::vec3> positions = morph(mesh, weights);
     const auto& [a, b, c] = mesh.triangles[leaf];
     return (positions[a] + positions[b] + positions[c]) / 3.0F;
 }
@@ -52,7 +52,7 @@ glm::vec3 middle(const UnionMesh& mesh, std::span<const float> weights, std::siz
 /// The blended values of \p field in the middle of a leaf.
 std::vector<float> field_in_middle(const UnionMesh& mesh, std::size_t field, std::span<const float> weights,
                                    std::size_t leaf) {
-    std::vector<float> values;
+    Buffer<float> values;
     morph(mesh.fields[field], weights, values);
     const std::size_t width = component_count(mesh.fields[field].label.kind);
     std::vector<float> result(width, 0);
@@ -208,7 +208,7 @@ TEST_CASE("a field that is the height is the height of the picture, whatever is 
         const Picture picture = take_picture(renderer, target, camera, weights, display);
         int checked = 0;
         int wrong = 0;
-        const std::vector<glm::vec3> positions = morph(surface.mesh, weights);
+        const Buffer<glm::vec3> positions = morph(surface.mesh, weights);
         for (const glm::vec3& p : positions) {
             if (std::abs(p.y - 0.2F) < 0.06F) continue;
             const glm::vec3 way = p - camera.eye();
