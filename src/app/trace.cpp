@@ -111,8 +111,8 @@ Trace::Trace(const std::filesystem::path& path) : path_(path), file_(path) {
     if (!file_) throw MachineError(fmt::format("{}: cannot be written", path_.string()));
 }
 
-void Trace::record(std::size_t frame, const ViewerState& state, const SurfaceFigures& figures, glm::vec3 eye,
-                   const TracePlaces& places) {
+void Trace::record(std::size_t frame, double seconds, const ViewerState& state, const SurfaceFigures& figures,
+                   glm::vec3 eye, const TracePlaces& places) {
     Json json = json_of(state.session);
     json["leaves"] = figures.leaves;
     json["vertices"] = figures.vertices;
@@ -140,7 +140,7 @@ void Trace::record(std::size_t frame, const ViewerState& state, const SurfaceFig
     std::string members = json.dump(-1, ' ', false, Json::error_handler_t::replace).substr(1);
     if (members == last_) return;
     last_ = std::move(members);
-    file_ << "{\"frame\":" << frame << ',' << last_ << '\n' << std::flush;
+    file_ << fmt::format("{{\"frame\":{},\"seconds\":{:.4f},{}\n", frame, seconds, last_) << std::flush;
     if (!file_) throw MachineError(fmt::format("{}: cannot be written", path_.string()));
 }
 

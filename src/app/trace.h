@@ -38,10 +38,10 @@ class Trace {
     /// \throw MachineError if the file cannot be written
     explicit Trace(const std::filesystem::path& path);
 
-    /// Writes a line for \p frame, which has been shown, if anything but the frame's number is new.
-    /// \throw MachineError if the file cannot be written
-    void record(std::size_t frame, const ViewerState& state, const SurfaceFigures& figures, glm::vec3 eye,
-                const TracePlaces& places);
+    /// Writes a line for \p frame, which has been shown \p seconds after the program turned to the display,
+    /// if anything but these two is new. \throw MachineError if the file cannot be written
+    void record(std::size_t frame, double seconds, const ViewerState& state, const SurfaceFigures& figures,
+                glm::vec3 eye, const TracePlaces& places);
 
   private:
     std::filesystem::path path_;

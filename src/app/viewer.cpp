@@ -264,7 +264,7 @@ void Viewer::frame() {
     if (state_.session.is_playing() || gui_.has_input()) settling_ = settling_frames;
     ++frame_;
     if (trace_)
-        trace_->record(frame_, state_, surface_.figures(),
+        trace_->record(frame_, glfwGetTime(), state_, surface_.figures(),
                        shows_comparison_ ? comparison_.eye() : camera_.eye(), places_);
 }
 
