@@ -22,13 +22,15 @@ const std::string& name_of(const ViewerState& state, std::size_t key) {
     return state.document.family().keys[key].name;
 }
 
-/// Where the selected key is after the document has changed: the one with the same hierarchy and name, or
-/// else with the same hierarchy.
+/// Where the selected key is after the document has changed: the one with the same hierarchy and name; or
+/// else with the same hierarchy, in its place or, where another is there now, the first.
 void follow_selection(ViewerState& state, const Key& selected) {
     const auto& keys = state.document.family().keys;
     const auto is_selected = [&](const Key& key) { return key.hierarchy.is_same(selected.hierarchy); };
     auto found = std::ranges::find_if(
         keys, [&](const Key& key) { return is_selected(key) && key.name == selected.name; });
+    const std::size_t place = *state.selected_key;
+    if (found == keys.end() && place < keys.size() && is_selected(keys[place])) return;
     if (found == keys.end()) found = std::ranges::find_if(keys, is_selected);
     state.selected_key.reset();
     if (found != keys.end()) state.selected_key = static_cast<std::size_t>(found - keys.begin());

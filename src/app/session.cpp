@@ -32,11 +32,10 @@ void Session::replace_family(std::shared_ptr<const Family> family, double now) {
         std::ranges::find_if(family_->keys, [&](const Key& key) { return key.hierarchy.is_same(single); });
     key_ = same == family_->keys.end() ? 0 : static_cast<std::size_t>(same - family_->keys.begin());
 
-    const bool looped = !playback_ || playback_->loops();
     playback_.reset();
     if (family_->timeline) {
         playback_.emplace(family_->timeline->begin(), family_->timeline->end());
-        playback_->set_loops(looped, now);
+        playback_->set_loops(loops_, now);
         playback_->seek(time_, now);
         if (playing_) playback_->play(now);
     } else {
@@ -118,7 +117,8 @@ void Session::seek_key(int direction, double now) {
 
 void Session::toggle_loop(double now) {
     if (!playback_) return;
-    playback_->set_loops(!playback_->loops(), now);
+    loops_ = !loops_;
+    playback_->set_loops(loops_, now);
     advance(now);
 }
 

@@ -56,7 +56,7 @@ class Session {
     /// Time of the timeline, seconds; 0 without one.
     double time() const { return time_; }
     bool is_playing() const { return playing_; }
-    bool loops() const { return playback_ && playback_->loops(); }
+    bool loops() const { return playback_ && loops_; }
 
     /// The functions below do nothing without a timeline. All but toggle_loop() let it drive.
     void toggle_playing(double now);
@@ -78,6 +78,7 @@ class Session {
     Driver driver_ = Driver::key;
     double time_ = 0;
     bool playing_ = false;
+    bool loops_ = true;    ///< kept while there is no timeline
     std::size_t key_ = 0;  ///< that drives where a single one does
     std::optional<DomainPoint> point_;
     Weights weights_{{0, 1.0}};

@@ -239,6 +239,21 @@ TEST_CASE("the selection follows its key wherever edits and undoing take it") {
     CHECK(undo_step(state) == "Remove d");
 }
 
+TEST_CASE("undoing the rename of a copy selects the copy") {
+    ViewerState state(sample_family());
+    state.selected_key = 1;
+    duplicate_key(state, 0);
+    state.selected_key = 2;  // b 2
+    ask_for_key_name(state);
+    state.question->answer(state, "x", 0);
+    CHECK(state.selected_key == 2);
+    undo(state, 0);
+    CHECK(names(state)[2] == "b 2");
+    CHECK(state.selected_key == 2);
+    redo(state, 0);
+    CHECK(state.selected_key == 2);
+}
+
 TEST_CASE("keys are added in their order under names of their own, as one step") {
     ViewerState state(sample_family());
     const Key key = sample_family().keys[0];

@@ -244,6 +244,22 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("a timeline that is gone and comes back loops as before") {
+    const Family before = sample_family();
+    Family without = before;
+    without.timeline.reset();
+    for (const bool loops : {false, true}) {
+        CAPTURE(loops);
+        Session session(shared(before));
+        if (!loops) session.toggle_loop(0);
+        session.replace_family(shared(without), 1);
+        CHECK_FALSE(session.loops());
+        session.toggle_loop(2);  // does nothing
+        session.replace_family(shared(before), 3);
+        CHECK(session.loops() == loops);
+    }
+}
+
 TEST_CASE("a time that the edited timeline does not have becomes the nearest that it has") {
     const Family before = sample_family();
     Session session(shared(before));
