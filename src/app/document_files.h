@@ -25,6 +25,9 @@
 
 namespace interleaf {
 
+/// What the file browser tells apart.
+const std::vector<FileType>& openable_types();
+
 /// The folder to save a document in that was read from \p sources; none unless they are one family.
 std::optional<std::filesystem::path> family_folder(const std::vector<std::filesystem::path>& sources);
 

@@ -27,6 +27,7 @@
 #include "app/scene_picture.h"
 #include "app/shown_field.h"
 #include "app/trace.h"
+#include "app/window_input.h"
 #include "hierarchy/color.h"
 #include "hierarchy/error.h"
 #include "io/mesh_file.h"
@@ -85,13 +86,6 @@ std::string title_of(const Document& document) {
     return fmt::format("{}{}", document.is_changed() ? "\u2022 " : "", document.family().name);
 }
 
-/// What has come from outside since the last frame; callbacks add to it.
-struct Input {
-    std::vector<int> keys;  ///< of GLFW, that were pressed
-    std::vector<Shortcut> pressed;
-    std::vector<std::filesystem::path> dropped;
-};
-
 class Viewer {
   public:
     /// \param meshes  to fit, as soon as nothing else is asked
@@ -119,7 +113,7 @@ class Viewer {
     const Family& family() const { return state_.document.family(); }
 
     Window window_;
-    Input input_;
+    WindowInput input_;
     ViewerState state_;
     DocumentFiles files_;
     std::shared_ptr<const Family> followed_;  ///< the document's state that all below is about
@@ -146,25 +140,6 @@ class Viewer {
     double frame_milliseconds_ = 0;
     int settling_ = settling_frames;
 };
-
-/// Installed before Dear ImGui's own callbacks, which pass events on.
-GLFWwindow* watch_input(GLFWwindow* window, Input& input) {
-    glfwSetWindowUserPointer(window, &input);
-    glfwSetKeyCallback(window, [](GLFWwindow* source, int key, int, int action, int modifiers) {
-        if (action == GLFW_RELEASE) return;
-        auto& seen = *static_cast<Input*>(glfwGetWindowUserPointer(source));
-        if (action == GLFW_PRESS) seen.keys.push_back(key);
-        const Shortcut shortcut{key, modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT)};
-        const Command* const command = find_command(shortcut);
-        if (command == nullptr || (action == GLFW_REPEAT && !command->repeats)) return;
-        seen.pressed.push_back(shortcut);
-    });
-    glfwSetDropCallback(window, [](GLFWwindow* source, int count, const char** paths) {
-        auto& dropped = static_cast<Input*>(glfwGetWindowUserPointer(source))->dropped;
-        dropped.assign(paths, paths + count);
-    });
-    return window;
-}
 
 Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
                std::vector<std::filesystem::path> meshes, const ViewerOptions& options)

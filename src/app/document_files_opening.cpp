@@ -1,0 +1,154 @@
+// What DocumentFiles does to open files and to add keys from them, fitted first where they are no keys.
+#include <ranges>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/document_files.h"
+#include "app/edit_commands.h"
+#include "app/fit_roots.h"
+#include "app/open_family.h"
+#include "family/new_family.h"
+#include "hierarchy/error.h"
+
+namespace interleaf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+FileRequest request_to_open(std::string title, std::string action) {
+    FileRequest request;
+    request.title = std::move(title);
+    request.action = std::move(action);
+    request.several = true;
+    request.types = openable_types();
+    return request;
+}
+
+}  // namespace
+
+const std::vector<FileType>& openable_types() {
+    static const std::vector<FileType> types{
+        {"Families, keys and meshes", {".json", ".ilh", ".obj", ".ply", ".stl", ".off"}},
+        {"Families and keys", {".json", ".ilh"}},
+        {"Meshes", {".obj", ".ply", ".stl", ".off"}}};
+    return types;
+}
+
+void DocumentFiles::browse_to_open() {
+    browse(request_to_open("Open", "Open"), [this](const FileChoice& choice) { open(choice.files); });
+}
+
+void DocumentFiles::browse_to_add() {
+    browse(request_to_open("Add keys", "Add"),
+           [this](const FileChoice& choice) { add_keys(choice.files, now_); });
+}
+
+/// Gives \p receiver the family that \p files hold; meshes that are no keys as they are go to \p fit, with
+/// the reason where it is not their kind.
+void DocumentFiles::read_or_fit(const std::vector<fs::path>& files,
+                                const std::function<void(Family)>& receiver,
+                                const std::function<void(const std::string&)>& fit) {
+    if (are_surfaces(files)) return fit("");
+    try {
+        receiver(open_family(files));
+    } catch (const InputError& error) {
+        if (files.size() > 1 && are_obj_files(files)) return fit(error.what());
+        complain(error);
+    } catch (const std::runtime_error& error) {
+        complain(error);
+    }
+}
+
+void DocumentFiles::open(std::vector<fs::path> files) {
+    leave_document([this, files = std::move(files)] {
+        read_or_fit(
+            files,
+            [&](Family family) {
+                replace_document(std::move(family), files);
+                remember(files.front());
+            },
+            [&](const std::string& reason) {
+                fitting_.offer({files, reason, {}},
+                               [this, files](const Comparisons& fitted) { open_fitted(files, fitted); });
+            });
+    });
+}
+
+void DocumentFiles::reopen() {
+    leave_document([this] {
+        try {
+            Family family = open_family(sources_);
+            replace_document(std::move(family), sources_);
+        } catch (const std::runtime_error& error) {
+            complain(error);
+        }
+    });
+}
+
+/// An .obj is a key as it is, but one over the family's roots only once it has been fitted.
+void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
+    const auto offer = [&](const std::string& reason) { offer_to_add(files, reason); };
+    read_or_fit(
+        files,
+        [&](Family family) {
+            const auto before = state_.document.snapshot();
+            interleaf::add_keys(state_, std::move(family.keys), now);
+            if (state_.document.snapshot() == before && are_obj_files(files))
+                offer(std::exchange(state_.message, {}).text);
+        },
+        offer);
+}
+
+/// Keys for the document are fitted over its roots.
+void DocumentFiles::offer_to_add(const std::vector<fs::path>& meshes, const std::string& reason) {
+    try {
+        fitting_.offer({meshes, reason, roots_of(state_.document.family())},
+                       [this](const Comparisons& fitted) {
+                           interleaf::add_keys(state_, keys_of(fitted), now_);
+                           offer_comparison(fitted);
+                       });
+    } catch (const InputError& error) {
+        complain(error);
+    }
+}
+
+/// The fitted keys as a new document, which is nowhere on disk yet.
+void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, const Comparisons& fitted) {
+    std::vector<Key> keys = keys_of(fitted);
+    const std::string name = keys.size() == 1 ? keys.front().name : "Fitted meshes";
+    replace_document(family_of_keys(name, std::move(keys)), {});
+    state_.document.mark_unsaved();
+    for (const fs::path& mesh : meshes) remember(mesh);
+    offer_comparison(fitted);
+}
+
+/// Says how near to their meshes the keys are that have come into the document, and offers to show it.
+void DocumentFiles::offer_comparison(const Comparisons& fitted) {
+    const auto compared = compared_keys(state_.document.family(), fitted);
+    if (compared.empty()) return;
+    state_.comparisons.insert(state_.comparisons.end(), fitted.begin(), fitted.end());
+    constexpr std::size_t most_lines = 6;
+    std::string detail;
+    for (const ComparedKey& each : compared | std::views::take(most_lines))
+        detail +=
+            fmt::format("{}{}: {}.", detail.empty() ? "" : "\n", state_.document.family().keys[each.key].name,
+                        in_words(each.comparison->quality));
+    if (compared.size() > most_lines) detail += fmt::format("\nAnd {} more.", compared.size() - most_lines);
+    ask({.text =
+             compared.size() == 1
+                 ? "A key has been fitted. Compare it with its mesh?"
+                 : fmt::format("{} keys have been fitted. Compare them with their meshes?", compared.size()),
+         .detail = std::move(detail),
+         .buttons = {"Compare", "Done"},
+         .entry = {},
+         .fault = {}},
+        [this, first = compared.front().comparison](const Answer& answer) {
+            if (answer.button != 0) return;
+            state_.compared = first;
+            state_.is_comparing = true;
+        });
+}
+
+}  // namespace interleaf
