@@ -5,8 +5,8 @@ add_library(interleaf_options INTERFACE)
 target_compile_options(interleaf_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
-  # Of one file's names it says that they hide another's, where several are compiled together, and of std::stable_sort that
-  # it uses what is deprecated.
+  # -Wshadow warns, too, where files that are compiled together share a name, -Wdeprecated-declarations inside
+  # std::stable_sort. g++ looks for both.
   target_compile_options(interleaf_options INTERFACE -Wno-shadow -Wno-deprecated-declarations)
 endif()
 target_include_directories(interleaf_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
@@ -29,7 +29,7 @@ if(INTERLEAF_FUZZ)
 endif()
 
 # Nearly every file reads these. Only under the sanitizers they are compiled once a target: in the other builds each file
-# has what it includes itself and nothing else, for the compiler. For one or two files that takes longer than it gains.
+# of src has what it includes itself and nothing else. For one or two files it was measured to take longer than it gains.
 function(precompile_headers target)
   get_target_property(sources ${target} SOURCES)
   list(LENGTH sources count)

@@ -8,6 +8,7 @@
 
 #include "app/builtin_family.h"
 #include "app/user_folders.h"
+#include "hierarchy/error.h"
 #include "io/family_file.h"
 
 namespace interleaf {

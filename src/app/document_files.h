@@ -25,9 +25,6 @@
 
 namespace interleaf {
 
-/// What the file browser tells apart.
-const std::vector<FileType>& openable_types();
-
 /// The folder to save a document in that was read from \p sources; none unless they are one family.
 std::optional<std::filesystem::path> family_folder(const std::vector<std::filesystem::path>& sources);
 
@@ -74,6 +71,9 @@ class DocumentFiles {
 
   private:
     using Action = std::function<void()>;  ///< null for nothing
+
+    /// The kinds of files that the file browser offers to open.
+    static const std::vector<FileType>& openable_types();
 
     void offer_recovery();
     void recover();

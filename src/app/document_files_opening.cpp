@@ -17,18 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-FileRequest request_to_open(std::string title, std::string action) {
+FileRequest request_to_open(std::string title, std::string action, std::vector<FileType> types) {
     FileRequest request;
     request.title = std::move(title);
     request.action = std::move(action);
     request.several = true;
-    request.types = openable_types();
+    request.types = std::move(types);
     return request;
 }
 
 }  // namespace
 
-const std::vector<FileType>& openable_types() {
+const std::vector<FileType>& DocumentFiles::openable_types() {
     static const std::vector<FileType> types{
         {"Families, keys and meshes", {".json", ".ilh", ".obj", ".ply", ".stl", ".off"}},
         {"Families and keys", {".json", ".ilh"}},
@@ -37,11 +37,12 @@ const std::vector<FileType>& openable_types() {
 }
 
 void DocumentFiles::browse_to_open() {
-    browse(request_to_open("Open", "Open"), [this](const FileChoice& choice) { open(choice.files); });
+    browse(request_to_open("Open", "Open", openable_types()),
+           [this](const FileChoice& choice) { open(choice.files); });
 }
 
 void DocumentFiles::browse_to_add() {
-    browse(request_to_open("Add keys", "Add"),
+    browse(request_to_open("Add keys", "Add", openable_types()),
            [this](const FileChoice& choice) { add_keys(choice.files, now_); });
 }
 

@@ -179,7 +179,6 @@ void ask_for_key_name(ViewerState& state) {
                 edit(
                     changed, fmt::format("Rename {}", old_name),
                     [&](const Family& family) { return with_key_renamed(family, key, name); }, now);
-                changed.selected_key = key;
             }};
 }
 

@@ -6,7 +6,10 @@
 namespace interleaf {
 
 Session::Session(std::shared_ptr<const Family> family) : family_(std::move(family)) {
-    if (family_->timeline) playback_.emplace(family_->timeline->begin(), family_->timeline->end());
+    if (family_->timeline) {
+        playback_.emplace(family_->timeline->begin(), family_->timeline->end());
+        playback_->set_loops(loops_, 0);
+    }
     drive_with_what_there_is();
     advance(0);
 }

@@ -38,7 +38,7 @@ class Trace {
     /// \throw MachineError if the file cannot be written
     explicit Trace(const std::filesystem::path& path);
 
-    /// Writes a line for \p frame, which has been shown \p seconds after the program turned to the display,
+    /// Writes a line for \p frame, which has been shown \p seconds after GLFW was ready,
     /// if anything but these two is new. \throw MachineError if the file cannot be written
     void record(std::size_t frame, double seconds, const ViewerState& state, const SurfaceFigures& figures,
                 glm::vec3 eye, const TracePlaces& places);

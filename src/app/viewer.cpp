@@ -112,8 +112,8 @@ class Viewer {
     void save_picture();
     const Family& family() const { return state_.document.family(); }
 
-    Window window_;
     WindowInput input_;
+    Window window_;
     ViewerState state_;
     DocumentFiles files_;
     std::shared_ptr<const Family> followed_;  ///< the document's state that all below is about

@@ -22,7 +22,6 @@ class Playback {
     /// Jumps to \p time, clamped to the interval; goes on playing when it was playing.
     void seek(double time, double now);
 
-    bool loops() const { return loops_; }
     void set_loops(bool loops, double now);
 
     double begin() const { return begin_; }
