@@ -85,7 +85,9 @@ bool can_compare(const ViewerState& state) {
 /// The key that is selected comes first.
 void toggle_comparison(ViewerState& state, double) {
     state.is_comparing = !state.is_comparing;
-    if (!state.is_comparing || !state.selected_key) return;
+    if (!state.is_comparing) return;
+    state.message.clear();  // it would lie over what is compared
+    if (!state.selected_key) return;
     for (const ComparedKey& each : compared_keys(state.document.family(), state.comparisons))
         if (each.key == *state.selected_key) state.compared = each.comparison;
 }

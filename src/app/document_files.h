@@ -92,7 +92,7 @@ class DocumentFiles {
     void reopen();
     void offer_to_add(const std::vector<std::filesystem::path>& meshes, const std::string& reason);
     void open_fitted(const std::vector<std::filesystem::path>& meshes, const Comparisons& fitted);
-    void offer_comparison(const Comparisons& fitted);
+    void tell_fit(const Comparisons& fitted);
     void replace_document(Family family, std::vector<std::filesystem::path> sources);
     void set_sources(std::vector<std::filesystem::path> sources);
     void forget_unsaved();

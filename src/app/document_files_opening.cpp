@@ -108,48 +108,43 @@ void DocumentFiles::offer_to_add(const std::vector<fs::path>& meshes, const std:
         fitting_.offer({meshes, reason, roots_of(state_.document.family())},
                        [this](const Comparisons& fitted) {
                            interleaf::add_keys(state_, keys_of(fitted), now_);
-                           offer_comparison(fitted);
+                           tell_fit(fitted);
                        });
     } catch (const InputError& error) {
         complain(error);
     }
 }
 
-/// The fitted keys as a new document, which is nowhere on disk yet.
+/// The fitted keys as a new document, which is nowhere on disk yet; several are played once, from the first
+/// to the last.
 void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, const Comparisons& fitted) {
     std::vector<Key> keys = keys_of(fitted);
     const std::string name = keys.size() == 1 ? keys.front().name : "Fitted meshes";
     replace_document(family_of_keys(name, std::move(keys)), {});
     state_.document.mark_unsaved();
     for (const fs::path& mesh : meshes) remember(mesh);
-    offer_comparison(fitted);
+    state_.session.toggle_loop(now_);
+    state_.session.toggle_playing(now_);
+    tell_fit(fitted);
 }
 
-/// Says how near to their meshes the keys are that have come into the document, and offers to show it.
-void DocumentFiles::offer_comparison(const Comparisons& fitted) {
+/// Says how near to their meshes the keys are that have come into the document. No question: what has been
+/// fitted is to be seen, and to be played with, at once.
+void DocumentFiles::tell_fit(const Comparisons& fitted) {
     const auto compared = compared_keys(state_.document.family(), fitted);
     if (compared.empty()) return;
     state_.comparisons.insert(state_.comparisons.end(), fitted.begin(), fitted.end());
+    state_.compared = compared.front().comparison;
     constexpr std::size_t most_lines = 6;
-    std::string detail;
+    std::string text =
+        compared.size() == 1
+            ? "A key has been fitted. M compares it with its mesh."
+            : fmt::format("{} keys have been fitted. M compares them with their meshes.", compared.size());
     for (const ComparedKey& each : compared | std::views::take(most_lines))
-        detail +=
-            fmt::format("{}{}: {}.", detail.empty() ? "" : "\n", state_.document.family().keys[each.key].name,
-                        in_words(each.comparison->quality));
-    if (compared.size() > most_lines) detail += fmt::format("\nAnd {} more.", compared.size() - most_lines);
-    ask({.text =
-             compared.size() == 1
-                 ? "A key has been fitted. Compare it with its mesh?"
-                 : fmt::format("{} keys have been fitted. Compare them with their meshes?", compared.size()),
-         .detail = std::move(detail),
-         .buttons = {"Compare", "Done"},
-         .entry = {},
-         .fault = {}},
-        [this, first = compared.front().comparison](const Answer& answer) {
-            if (answer.button != 0) return;
-            state_.compared = first;
-            state_.is_comparing = true;
-        });
+        text += fmt::format("\n{}: {}.", state_.document.family().keys[each.key].name,
+                            in_words(each.comparison->quality));
+    if (compared.size() > most_lines) text += fmt::format("\nAnd {} more.", compared.size() - most_lines);
+    state_.message = {std::move(text), nullptr};
 }
 
 }  // namespace interleaf

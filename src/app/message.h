@@ -1,4 +1,4 @@
-// A message to a person in front of the window: what is wrong.
+// A message to a person in front of the window: what is wrong, or how near fitted keys are to their meshes.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// An error, over the view until it is dismissed.
+// A message, over the view until it is dismissed.
 #pragma once
 
 #include <span>

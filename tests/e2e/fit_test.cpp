@@ -53,12 +53,32 @@ State wait_for_compared(const RunningViewer& viewer, const char* mesh) {
                            [&](const State& s) { return s["comparing"] == true && s["compared"] == mesh; });
 }
 
-/// Takes the comparison of star and bone that is offered, looks at both, and goes back.
+/// Waits until it is said that what has been fitted can be compared.
+State wait_for_fit_told(const RunningViewer& viewer) {
+    return viewer.wait_for("how near the keys are", [](const State& s) {
+        const auto message = s["message"].get<std::string>();
+        return s["asking"] == false && message.find("been fitted. M compares") != std::string::npos &&
+               message.find("box diagonal from the mesh") != std::string::npos;
+    });
+}
+
+/// Waits until the fitted keys have been played from the first to the last, with nothing more pressed.
+void wait_for_played(const RunningViewer& viewer) {
+    viewer.wait_for("the morph on its way", [](const State& s) {
+        return s["playing"] == true && s["time"].get<double>() > 0 && s["weights"].size() == 2;
+    });
+    viewer.wait_for("its end", [](const State& s) {
+        return s["playing"] == false && s["time"] == 1 &&
+               s["weights"] == State({{"star", 0.0}, {"bone", 1.0}});
+    });
+}
+
+/// Compares star and bone, which have been fitted, with their meshes, looks at both, and goes back.
 void compare_and_return(const RunningViewer& viewer) {
-    wait_for_question(viewer);
-    viewer.press(XK_Return);
-    wait_for_no_question(viewer);
+    wait_for_fit_told(viewer);
+    viewer.press(XK_m);
     State state = wait_for_compared(viewer, "star.obj");
+    CHECK(state["message"] == "");
     const State document = state["document"];
     viewer.point_at({view_middle(state).x, 40});
     const Picture star = viewer.settled_picture();
@@ -113,12 +133,12 @@ TEST_CASE("dropped meshes whose faces differ are fitted by Enter alone, unless t
     CHECK(state["document"]["changed"] == true);
     CHECK(state["document"]["folder"].is_null());
     CHECK(state["leaves"] > 19'000);
-    CHECK(state["message"] == "");
 
-    // The comparison that is offered then is declined, and can be had later.
-    wait_for_question(viewer);
+    // The morph is played once. The comparison can be had later, too.
+    wait_for_fit_told(viewer);
+    wait_for_played(viewer);
     viewer.press(XK_Escape);
-    wait_for_no_question(viewer);
+    viewer.wait_for("no message", [](const State& s) { return s["message"] == ""; });
     CHECK(viewer.state()["comparing"] == false);
     viewer.press(XK_m);
     viewer.wait_for("the comparison", [](const State& s) { return s["comparing"] == true; });
@@ -184,9 +204,9 @@ TEST_CASE("a mesh dropped on the list is fitted over the family's roots, a refus
     CHECK(state["document"]["keys"][5] == "bone 2");
     CHECK(state["document"]["roots"] == before["document"]["roots"]);
     CHECK(state["document"]["undo"] == "Add bone");
-    wait_for_question(viewer);
-    viewer.type_keys("d");
-    wait_for_no_question(viewer);
+    CHECK(wait_for_fit_told(viewer)["playing"] == false);
+    viewer.press(XK_Escape);
+    viewer.wait_for("no message", [](const State& s) { return s["message"] == ""; });
     viewer.press(XK_z, XK_Control_L);
     state = wait_for_keys(viewer, 5);
     viewer.press(XK_m);
@@ -240,4 +260,5 @@ TEST_CASE(
                            popup[1].get<float>() + popup[3].get<float>());
     viewer.click(corner - glm::vec2(150, 25));
     CHECK(wait_for_keys(viewer, 2)["document"]["keys"] == State({"star", "bone"}));
+    wait_for_played(viewer);
 }
