@@ -13,7 +13,6 @@
 
 #include "fit/alignment.h"
 #include "fit/clean_up.h"
-#include "fit/sphere_location.h"
 #include "fit/spherical_map.h"
 #include "fit/surface_sampling.h"
 #include "hierarchy/hierarchy.h"
@@ -45,11 +44,11 @@ double processor_seconds_of(Work&& work) {
 /// Samples the mesh as fit() does, with more leaves.
 double sampling_seconds(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, Index& leaves) {
     rotate(points, rotation_to_surface(mesh, points));
-    const SphereLocation location(mesh.triangles, points);
+    const MappedSurface mapped(mesh, points);
     const SphereRoots roots = FitOptions().roots;
     return processor_seconds_of([&] {
-        leaves = static_cast<Index>(
-            sample_surface(mesh, points, location, roots, {.leaves = sampled_leaves}, {}).leaves.size());
+        leaves =
+            static_cast<Index>(sample_surface(mapped, roots, {.leaves = sampled_leaves}, {}).leaves.size());
     });
 }
 

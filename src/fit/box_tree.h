@@ -59,13 +59,15 @@ class BoxTree {
     }
 
     /// Calls \p squared_distance(Index item), the square of the item's distance from \p point, for items that
-    /// may be nearer than the root of \p least, the least so far, and keeps the least of them in it.
+    /// may be nearer than the root of \p least, the least so far, and keeps the least of them in it, until it
+    /// is \p enough or less.
     template <typename SquaredDistance>
-    void find_nearest(const glm::dvec3& point, double& least, SquaredDistance squared_distance) const {
+    void find_nearest(const glm::dvec3& point, double& least, double enough,
+                      SquaredDistance squared_distance) const {
         std::array<std::pair<double, Index>, most_levels> open;
         std::size_t count = 0;
         open[count++] = {nodes_[0].box.squared_distance(point), 0};
-        while (count > 0) {
+        while (count > 0 && least > enough) {
             const auto [distance, number] = open[--count];
             if (distance >= least) continue;
             const Node& node = nodes_[number];

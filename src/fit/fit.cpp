@@ -11,7 +11,6 @@
 
 #include "fit/alignment.h"
 #include "fit/leaf_smoothing.h"
-#include "fit/sphere_location.h"
 #include "fit/spherical_map.h"
 #include "fit/surface_sampling.h"
 #include "hierarchy/error.h"
@@ -72,47 +71,26 @@ void check_options(const FitOptions& options) {
         throw UsageError(fmt::format("the tolerance must be at least {}", least_tolerance));
 }
 
-double box_diagonal(const SurfaceMesh& mesh) {
-    glm::dvec3 low = mesh.positions[0];
-    glm::dvec3 high = low;
-    for (const glm::dvec3& position : mesh.positions) {
-        low = glm::min(low, position);
-        high = glm::max(high, position);
-    }
-    return glm::distance(low, high);
+/// Samples and smooths.
+SampledSurface leaves_over(const MappedSurface& mapped, const SphereRoots& roots,
+                           const SamplingOptions& options, const Progress& progress) {
+    SampledSurface surface = sample_surface(mapped, roots, options, part_of(progress, 0, 0.5));
+    smooth_leaves(mapped, roots.complex.vertex_count(), surface, part_of(progress, 0.5, 1));
+    return surface;
 }
 
-/// A mesh with its map, ready to be sampled.
-struct Mapped {
-    const SurfaceMesh& mesh;
-    std::span<const glm::dvec3> points;
-    const SphereLocation& location;
-    const SphereRoots& roots;
-
-    SampledSurface sample(const SamplingOptions& options, const Progress& progress) const {
-        SampledSurface surface =
-            sample_surface(mesh, points, location, roots, options, part_of(progress, 0, 0.5));
-        smooth_leaves(mesh, points, location, roots.complex.vertex_count(), surface,
-                      part_of(progress, 0.5, 1));
-        return surface;
-    }
-    FitQuality quality(const SampledSurface& surface, const Progress& progress) const {
-        return measure_quality(mesh, location, surface, progress);
-    }
-};
-
 /// Samples until the measured distance is within \p tolerance, a part of the box diagonal.
-std::pair<SampledSurface, FitQuality> sample_within(const Mapped& mapped, double tolerance,
-                                                    const Progress& progress) {
+std::pair<SampledSurface, FitQuality> sample_within(const MappedSurface& mapped, const SphereRoots& roots,
+                                                    double tolerance, const Progress& progress) {
     const double diagonal = box_diagonal(mapped.mesh);
     double inside = tolerance * (1 - sampling_margin);
     for (int tries = 1;; ++tries) {
         SampledSurface surface =
-            mapped.sample({.leaves = most_leaves, .tolerance = inside * diagonal}, progress);
+            leaves_over(mapped, roots, {.leaves = most_leaves, .tolerance = inside * diagonal}, progress);
         if (surface.leaves.size() + 100 > most_leaves)
             throw InputError(
                 fmt::format("a tolerance of {} needs more than {} leaves", tolerance, most_leaves));
-        const FitQuality quality = mapped.quality(surface, progress);
+        const FitQuality quality = measure_quality(mapped, surface, progress);
         if (quality.hausdorff <= tolerance) return {std::move(surface), quality};
         if (tries == most_tries)
             throw InputError(
@@ -128,8 +106,8 @@ std::vector<Field> color_fields(const SurfaceMesh& mesh, const SampledSurface& s
     Field field{"color", FieldKind::color, {}};
     field.values.reserve(3 * surface.mesh_points.size());
     for (const MeshPoint& point : surface.mesh_points) {
-        const glm::vec3 color = glm::clamp(
-            point.of(std::span<const Triangle>(mesh.triangles), std::span(mesh.colors)), 0.0F, 1.0F);
+        const glm::vec3 color =
+            glm::clamp(point.of(std::span(mesh.triangles), std::span(mesh.colors)), 0.0F, 1.0F);
         field.values.insert(field.values.end(), {color.r, color.g, color.b});
     }
     return {std::move(field)};
@@ -167,26 +145,26 @@ FittedKey fit_mapped(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, co
     rotate(points, rotation_to_surface(mesh, points));
     report.mean_cosine = mean_cosine(mesh, points);
     rotate(points, options.rotation);
-    const SphereLocation location(mesh.triangles, points);
-    const Mapped mapped{mesh, points, location, options.roots};
+    const MappedSurface mapped(mesh, points);
     stopwatch.lap("alignment");
 
     const SamplingOptions judged{.leaves = std::max(judged_leaves, options.roots.complex.triangle_count())};
-    SampledSurface surface = mapped.sample(judged, part_of(progress, 0, 0.2));
+    SampledSurface surface = leaves_over(mapped, options.roots, judged, part_of(progress, 0, 0.2));
     stopwatch.lap("sampling");
-    report.at_20000_leaves = report.quality = mapped.quality(surface, part_of(progress, 0.2, 0.5));
+    report.at_20000_leaves = report.quality = measure_quality(mapped, surface, part_of(progress, 0.2, 0.5));
     stopwatch.lap("measuring");
     const std::string fault = fault_of_fit(report.at_20000_leaves, surface.leaves.size(), options.limits);
     if (!fault.empty()) throw InputError(fmt::format("no good key: {}", fault));
 
     if (options.tolerance) {
         std::tie(surface, report.quality) =
-            sample_within(mapped, *options.tolerance, part_of(progress, 0.5, 1));
+            sample_within(mapped, options.roots, *options.tolerance, part_of(progress, 0.5, 1));
         stopwatch.lap("sampling within the tolerance");
     } else if (options.leaves.value_or(judged.leaves) != judged.leaves) {
-        surface = mapped.sample({.leaves = *options.leaves}, part_of(progress, 0.5, 0.7));
+        surface =
+            leaves_over(mapped, options.roots, {.leaves = *options.leaves}, part_of(progress, 0.5, 0.7));
         stopwatch.lap("sampling");
-        report.quality = mapped.quality(surface, part_of(progress, 0.7, 1));
+        report.quality = measure_quality(mapped, surface, part_of(progress, 0.7, 1));
         stopwatch.lap("measuring");
     }
     key.hierarchy = hierarchy_from_leaves(options.roots.complex, surface.leaves, surface.positions,

@@ -10,7 +10,6 @@
 
 #include "fit/progress_meter.h"
 #include "fit/surface_distance.h"
-#include "fit/surface_normals.h"
 #include "hierarchy/measure.h"
 
 namespace interleaf {
@@ -37,9 +36,9 @@ struct Distances {
     double mean_square = 0;  ///< by area
 };
 
-/// Distances of \p from's vertices, and of grids over its triangles, from \p to.
-Distances distances(const Flat& from, const Flat& to, const Progress& progress, double begin) {
-    const SurfaceDistance distance(to.triangles, to.positions);
+/// Distances of \p from's vertices, and of grids over its triangles, from a mesh.
+Distances distances(const Flat& from, const SurfaceDistance& distance, const Progress& progress,
+                    double begin) {
     double area = 0;
     for (const Triangle& triangle : from.triangles) area += glm::length(doubled_area(from, triangle)) / 2;
     // A grid of right triangles of this side has about that many places.
@@ -76,37 +75,33 @@ Distances distances(const Flat& from, const Flat& to, const Progress& progress, 
     return found;
 }
 
-std::size_t count_flipped(const Flat& mesh, const SphereLocation& location, const SampledSurface& surface,
-                          const Flat& key) {
-    const std::vector<glm::dvec3> normals = unit_normals(mesh.triangles, mesh.positions);
-    return static_cast<std::size_t>(std::ranges::count_if(key.triangles, [&](const Triangle& leaf) {
-        return is_turned_over(leaf, surface, location, normals);
-    }));
-}
-
 }  // namespace
 
-FitQuality measure_quality(const SurfaceMesh& mesh, const SphereLocation& location,
-                           const SampledSurface& surface, const Progress& progress) {
+double box_diagonal(const SurfaceMesh& mesh) {
+    SpaceBox box{mesh.positions[0], mesh.positions[0]};
+    for (const glm::dvec3& position : mesh.positions)
+        box = {glm::min(box.min, position), glm::max(box.max, position)};
+    return glm::distance(box.min, box.max);
+}
+
+FitQuality measure_quality(const MappedSurface& mapped, const SampledSurface& surface,
+                           const Progress& progress) {
     std::vector<Triangle> triangles;
     triangles.reserve(surface.leaves.size());
     for (const Leaf& leaf : surface.leaves) triangles.push_back(leaf.vertices);
     const std::vector<glm::dvec3> positions(surface.positions.begin(), surface.positions.end());
     const Flat key{triangles, positions};
-    const Flat original{mesh.triangles, mesh.positions};
+    const Flat original{mapped.mesh.triangles, mapped.mesh.positions};
 
-    SpaceBox box{mesh.positions[0], mesh.positions[0]};
-    for (const glm::dvec3& position : mesh.positions)
-        box = {glm::min(box.min, position), glm::max(box.max, position)};
-    const double diagonal = glm::distance(box.min, box.max);
-
-    const Distances to_key = distances(original, key, progress, 0);
-    const Distances to_surface = distances(key, original, progress, 0.5);
+    const double diagonal = box_diagonal(mapped.mesh);
+    const Distances to_key = distances(original, SurfaceDistance(triangles, positions), progress, 0);
+    const Distances to_surface = distances(key, mapped.distance, progress, 0.5);
     FitQuality quality;
     quality.hausdorff = std::max(to_key.largest, to_surface.largest) / diagonal;
     quality.root_mean_square = std::sqrt((to_key.mean_square + to_surface.mean_square) / 2) / diagonal;
     quality.least_angle = measure(triangles, surface.positions).min_angle;
-    quality.flipped_leaves = count_flipped(original, location, surface, key);
+    quality.flipped_leaves = static_cast<std::size_t>(std::ranges::count_if(
+        triangles, [&](const Triangle& leaf) { return is_turned_over(leaf, surface, mapped); }));
     quality.euler = euler_number(triangles);
     return quality;
 }

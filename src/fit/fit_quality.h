@@ -5,12 +5,14 @@
 #include <string>
 
 #include "fit/progress.h"
-#include "fit/surface_mesh.h"
 #include "fit/surface_sampling.h"
 
 namespace interleaf {
 
-/// Lengths are parts of the diagonal of the surface's box.
+/// The diagonal of the box around a mesh, its sides along the axes.
+double box_diagonal(const SurfaceMesh& mesh);
+
+/// Lengths are parts of the box diagonal of the surface.
 struct FitQuality {
     double hausdorff = 0;         ///< largest distance of a point of either from the other
     double root_mean_square = 0;  ///< of the distances from the surface to the key and back, by area
@@ -23,8 +25,8 @@ struct FitQuality {
 /// Measures at the vertices of both, and on grids over their triangles: some 100,000 places each, more where
 /// the meshes are finer. So distances are as large as found, and may be a little larger between these places.
 /// \throw Cancelled
-FitQuality measure_quality(const SurfaceMesh& mesh, const SphereLocation& location,
-                           const SampledSurface& surface, const Progress& progress);
+FitQuality measure_quality(const MappedSurface& mapped, const SampledSurface& surface,
+                           const Progress& progress);
 
 /// The acceptance of a fit, judged at 20,000 leaves.
 struct FitLimits {

@@ -12,7 +12,6 @@
 
 #include "fit/progress_meter.h"
 #include "fit/surface_distance.h"
-#include "fit/surface_normals.h"
 #include "fit/triangle_distance.h"
 
 namespace interleaf {
@@ -31,21 +30,11 @@ constexpr std::size_t most_places = 8;
 
 /// After a move no place of the star may be farther than this part of the largest distance there is: a
 /// margin, since distances are measured at some places only.
-constexpr double near_enough = 0.75;
+constexpr double near_enough = 0.9;
 
-/// Where on a leaf distances are measured: all places whose coordinates are fourths, but for the corners.
-constexpr std::array<glm::dvec3, 12> places_of_leaf = {{{0, 0.5, 0.5},
-                                                        {0, 0.25, 0.75},
-                                                        {0.25, 0.25, 0.5},
-                                                        {0.25, 0, 0.75},
-                                                        {0.5, 0, 0.5},
-                                                        {0.75, 0, 0.25},
-                                                        {0.5, 0.25, 0.25},
-                                                        {0.75, 0.25, 0},
-                                                        {0.5, 0.5, 0},
-                                                        {0.25, 0.75, 0},
-                                                        {0.25, 0.5, 0.25},
-                                                        {0, 0.75, 0.25}}};
+/// Distances are measured on grids over the leaves, first on a coarse one, which rules most places out.
+constexpr auto coarse_grid = barycentric_grid<4>();
+constexpr auto fine_grid = barycentric_grid<8>();
 
 /// The cosine of the least angle; 1 for a triangle without area.
 double largest_cosine(const TriangleCorners& corners) {
@@ -80,15 +69,8 @@ struct Place {
 
 class Smoothing {
   public:
-    Smoothing(const SurfaceMesh& mesh, std::span<const glm::dvec3> points, const SphereLocation& location,
-              SampledSurface& surface, ProgressMeter& meter)
-        : mesh_(mesh),
-          points_(points),
-          location_(location),
-          surface_(surface),
-          normals_(unit_normals(mesh.triangles, mesh.positions)),
-          at_rest_(surface.positions.size(), false),
-          to_mesh_(mesh.triangles, mesh.positions) {
+    Smoothing(const MappedSurface& mapped, SampledSurface& surface, ProgressMeter& meter)
+        : mapped_(mapped), surface_(surface), at_rest_(surface.positions.size(), false) {
         for (const Leaf& leaf : surface.leaves) leaves_.push_back(leaf.vertices);
         gather_stars();
         assign_vertices(meter);
@@ -130,7 +112,7 @@ class Smoothing {
     bool improve(Index vertex);
     std::vector<Place> better_places(Index vertex, const Fault& before);
     double largest_distance(ProgressMeter& meter) const;
-    bool is_near(std::span<const Index> star) const;
+    bool is_near(std::span<const Index> star, std::span<const glm::dvec3> grid) const;
 
     TriangleCorners corners(Index leaf) const {
         const auto& [a, b, c] = leaves_[leaf];
@@ -139,9 +121,6 @@ class Smoothing {
     std::array<glm::dvec3, 3> directions(Index leaf) const {
         const auto& [a, b, c] = leaves_[leaf];
         return {surface_.sphere_points[a], surface_.sphere_points[b], surface_.sphere_points[c]};
-    }
-    glm::dvec3 on_surface(const MeshPoint& point) const {
-        return point.of(std::span<const Triangle>(mesh_.triangles), std::span(mesh_.positions));
     }
     bool is_one_to_one(std::span<const Index> star) const {
         return std::ranges::all_of(star, [&](Index leaf) {
@@ -152,21 +131,21 @@ class Smoothing {
     Fault fault(std::span<const Index> star) const {
         Fault found{0, good_cosine_};
         for (const Index leaf : star) {
-            found.turned_over += is_turned_over(leaves_[leaf], surface_, location_, normals_);
+            found.turned_over += is_turned_over(leaves_[leaf], surface_, mapped_);
             found.cosine = std::max(found.cosine, largest_cosine(corners(leaf)));
         }
         return found;
     }
     bool is_faulty(Index leaf) const {
         return largest_cosine(corners(leaf)) > good_cosine_ ||
-               is_turned_over(leaves_[leaf], surface_, location_, normals_);
+               is_turned_over(leaves_[leaf], surface_, mapped_);
     }
     Place place_of(Index vertex) const {
         return {surface_.sphere_points[vertex], surface_.mesh_points[vertex], surface_.positions[vertex]};
     }
     Place place_at(const glm::dvec3& direction, Index guess) const {
-        const MeshPoint point = location_.locate(direction, guess);
-        return {direction, point, glm::vec3(on_surface(point))};
+        const MeshPoint point = mapped_.location.locate(direction, guess);
+        return {direction, point, glm::vec3(mapped_.position(point))};
     }
     void put(Index vertex, const Place& place) {
         surface_.sphere_points[vertex] = place.direction;
@@ -175,18 +154,14 @@ class Smoothing {
     }
 
     const double good_cosine_ = std::cos(wanted_angle * std::numbers::pi / 180);
-    const SurfaceMesh& mesh_;
-    std::span<const glm::dvec3> points_;
-    const SphereLocation& location_;
+    const MappedSurface& mapped_;
     SampledSurface& surface_;
-    std::vector<glm::dvec3> normals_;
     std::vector<Triangle> leaves_;
     std::vector<Index> star_begin_;
     std::vector<Index> stars_;   ///< leaves around vertices
     std::vector<Index> inside_;  ///< the first of the mesh's vertices that lie in a leaf
     std::vector<Index> next_;    ///< the one after it, by vertex
     std::vector<bool> at_rest_;  ///< whether a vertex found no better place since its star changed
-    SurfaceDistance to_mesh_;
     double allowed_distance_ = 0;
 };
 
@@ -194,10 +169,10 @@ class Smoothing {
 void Smoothing::assign_vertices(ProgressMeter& meter) {
     const SphereLocation location(leaves_, surface_.sphere_points);
     inside_.assign(leaves_.size(), no_index);
-    next_.resize(points_.size());
+    next_.resize(mapped_.points.size());
     Index leaf = no_index;
-    for (Index vertex = 0; vertex < points_.size(); ++vertex) {
-        leaf = location.locate(points_[vertex], leaf).triangle;
+    for (Index vertex = 0; vertex < mapped_.points.size(); ++vertex) {
+        leaf = location.locate(mapped_.points[vertex], leaf).triangle;
         next_[vertex] = std::exchange(inside_[leaf], vertex);
         meter.step();
     }
@@ -213,7 +188,7 @@ void Smoothing::assign_anew(std::span<const Index> star) {
     for (const Index vertex : vertices) {
         const auto how_far_inside = [&](Index leaf) {
             const auto [u, v, w] = directions(leaf);
-            const glm::dvec3& point = points_[vertex];
+            const glm::dvec3& point = mapped_.points[vertex];
             return std::min({side_of_arc(u, v, point), side_of_arc(v, w, point), side_of_arc(w, u, point)});
         };
         const Index leaf = *std::ranges::max_element(star, {}, how_far_inside);
@@ -243,7 +218,7 @@ double Smoothing::largest_distance(ProgressMeter& meter) const {
     const SurfaceDistance to_key(leaves_, positions);
     Index nearest = no_index;
     double largest = 0;
-    for (const glm::dvec3& position : mesh_.positions) {
+    for (const glm::dvec3& position : mapped_.mesh.positions) {
         largest = std::max(largest, to_key(position, nearest));
         meter.step();
     }
@@ -252,14 +227,15 @@ double Smoothing::largest_distance(ProgressMeter& meter) const {
         const Index guess = surface_.mesh_points[leaves_[leaf][0]].triangle;
         meter.step(60);
         for (const glm::dvec3& inside : {u + v + w, v + w})
-            largest = std::max(largest,
-                               to_key(on_surface(location_.locate(glm::normalize(inside), guess)), nearest));
+            largest = std::max(
+                largest,
+                to_key(mapped_.position(mapped_.location.locate(glm::normalize(inside), guess)), nearest));
     }
     return largest;
 }
 
-/// Whether the mesh is near the star over it, and the star near the mesh.
-bool Smoothing::is_near(std::span<const Index> star) const {
+/// Whether the mesh is near the star over it, and the star near the mesh, at the places of a grid.
+bool Smoothing::is_near(std::span<const Index> star, std::span<const glm::dvec3> grid) const {
     const double allowed = allowed_distance_ * allowed_distance_;
     const auto is_near_star = [&](const glm::dvec3& place) {
         return std::ranges::any_of(
@@ -270,17 +246,19 @@ bool Smoothing::is_near(std::span<const Index> star) const {
         const TriangleCorners corner = corners(leaf);
         Index guess = surface_.mesh_points[leaves_[leaf][0]].triangle;
         Index nearest = guess;
-        for (const glm::dvec3& place : places_of_leaf) {
+        for (const glm::dvec3& place : grid) {
             const MeshPoint point =
-                location_.locate(glm::normalize(place[0] * u + place[1] * v + place[2] * w), guess);
+                mapped_.location.locate(glm::normalize(place[0] * u + place[1] * v + place[2] * w), guess);
             guess = point.triangle;
-            const glm::dvec3 on_mesh = on_surface(point);
+            const glm::dvec3 on_mesh = mapped_.position(point);
             const glm::dvec3 on_leaf = place[0] * corner[0] + place[1] * corner[1] + place[2] * corner[2];
             if (glm::distance(on_mesh, on_leaf) <= allowed_distance_) continue;
-            if (!is_near_star(on_mesh) || to_mesh_(on_leaf, nearest) > allowed_distance_) return false;
+            if ((squared_distance_to_triangle(on_mesh, corner) > allowed && !is_near_star(on_mesh)) ||
+                mapped_.distance(on_leaf, nearest, allowed_distance_) > allowed_distance_)
+                return false;
         }
         for (Index vertex = inside_[leaf]; vertex != no_index; vertex = next_[vertex])
-            if (!is_near_star(mesh_.positions[vertex])) return false;
+            if (!is_near_star(mapped_.mesh.positions[vertex])) return false;
     }
     return true;
 }
@@ -298,7 +276,10 @@ std::vector<Place> Smoothing::better_places(Index vertex, const Fault& before) {
             put(vertex, place);
             if (!is_one_to_one(star(vertex))) continue;
             double cosine = -1;
-            for (const Index other : star(vertex)) cosine = std::max(cosine, largest_cosine(corners(other)));
+            for (const Index other : star(vertex)) {
+                cosine = std::max(cosine, largest_cosine(corners(other)));
+                if (cosine > before.cosine) break;
+            }
             if (cosine <= before.cosine) found.emplace_back(cosine, place);
         }
     }
@@ -318,7 +299,8 @@ bool Smoothing::improve(Index vertex) {
     for (const Place& place : better_places(vertex, before)) {
         if (tried++ == most_places) break;
         put(vertex, place);
-        if (fault(star(vertex)).is_less_than(before) && is_near(star(vertex))) {
+        if (fault(star(vertex)).is_less_than(before) && is_near(star(vertex), coarse_grid) &&
+            is_near(star(vertex), fine_grid)) {
             assign_anew(star(vertex));
             for (const Index leaf : star(vertex))
                 for (const Index neighbor : leaves_[leaf]) at_rest_[neighbor] = false;
@@ -332,12 +314,11 @@ bool Smoothing::improve(Index vertex) {
 
 }  // namespace
 
-void smooth_leaves(const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
-                   const SphereLocation& location, std::size_t fixed_vertices, SampledSurface& surface,
+void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, SampledSurface& surface,
                    const Progress& progress) {
     ProgressMeter meter(progress);
     meter.enter("smoothing", 0);
-    Smoothing(mesh, points, location, surface, meter).run(fixed_vertices, meter);
+    Smoothing(mapped, surface, meter).run(fixed_vertices, meter);
 }
 
 }  // namespace interleaf

@@ -3,28 +3,25 @@
 // Once leaves are no longer bisected, a vertex of a key may lie anywhere on the surface, as long as its
 // leaves stay one to one with their parts of the sphere. Where leaves have a small angle or are turned over
 // against the surface, their vertices look for better places nearby. No move makes the least angle of its
-// star smaller, as far as it is small, or turns more of its leaves over, and after it the star is well nearer
+// star smaller, as far as it is small, or turns more of its leaves over, and after it the star is nearer
 // to the mesh than the farthest place was.
 #pragma once
 
-#include <span>
+#include <cstddef>
 
-#include <glm/vec3.hpp>
-
+#include "fit/mapped_surface.h"
 #include "fit/progress.h"
-#include "fit/sphere_location.h"
-#include "fit/surface_mesh.h"
 #include "fit/surface_sampling.h"
 
 namespace interleaf {
 
 /// Moves vertices of \p surface so that its least angle does not fall, no more leaves are turned over
-/// (surface_normals.h), and no vertex of the mesh gets farther from the key than the farthest place of the
-/// mesh was, at its vertices and the middles of leaves. \param mesh, points, location  as of sample_surface()
-/// \param fixed_vertices          the first so many stay where they are: those of the roots
+/// (surface_sampling.h), and no vertex of the mesh gets farther from the key than the farthest place of the
+/// mesh was, at its vertices and the middles of leaves.
+/// \param surface         sampled from \p mapped
+/// \param fixed_vertices  the first so many stay where they are: those of the roots
 /// \throw Cancelled
-void smooth_leaves(const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
-                   const SphereLocation& location, std::size_t fixed_vertices, SampledSurface& surface,
+void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, SampledSurface& surface,
                    const Progress& progress);
 
 }  // namespace interleaf

@@ -11,6 +11,9 @@
 namespace interleaf {
 namespace {
 
+/// Of a walk: it comes to its end in fewer from nearby, and might go in circles.
+constexpr int most_steps = 24;
+
 /// Boxes are larger by this, so that rounding leaves no direction outside all of them.
 constexpr double rounding = 1e-12;
 
@@ -40,33 +43,43 @@ std::vector<SpaceBox> cone_boxes_of(std::span<const Triangle> triangles, std::sp
 }  // namespace
 
 SphereLocation::SphereLocation(std::span<const Triangle> triangles, std::span<const glm::dvec3> points)
-    : triangles_(triangles), points_(points), tree_(cone_boxes_of(triangles, points)) {}
+    : triangles_(triangles),
+      points_(points),
+      neighbours_(static_cast<Index>(points.size()), triangles),
+      tree_(cone_boxes_of(triangles, points)) {}
 
-SphereLocation::Candidate SphereLocation::in_triangle(Index triangle, const glm::dvec3& direction) const {
+/// The coordinates of \p direction in the cone of a triangle, not normalised: side_of_arc() of the edges
+/// opposite to its corners.
+glm::dvec3 SphereLocation::volumes(Index triangle, const glm::dvec3& direction) const {
     const auto& [a, b, c] = triangles_[triangle];
-    const glm::dvec3 volumes(side_of_arc(points_[b], points_[c], direction),
-                             side_of_arc(points_[c], points_[a], direction),
-                             side_of_arc(points_[a], points_[b], direction));
-    const double sum = volumes.x + volumes.y + volumes.z;
-    if (!(sum > 0)) return {{}, -std::numeric_limits<double>::infinity()};
-    const glm::dvec3 inside = glm::max(volumes, glm::dvec3(0));
-    return {{triangle, inside / (inside.x + inside.y + inside.z)},
-            std::min({volumes.x, volumes.y, volumes.z}) / sum};
+    return {side_of_arc(points_[b], points_[c], direction), side_of_arc(points_[c], points_[a], direction),
+            side_of_arc(points_[a], points_[b], direction)};
 }
 
 MeshPoint SphereLocation::locate(const glm::dvec3& direction, Index guess) const {
-    if (guess != no_index) {
-        const Candidate candidate = in_triangle(guess, direction);
-        if (candidate.least >= 0) return candidate.point;
+    for (int steps = 0; guess != no_index && steps < most_steps; ++steps) {
+        const glm::dvec3 inside = volumes(guess, direction);
+        const glm::length_t farthest =
+            inside.x <= inside.y ? (inside.x <= inside.z ? 0 : 2) : (inside.y <= inside.z ? 1 : 2);
+        const double sum = inside.x + inside.y + inside.z;
+        if (inside[farthest] >= 0 && sum > 0) return {guess, inside / sum};
+        guess = neighbours_.twin(3 * guess + static_cast<Index>((farthest + 1) % 3)) / 3;
     }
-    Candidate best{{}, -std::numeric_limits<double>::infinity()};
+
+    MeshPoint best;
+    double best_least = -std::numeric_limits<double>::infinity();
     tree_.find(direction, [&](Index triangle) {
-        const Candidate candidate = in_triangle(triangle, direction);
-        if (candidate.least > best.least) best = candidate;
-        return best.least >= 0;
+        const glm::dvec3 inside = volumes(triangle, direction);
+        const double sum = inside.x + inside.y + inside.z;
+        const double least = std::min({inside.x, inside.y, inside.z}) / sum;
+        if (!(sum > 0 && least > best_least)) return false;
+        best_least = least;
+        const glm::dvec3 raised = glm::max(inside, glm::dvec3(0));
+        best = {triangle, raised / (raised.x + raised.y + raised.z)};
+        return least >= 0;
     });
-    assert(best.point.triangle != no_index);
-    return best.point;
+    assert(best.triangle != no_index);
+    return best;
 }
 
 }  // namespace interleaf

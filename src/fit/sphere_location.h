@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "fit/box_tree.h"
+#include "fit/half_edge_mesh.h"
 #include "hierarchy/triangle.h"
 
 namespace interleaf {
@@ -46,18 +47,15 @@ class SphereLocation {
 
     /// The point in \p direction, of length 1. Where rounding puts an edge's direction in neither triangle,
     /// the one it is least outside of has it: there is an answer for every direction. \p guess may name a
-    /// triangle that is likely near, which saves time.
+    /// triangle that is likely near, which saves time: the way is walked from there, triangle by triangle.
     MeshPoint locate(const glm::dvec3& direction, Index guess = no_index) const;
 
   private:
-    struct Candidate {
-        MeshPoint point;
-        double least;  ///< of the coordinates, before it was raised to 0
-    };
-    Candidate in_triangle(Index triangle, const glm::dvec3& direction) const;
+    glm::dvec3 volumes(Index triangle, const glm::dvec3& direction) const;
 
     std::span<const Triangle> triangles_;
     std::span<const glm::dvec3> points_;
+    HalfEdgeMesh neighbours_;
     BoxTree tree_;
 };
 

@@ -28,10 +28,10 @@ double SurfaceDistance::squared_distance(const glm::dvec3& point, Index triangle
     return squared_distance_to_triangle(point, {positions_[a], positions_[b], positions_[c]});
 }
 
-double SurfaceDistance::operator()(const glm::dvec3& point, Index& nearest) const {
+double SurfaceDistance::operator()(const glm::dvec3& point, Index& nearest, double enough) const {
     if (nearest == no_index) nearest = 0;
     double least = squared_distance(point, nearest);
-    tree_.find_nearest(point, least, [&](Index triangle) {
+    tree_.find_nearest(point, least, enough * enough, [&](Index triangle) {
         const double distance = squared_distance(point, triangle);
         if (distance < least) nearest = triangle;
         return distance;

@@ -4,13 +4,13 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <numeric>
+#include <functional>
+#include <limits>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "fit/progress_meter.h"
-#include "fit/surface_normals.h"
 #include "fit/triangle_distance.h"
 #include "hierarchy/adaptive_mesh.h"
 #include "hierarchy/greedy.h"
@@ -21,25 +21,50 @@ namespace {
 /// What the turn of the normal adds to a leaf's error, as a fraction of its size.
 constexpr double turn_share = 0.1;
 
+/// Where on a leaf its distance is measured closely.
+constexpr auto close_places = barycentric_grid<8>();
+
+/// The work of that, in steps of a progress meter.
+constexpr std::size_t close_work = 400;
+
+/// When leaves are levelled, those that seemed farthest before are measured closely: this many times as many
+/// as can be added.
+constexpr std::size_t levelling_choice = 3;
+
 /// A deeper leaf is not bisected on its own account. Closure may add two levels, and max_level is the end.
 constexpr unsigned deepest_level = max_level - 4;
 
+TriangleCorners corners_of(const AdaptiveMesh& mesh, Index leaf) {
+    const auto& [a, b, c] = mesh.vertices(leaf);
+    return {mesh.positions()[a], mesh.positions()[b], mesh.positions()[c]};
+}
+
+/// The square of the distance of a place of the surface from the key: from \p leaf, or from a leaf that is
+/// nearer, as far as one comes to it by going to ever nearer neighbours, until it is \p enough.
+double squared_distance_to_key(const glm::dvec3& place, const AdaptiveMesh& mesh, Index leaf, double enough) {
+    double least = squared_distance_to_triangle(place, corners_of(mesh, leaf));
+    for (bool is_nearer = true; is_nearer && least > enough;) {
+        is_nearer = false;
+        for (const Index neighbour : mesh.neighbours(leaf)) {
+            const double distance = squared_distance_to_triangle(place, corners_of(mesh, neighbour));
+            if (distance >= least) continue;
+            least = distance;
+            leaf = neighbour;
+            is_nearer = true;
+            break;
+        }
+    }
+    return least;
+}
+
 class Sampler {
   public:
-    Sampler(const SurfaceMesh& mesh, std::span<const glm::dvec3> points, const SphereLocation& location,
-            const SphereRoots& roots)
-        : mesh_(mesh),
-          points_(points),
-          location_(location),
-          normals_(unit_normals(mesh.triangles, mesh.positions)) {
+    Sampler(const MappedSurface& mapped, const SphereRoots& roots) : mapped_(mapped) {
         for (const glm::dvec3& point : roots.points) add_vertex(point, no_index);
         assign_vertices(roots);
     }
 
-    glm::vec3 position(Index vertex) const {
-        return glm::vec3(
-            mesh_points_[vertex].of(std::span<const Triangle>(mesh_.triangles), std::span(mesh_.positions)));
-    }
+    glm::vec3 position(Index vertex) const { return glm::vec3(mapped_.position(mesh_points_[vertex])); }
 
     /// The rule of the adaptive mesh for new vertices.
     glm::vec3 place_midpoint(Index a, Index b, Index midpoint) {
@@ -55,7 +80,16 @@ class Sampler {
         divided_edges_.clear();
     }
 
-    double error(const AdaptiveMesh& mesh, Index leaf, bool distance_alone) const;
+    /// The error by which most leaves are made.
+    double error(const AdaptiveMesh& mesh, Index leaf);
+
+    /// The distance of a leaf from the surface as error() has found it, at a few places and from this leaf
+    /// alone; infinite when it has not been asked.
+    double noted_distance(Index leaf) const { return leaves_[leaf].distance; }
+
+    /// The largest distance between the key at a leaf and the surface there, either way, at the places of a
+    /// grid and the vertices of the surface; \p least when that is larger.
+    double close_distance(const AdaptiveMesh& mesh, Index leaf, double least) const;
 
     SampledSurface result(const AdaptiveMesh& mesh) && {
         SampledSurface surface;
@@ -74,6 +108,7 @@ class Sampler {
         std::array<MeshPoint, 3> middles;  ///< of the sides, on the surface
         Index begin;                       ///< of those vertices of the surface that lie in it: a range of
         Index end;                         ///< vertices_
+        double distance = std::numeric_limits<double>::infinity();  ///< see noted_distance()
     };
     /// An edge bisected in the present step. Leaves at both its sides take its halves over.
     struct DividedEdge {
@@ -84,21 +119,20 @@ class Sampler {
 
     void add_vertex(const glm::dvec3& sphere_point, Index guess) {
         sphere_points_.push_back(sphere_point);
-        mesh_points_.push_back(location_.locate(sphere_point, guess));
+        mesh_points_.push_back(mapped_.location.locate(sphere_point, guess));
     }
     /// Where the middle of an edge lies on the surface; \p b lies there already.
     MeshPoint middle_of(Index a, Index b) const {
-        return location_.locate(glm::normalize(sphere_points_[a] + sphere_points_[b]),
-                                mesh_points_[b].triangle);
+        return mapped_.location.locate(glm::normalize(sphere_points_[a] + sphere_points_[b]),
+                                       mesh_points_[b].triangle);
+    }
+    std::span<const Index> vertices_of(const LeafRecord& record) const {
+        return std::span(vertices_).subspan(record.begin, record.end - record.begin);
     }
     void assign_vertices(const SphereRoots& roots);
     void divide_vertices(Index first, Index second);
 
-    const SurfaceMesh& mesh_;
-    std::span<const glm::dvec3> points_;
-    const SphereLocation& location_;
-    std::vector<glm::dvec3> normals_;  ///< one a triangle of the surface
-
+    const MappedSurface& mapped_;
     std::vector<glm::dvec3> sphere_points_;  ///< one a vertex of the key
     std::vector<MeshPoint> mesh_points_;
     std::vector<Index> vertices_;  ///< of the surface, those of a leaf together
@@ -110,10 +144,10 @@ class Sampler {
 void Sampler::assign_vertices(const SphereRoots& roots) {
     const auto triangles = roots.complex.triangles();
     const SphereLocation root_location(triangles, roots.points);
-    std::vector<Index> root_of(points_.size());
+    std::vector<Index> root_of(mapped_.points.size());
     std::vector<Index> counts(triangles.size(), 0);
-    for (std::size_t v = 0; v < points_.size(); ++v) {
-        root_of[v] = root_location.locate(points_[v], v > 0 ? root_of[v - 1] : no_index).triangle;
+    for (std::size_t v = 0; v < mapped_.points.size(); ++v) {
+        root_of[v] = root_location.locate(mapped_.points[v], v > 0 ? root_of[v - 1] : no_index).triangle;
         ++counts[root_of[v]];
     }
     Index begin = 0;
@@ -123,14 +157,14 @@ void Sampler::assign_vertices(const SphereRoots& roots) {
             {triangles[root], {middle_of(b, c), middle_of(c, a), middle_of(a, b)}, begin, begin});
         begin += counts[root];
     }
-    vertices_.resize(points_.size());
-    for (std::size_t v = 0; v < points_.size(); ++v)
+    vertices_.resize(mapped_.points.size());
+    for (std::size_t v = 0; v < mapped_.points.size(); ++v)
         vertices_[leaves_[root_of[v]].end++] = static_cast<Index>(v);
 }
 
 /// One bisection: the first child takes its parent's place.
 void Sampler::divide_vertices(Index first, Index second) {
-    const auto [corners, middles, begin, end] = leaves_[first];
+    const auto [corners, middles, begin, end, ignored] = leaves_[first];
     const auto [low, high] = std::minmax(corners[1], corners[2]);
     const auto edge =
         std::ranges::find_if(divided_edges_, [low = low, high = high](const DividedEdge& divided) {
@@ -142,7 +176,7 @@ void Sampler::divide_vertices(Index first, Index second) {
     const glm::dvec3& apex = sphere_points_[corners[0]];
     const glm::dvec3& middle = sphere_points_[midpoint];
     const auto divide = std::partition(vertices_.begin() + begin, vertices_.begin() + end, [&](Index vertex) {
-        return side_of_arc(apex, middle, points_[vertex]) >= 0;
+        return side_of_arc(apex, middle, mapped_.points[vertex]) >= 0;
     });
     const auto between = static_cast<Index>(divide - vertices_.begin());
     if (leaves_.size() <= second) leaves_.resize(second + 1);
@@ -156,42 +190,77 @@ void Sampler::divide_vertices(Index first, Index second) {
     leaves_[second] = {children[1], {middles[2], middle_of_second, middle_between}, between, end};
 }
 
-double Sampler::error(const AdaptiveMesh& mesh, Index leaf, bool distance_alone) const {
-    if (mesh.level(leaf) >= deepest_level) return 0;
+double Sampler::error(const AdaptiveMesh& mesh, Index leaf) {
+    LeafRecord& record = leaves_[leaf];
     const auto& [a, b, c] = mesh.vertices(leaf);
-    const TriangleCorners corners = {mesh.positions()[a], mesh.positions()[b], mesh.positions()[c]};
-    const glm::dvec3 &u = sphere_points_[a], &v = sphere_points_[b], &w = sphere_points_[c];
+    const TriangleCorners corners = corners_of(mesh, leaf);
     const glm::dvec3 normal = unit_normal(corners);
 
     double squared_distance = 0;
     double squared_turn = 0;
-    const LeafRecord& record = leaves_[leaf];
     const auto measure_at = [&](const MeshPoint& point) {
-        const glm::dvec3 on_surface =
-            point.of(std::span<const Triangle>(mesh_.triangles), std::span(mesh_.positions));
-        squared_distance = std::max(squared_distance, squared_distance_to_triangle(on_surface, corners));
-        const glm::dvec3 turn = normals_[point.triangle] - normal;
+        squared_distance =
+            std::max(squared_distance, squared_distance_to_triangle(mapped_.position(point), corners));
+        const glm::dvec3 turn = mapped_.normals[point.triangle] - normal;
         squared_turn = std::max(squared_turn, glm::dot(turn, turn));
     };
     for (const MeshPoint& middle : record.middles) measure_at(middle);
-    measure_at(location_.locate(glm::normalize(u + v + w), record.middles[0].triangle));
-    for (Index i = record.begin; i < record.end; ++i)
+    const glm::dvec3 centre = glm::normalize(sphere_points_[a] + sphere_points_[b] + sphere_points_[c]);
+    measure_at(mapped_.location.locate(centre, record.middles[0].triangle));
+    for (const Index vertex : vertices_of(record))
         squared_distance =
-            std::max(squared_distance, squared_distance_to_triangle(mesh_.positions[vertices_[i]], corners));
-    if (distance_alone) return std::sqrt(squared_distance);
+            std::max(squared_distance, squared_distance_to_triangle(mapped_.mesh.positions[vertex], corners));
+    record.distance = std::sqrt(squared_distance);
 
+    if (mesh.level(leaf) >= deepest_level) return 0;
     const double size =
         std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
                   glm::distance(corners[2], corners[0])});
-    return std::sqrt(squared_distance) + turn_share * size * std::sqrt(squared_turn);
+    return record.distance + turn_share * size * std::sqrt(squared_turn);
+}
+
+double Sampler::close_distance(const AdaptiveMesh& mesh, Index leaf, double least) const {
+    if (mesh.level(leaf) >= deepest_level) return 0;
+    const auto& [a, b, c] = mesh.vertices(leaf);
+    const TriangleCorners corners = corners_of(mesh, leaf);
+    const glm::dvec3 &u = sphere_points_[a], &v = sphere_points_[b], &w = sphere_points_[c];
+    double squared = least * least;
+    for (const Index vertex : vertices_of(leaves_[leaf]))
+        squared =
+            std::max(squared, squared_distance_to_key(mapped_.mesh.positions[vertex], mesh, leaf, squared));
+    Index guess = mesh_points_[a].triangle;
+    for (const glm::dvec3& place : close_places) {
+        const MeshPoint point =
+            mapped_.location.locate(glm::normalize(place[0] * u + place[1] * v + place[2] * w), guess);
+        guess = point.triangle;
+        const glm::dvec3 on_surface = mapped_.position(point);
+        const glm::dvec3 on_leaf = place[0] * corners[0] + place[1] * corners[1] + place[2] * corners[2];
+        const glm::dvec3 gap = on_surface - on_leaf;
+        if (glm::dot(gap, gap) <= squared) continue;  // neither is farther from the other surface
+        squared = std::max(squared, squared_distance_to_key(on_surface, mesh, leaf, squared));
+        Index nearest = point.triangle;
+        const double from_surface = mapped_.distance(on_leaf, nearest);
+        squared = std::max(squared, from_surface * from_surface);
+    }
+    return std::sqrt(squared);
+}
+
+/// The distance that a leaf is noted to have when \p count leaves are noted to have more.
+double noted_distance_below(const Sampler& sampler, const AdaptiveMesh& mesh, std::size_t count) {
+    std::vector<double> distances;
+    distances.reserve(mesh.leaf_count());
+    for (Index leaf = 0; leaf < mesh.leaf_bound(); ++leaf) distances.push_back(sampler.noted_distance(leaf));
+    if (count >= distances.size()) return 0;
+    const auto place = distances.begin() + static_cast<std::ptrdiff_t>(count);
+    std::ranges::nth_element(distances, place, std::greater());
+    return *place;
 }
 
 }  // namespace
 
-SampledSurface sample_surface(const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
-                              const SphereLocation& location, const SphereRoots& roots,
+SampledSurface sample_surface(const MappedSurface& mapped, const SphereRoots& roots,
                               const SamplingOptions& options, const Progress& progress) {
-    Sampler sampler(mesh, points, location, roots);
+    Sampler sampler(mapped, roots);
     std::vector<glm::vec3> root_positions;
     root_positions.reserve(roots.complex.vertex_count());
     for (Index vertex = 0; vertex < roots.complex.vertex_count(); ++vertex)
@@ -207,12 +276,46 @@ SampledSurface sample_surface(const SurfaceMesh& mesh, std::span<const glm::dvec
         meter.set_part(double(refined.leaf_count()) / options.leaves);
         meter.step();
     };
-    const bool distance_alone = options.tolerance > 0;
-    refine_greedily(
-        leaves,
-        [&](const AdaptiveMesh& refined, Index leaf) { return sampler.error(refined, leaf, distance_alone); },
-        {.leaves = options.leaves, .tolerance = options.tolerance, .after_step = after_step});
+    const auto close_distance = [&](const AdaptiveMesh& refined, Index leaf, double least) {
+        meter.step(close_work);
+        return sampler.close_distance(refined, leaf, least);
+    };
+    if (options.tolerance > 0) {
+        refine_greedily(leaves,
+                        [&](const AdaptiveMesh& refined, Index leaf) {
+                            return close_distance(refined, leaf, options.tolerance);
+                        },
+                        {.leaves = options.leaves, .tolerance = options.tolerance, .after_step = after_step});
+    } else {
+        const Index levelling = std::min(options.leaves / 10, options.most_levelling);
+        refine_greedily(leaves,
+                        [&](const AdaptiveMesh& refined, Index leaf) { return sampler.error(refined, leaf); },
+                        {.leaves = options.leaves - levelling, .after_step = after_step});
+        const double far = noted_distance_below(sampler, leaves, levelling_choice * levelling);
+        refine_greedily(
+            leaves,
+            [&](const AdaptiveMesh& refined, Index leaf) {
+                return sampler.noted_distance(leaf) < far ? 0 : close_distance(refined, leaf, far / 2);
+            },
+            {.leaves = options.leaves, .after_step = after_step});
+    }
     return std::move(sampler).result(leaves);
+}
+
+bool is_turned_over(const Triangle& leaf, const SampledSurface& surface, const MappedSurface& mapped) {
+    const auto& [a, b, c] = leaf;
+    const glm::dvec3 &u = surface.sphere_points[a], &v = surface.sphere_points[b],
+                     &w = surface.sphere_points[c];
+    glm::dvec3 normal(0);
+    Index guess = surface.mesh_points[a].triangle;
+    for (const glm::dvec3& inside : {u + v + w, 4.0 * u + v + w, u + 4.0 * v + w, u + v + 4.0 * w}) {
+        guess = mapped.location.locate(glm::normalize(inside), guess).triangle;
+        normal += mapped.normals[guess];
+    }
+    const glm::dvec3 first(surface.positions[a]);
+    const glm::dvec3 of_leaf =
+        glm::cross(glm::dvec3(surface.positions[b]) - first, glm::dvec3(surface.positions[c]) - first);
+    return !(glm::dot(normal, of_leaf) > 0);
 }
 
 }  // namespace interleaf

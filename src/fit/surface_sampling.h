@@ -3,7 +3,8 @@
 // A leaf's vertices are points of the sphere, and lie where these are mapped to on the surface. The leaf of
 // the largest error is bisected next, at the middle of its refinement edge on the sphere. Its error is its
 // distance from the surface plus a term for the turn of the normal, measured at a few places of it and at all
-// vertices of the surface that are mapped into it: without those, what is thin is missed.
+// vertices of the surface that are mapped into it: without those, what is thin is missed. The last of the
+// leaves level the distance alone: it is measured closely, and those that are farthest are bisected.
 #pragma once
 
 #include <optional>
@@ -12,18 +13,18 @@
 
 #include <glm/vec3.hpp>
 
+#include "fit/mapped_surface.h"
 #include "fit/progress.h"
-#include "fit/sphere_location.h"
 #include "fit/sphere_roots.h"
-#include "fit/surface_mesh.h"
 #include "hierarchy/hierarchy.h"
 
 namespace interleaf {
 
 struct SamplingOptions {
-    Index leaves = 20000;  ///< at most this many, and as near as closure allows
-    double tolerance =
-        0;  ///< stop when no leaf is farther from the surface, in its unit; 0: leaves alone count
+    Index leaves = 20000;         ///< at most this many, and as near as closure allows
+    Index most_levelling = 2000;  ///< so many of the leaves, but at most a tenth, level the distance
+    double tolerance = 0;  ///< only leaves that are farther from the surface are bisected, in its unit; 0:
+                           ///< the number of leaves alone counts
 };
 
 /// Leaves in preorder; what belongs to a vertex is indexed by the numbers used in the leaves, root vertices
@@ -35,12 +36,13 @@ struct SampledSurface {
     std::vector<MeshPoint> mesh_points;  ///< where on the surface a vertex lies
 };
 
-/// \param mesh      closed, of genus 0
-/// \param points    its map to the unit sphere, one a vertex, bijective
-/// \param location  of that map
 /// \throw Cancelled
-SampledSurface sample_surface(const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
-                              const SphereLocation& location, const SphereRoots& roots,
+SampledSurface sample_surface(const MappedSurface& mapped, const SphereRoots& roots,
                               const SamplingOptions& options, const Progress& progress);
+
+/// Whether the normal of a leaf does not point to the side of the surface's normal there: the mean over a few
+/// places of the leaf, by the map. A leaf of no area counts.
+/// \param leaf  vertices of \p surface
+bool is_turned_over(const Triangle& leaf, const SampledSurface& surface, const MappedSurface& mapped);
 
 }  // namespace interleaf

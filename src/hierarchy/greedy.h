@@ -23,8 +23,8 @@ struct GreedyOptions {
 /// The error of a leaf, not negative.
 using LeafError = std::function<double(const AdaptiveMesh&, Index leaf)>;
 
-/// Refines \p mesh by the errors that \p error gives for its leaves; an error must depend on nothing but the
-/// leaf.
+/// Refines \p mesh by the errors that \p error gives for its leaves, once for each: at the beginning, or when
+/// the leaf is made.
 ///
 /// Errors are compared in 12 significant bits and the older of equal leaves goes first. So rounding, which
 /// differs between mathematical libraries, does not decide which of many equal leaves of a symmetric surface

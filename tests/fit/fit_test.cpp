@@ -122,12 +122,11 @@ TEST_CASE("what is not good enough is refused, with figures") {
 
 TEST_CASE("leaves that are turned over are counted") {
     const MappedMesh mapped = unit_sphere_mesh(3);
-    const SphereLocation location(mapped.mesh.triangles, mapped.points);
-    SampledSurface surface =
-        sample_surface(mapped.mesh, mapped.points, location, project_to_sphere(cube()), {.leaves = 500}, {});
-    CHECK(measure_quality(mapped.mesh, location, surface, {}).flipped_leaves == 0);
+    const MappedSurface located(mapped.mesh, mapped.points);
+    SampledSurface surface = sample_surface(located, project_to_sphere(cube()), {.leaves = 500}, {});
+    CHECK(measure_quality(located, surface, {}).flipped_leaves == 0);
     for (Leaf& leaf : surface.leaves) std::swap(leaf.vertices[1], leaf.vertices[2]);
-    CHECK(measure_quality(mapped.mesh, location, surface, {}).flipped_leaves == surface.leaves.size());
+    CHECK(measure_quality(located, surface, {}).flipped_leaves == surface.leaves.size());
 }
 
 TEST_CASE("options out of range, and both a number of leaves and a tolerance, are refused") {

@@ -2,7 +2,6 @@
 #include "fit/leaf_smoothing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -23,26 +22,17 @@ namespace {
 struct Smoothed {
     MappedMesh mapped;
     SphereRoots roots = project_to_sphere(cube());
-    SphereLocation location{mapped.mesh.triangles, mapped.points};
+    MappedSurface located{mapped.mesh, mapped.points};
     SampledSurface before;
     SampledSurface after;
 
     Smoothed(MappedMesh mesh, Index leaves) : mapped(std::move(mesh)) {
-        before = sample_surface(mapped.mesh, mapped.points, location, roots, {.leaves = leaves}, {});
+        before = sample_surface(located, roots, {.leaves = leaves}, {});
         after = before;
-        smooth_leaves(mapped.mesh, mapped.points, location, roots.complex.vertex_count(), after, {});
+        smooth_leaves(located, roots.complex.vertex_count(), after, {});
     }
-    FitQuality quality(const SampledSurface& surface) const {
-        return measure_quality(mapped.mesh, location, surface, {});
-    }
+    FitQuality quality(const SampledSurface& surface) const { return measure_quality(located, surface, {}); }
 };
-
-/// A ball with six long arms.
-MappedMesh six_arms(unsigned divisions) {
-    return star_shape(divisions, [](const glm::dvec3& u) {
-        return 1 + 3 * (std::pow(u.x, 20) + std::pow(u.y, 20) + std::pow(u.z, 20));
-    });
-}
 
 std::vector<MappedMesh> meshes_to_smooth() {
     return {bumpy_ellipsoid(4), ball_with_spike(4), six_arms(4)};

@@ -37,4 +37,10 @@ MappedMesh ball_with_spike(unsigned divisions) {
     return mapped;
 }
 
+MappedMesh six_arms(unsigned divisions) {
+    return star_shape(divisions, [](const glm::dvec3& u) {
+        return 1 + 3 * (std::pow(u.x, 20) + std::pow(u.y, 20) + std::pow(u.z, 20));
+    });
+}
+
 }  // namespace interleaf::testing

@@ -24,4 +24,7 @@ MappedMesh bumpy_ellipsoid(unsigned divisions);
 /// A ball with a thin spike that one vertex of the mesh alone makes: its tip is at (0, 0, 3).
 MappedMesh ball_with_spike(unsigned divisions);
 
+/// A ball with six long arms.
+MappedMesh six_arms(unsigned divisions);
+
 }  // namespace interleaf::testing

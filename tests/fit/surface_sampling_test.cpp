@@ -12,6 +12,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "fit/alignment.h"
+#include "fit/fit_quality.h"
 #include "fit/star_shapes.h"
 #include "fit/surface_distance.h"
 #include "fit/triangle_distance.h"
@@ -26,17 +27,21 @@ namespace {
 
 SampledSurface sampled(const MappedMesh& mapped, const SamplingOptions& options,
                        const SphereRoots& roots = project_to_sphere(cube())) {
-    const SphereLocation location(mapped.mesh.triangles, mapped.points);
-    return sample_surface(mapped.mesh, mapped.points, location, roots, options, {});
+    return sample_surface(MappedSurface(mapped.mesh, mapped.points), roots, options, {});
 }
 
-/// Sampling by distance as it is defined: every leaf's places are located, and the vertices of the surface
-/// in it looked for, from nothing.
+/// Sampling as it is defined, without levelling: every leaf's places are located, and the vertices of the
+/// surface in it looked for, from nothing.
 std::vector<Triangle> literally_sampled(const MappedMesh& mapped, const SphereRoots& roots, Index leaves) {
     const SphereLocation location(mapped.mesh.triangles, mapped.points);
+    const auto position = [&](Index vertex) { return mapped.mesh.positions[vertex]; };
     const auto on_surface = [&](const glm::dvec3& direction) {
         return location.locate(glm::normalize(direction))
-            .of(std::span<const Triangle>(mapped.mesh.triangles), std::span(mapped.mesh.positions));
+            .of(std::span(mapped.mesh.triangles), std::span(mapped.mesh.positions));
+    };
+    const auto normal_at = [&](const glm::dvec3& direction) {
+        const auto& [a, b, c] = mapped.mesh.triangles[location.locate(glm::normalize(direction)).triangle];
+        return unit_normal({position(a), position(b), position(c)});
     };
     std::vector<glm::dvec3> points = roots.points;
     std::vector<glm::vec3> root_positions;
@@ -51,16 +56,23 @@ std::vector<Triangle> literally_sampled(const MappedMesh& mapped, const SphereRo
         const TriangleCorners corners = {positions[a], positions[b], positions[c]};
         const glm::dvec3 &u = points[a], &v = points[b], &w = points[c];
         double squared = 0;
+        double turn = 0;
         const auto measure = [&](const glm::dvec3& point) {
             squared = std::max(squared, squared_distance_to_triangle(point, corners));
         };
-        for (const glm::dvec3& inside : {u + v, v + w, w + u, u + v + w}) measure(on_surface(inside));
+        for (const glm::dvec3& inside : {u + v, v + w, w + u, u + v + w}) {
+            measure(on_surface(inside));
+            turn = std::max(turn, glm::distance(normal_at(inside), unit_normal(corners)));
+        }
         for (std::size_t i = 0; i < mapped.points.size(); ++i) {
             const glm::dvec3& p = mapped.points[i];
             if (side_of_arc(u, v, p) >= 0 && side_of_arc(v, w, p) >= 0 && side_of_arc(w, u, p) >= 0)
                 measure(mapped.mesh.positions[i]);
         }
-        return std::sqrt(squared);
+        const double size =
+            std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
+                      glm::distance(corners[2], corners[0])});
+        return std::sqrt(squared) + 0.1 * size * turn;
     };
     refine_greedily(mesh, error, {.leaves = leaves});
     std::vector<Triangle> triangles;
@@ -99,7 +111,7 @@ TEST_CASE("what leaves keep for their children is what the children would find")
         MappedMesh mapped = bumpy_ellipsoid(3);
         // Turned, so that no vertex of the surface lies on an edge between leaves.
         rotate(mapped.points, glm::dmat3(glm::rotate(glm::dmat4(1), 0.7, glm::dvec3(1, 2, 3))));
-        const SampledSurface surface = sampled(mapped, {.leaves = 1500, .tolerance = 1e-9}, roots);
+        const SampledSurface surface = sampled(mapped, {.leaves = 1500, .most_levelling = 0}, roots);
         std::vector<Triangle> triangles;
         for (const Leaf& leaf : surface.leaves) triangles.push_back(leaf.vertices);
         CHECK(triangles == literally_sampled(mapped, roots, 1500));
@@ -141,6 +153,30 @@ TEST_CASE("all vertices of the surface are near the key when it is sampled withi
         Index nearest = no_index;
         for (const glm::dvec3& position : mapped.mesh.positions)
             CHECK(distance(position, nearest) <= tolerance + 1e-6);
+    }
+}
+
+TEST_CASE("levelling brings the farthest places nearer with as many leaves") {
+    for (const MappedMesh& mapped : {bumpy_ellipsoid(3), ball_with_spike(4), six_arms(4)}) {
+        CAPTURE(mapped.points.size());
+        const auto quality = [&](const SamplingOptions& options) {
+            const MappedSurface located(mapped.mesh, mapped.points);
+            return measure_quality(located, sampled(mapped, options), {});
+        };
+        CHECK(quality({.leaves = 5000}).hausdorff <
+              0.9 * quality({.leaves = 5000, .most_levelling = 0}).hausdorff);
+    }
+}
+
+TEST_CASE("a tolerance takes no more leaves than reach it without one") {
+    for (const MappedMesh& mapped : {bumpy_ellipsoid(4), ball_with_spike(4), six_arms(4)}) {
+        CAPTURE(mapped.points.size());
+        const MappedSurface located(mapped.mesh, mapped.points);
+        const double reached = measure_quality(located, sampled(mapped, {.leaves = 5000}), {}).hausdorff;
+        const SampledSurface within =
+            sampled(mapped, {.leaves = 100000, .tolerance = reached * box_diagonal(mapped.mesh)});
+        CHECK(within.leaves.size() < 5000);
+        CHECK(measure_quality(located, within, {}).hausdorff < 1.1 * reached);
     }
 }
 
