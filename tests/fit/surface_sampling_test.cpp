@@ -45,6 +45,7 @@ std::vector<Triangle> literally_sampled(const MappedMesh& mapped, const SphereRo
     };
     std::vector<glm::dvec3> points = roots.points;
     std::vector<glm::vec3> root_positions;
+    root_positions.reserve(points.size());
     for (const glm::dvec3& point : points) root_positions.emplace_back(on_surface(point));
     AdaptiveMesh mesh(roots.complex, root_positions, [&](Index a, Index b, Index) {
         points.push_back(glm::normalize(points[a] + points[b]));
