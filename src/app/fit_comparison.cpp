@@ -7,22 +7,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "fit/fit_quality.h"
 #include "fit/progress_meter.h"
 #include "fit/surface_distance.h"
 
 namespace interleaf {
 
 namespace {
-
-double box_diagonal(std::span<const glm::dvec3> positions) {
-    glm::dvec3 low = positions.front();
-    glm::dvec3 high = low;
-    for (const glm::dvec3& position : positions) {
-        low = glm::min(low, position);
-        high = glm::max(high, position);
-    }
-    return glm::distance(low, high);
-}
 
 /// Distances from a mesh, in parts of \p unit, as progress goes from \p begin to \p end.
 class Measure {
@@ -85,7 +76,7 @@ FitComparison compare(std::string mesh_name, FittedKey fitted, const Progress& p
     leaves.reserve(key.leaf_count());
     for (const Leaf& leaf : leaves_of(key)) leaves.push_back(leaf.vertices);
     const std::vector<glm::dvec3> key_positions(key.positions.begin(), key.positions.end());
-    const double percent = box_diagonal(mesh.positions) / 100;
+    const double percent = box_diagonal(mesh) / 100;
 
     ProgressMeter meter(progress);
     meter.enter("comparing", 0);

@@ -1,7 +1,6 @@
 #include "fit/fit_quality.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/core.h>

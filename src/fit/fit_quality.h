@@ -1,10 +1,10 @@
 // How well a sampled surface stands for the one it was made from, and whether that is good enough.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "fit/progress.h"
+#include "fit/surface_mesh.h"
 #include "fit/surface_sampling.h"
 
 namespace interleaf {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -11,8 +10,8 @@
 #include <glm/geometric.hpp>
 
 #include "fit/progress_meter.h"
+#include "fit/space_triangle.h"
 #include "fit/surface_distance.h"
-#include "fit/triangle_distance.h"
 
 namespace interleaf {
 namespace {
@@ -242,21 +241,16 @@ bool Smoothing::is_near(std::span<const Index> star, std::span<const glm::dvec3>
             star, [&](Index leaf) { return squared_distance_to_triangle(place, corners(leaf)) <= allowed; });
     };
     for (const Index leaf : star) {
-        const auto [u, v, w] = directions(leaf);
         const TriangleCorners corner = corners(leaf);
-        Index guess = surface_.mesh_points[leaves_[leaf][0]].triangle;
+        const Index guess = surface_.mesh_points[leaves_[leaf][0]].triangle;
         Index nearest = guess;
-        for (const glm::dvec3& place : grid) {
-            const MeshPoint point =
-                mapped_.location.locate(glm::normalize(place[0] * u + place[1] * v + place[2] * w), guess);
-            guess = point.triangle;
-            const glm::dvec3 on_mesh = mapped_.position(point);
-            const glm::dvec3 on_leaf = place[0] * corner[0] + place[1] * corner[1] + place[2] * corner[2];
-            if (glm::distance(on_mesh, on_leaf) <= allowed_distance_) continue;
-            if ((squared_distance_to_triangle(on_mesh, corner) > allowed && !is_near_star(on_mesh)) ||
-                mapped_.distance(on_leaf, nearest, allowed_distance_) > allowed_distance_)
-                return false;
-        }
+        const auto are_near = [&](const FacingPlaces& places) {
+            if (glm::distance(places.on_surface, places.on_leaf) <= allowed_distance_) return true;
+            return (squared_distance_to_triangle(places.on_surface, corner) <= allowed ||
+                    is_near_star(places.on_surface)) &&
+                   mapped_.distance(places.on_leaf, nearest, allowed_distance_) <= allowed_distance_;
+        };
+        if (!all_of_places(mapped_, grid, directions(leaf), corner, guess, are_near)) return false;
         for (Index vertex = inside_[leaf]; vertex != no_index; vertex = next_[vertex])
             if (!is_near_star(mapped_.mesh.positions[vertex])) return false;
     }

@@ -4,7 +4,7 @@
 // leaves stay one to one with their parts of the sphere. Where leaves have a small angle or are turned over
 // against the surface, their vertices look for better places nearby. No move makes the least angle of its
 // star smaller, as far as it is small, or turns more of its leaves over, and after it the star is nearer
-// to the mesh than the farthest place was.
+// to the mesh than the farthest place was, where that is measured.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@
 
 namespace interleaf {
 
-/// Moves vertices of \p surface so that its least angle does not fall, no more leaves are turned over
-/// (surface_sampling.h), and no vertex of the mesh gets farther from the key than the farthest place of the
-/// mesh was, at its vertices and the middles of leaves.
+/// Moves vertices of \p surface so that its least angle does not fall and no more leaves are turned over
+/// (surface_sampling.h). The mesh over a star that has changed is nearer to it than the farthest place of the
+/// mesh was, at its vertices and on a grid over the leaves; between these it may be a little farther.
 /// \param surface         sampled from \p mapped
 /// \param fixed_vertices  the first so many stay where they are: those of the roots
 /// \throw Cancelled

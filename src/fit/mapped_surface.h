@@ -1,38 +1,22 @@
 // A surface that is mapped to the sphere, with what finds places of it.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <span>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "fit/space_triangle.h"
 #include "fit/sphere_location.h"
 #include "fit/surface_distance.h"
 #include "fit/surface_mesh.h"
-#include "fit/triangle_distance.h"
 
 namespace interleaf {
 
-/// Zero for a triangle of no area.
-glm::dvec3 unit_normal(const TriangleCorners& corners);
-
-/// Barycentric coordinates of places of a triangle: the grid that divides each edge into \p parts, without
-/// the corners.
-template <int parts>
-constexpr auto barycentric_grid() {
-    std::array<glm::dvec3, (parts + 1) * (parts + 2) / 2 - 3> places{};
-    std::size_t count = 0;
-    for (int i = 0; i < parts; ++i)
-        for (int j = i == 0 ? 1 : 0; j < parts && i + j <= parts; ++j)
-            places[count++] = {double(i) / parts, double(j) / parts, double(parts - i - j) / parts};
-    return places;
-}
-
 struct MappedSurface {
-    /// Both must outlive this. \pre fault_of_map() finds none
-    MappedSurface(const SurfaceMesh& mesh, std::span<const glm::dvec3> points);
+    /// Both must outlive this. \pre that of SphereLocation
+    MappedSurface(const SurfaceMesh& surface, std::span<const glm::dvec3> map);
 
     glm::dvec3 position(const MeshPoint& point) const {
         return point.of(std::span(mesh.triangles), std::span(mesh.positions));
@@ -44,5 +28,30 @@ struct MappedSurface {
     SurfaceDistance distance;            ///< from the mesh
     std::vector<glm::dvec3> normals;     ///< unit, one a triangle; zero where it has no area
 };
+
+/// A place of a leaf, and the place of the surface that the map has there.
+struct FacingPlaces {
+    glm::dvec3 on_leaf;
+    glm::dvec3 on_surface;
+    Index triangle;  ///< of the surface
+};
+
+/// Calls \p is_fine(const FacingPlaces&) at the places of a grid until it says no. \return whether it never
+/// did \param directions  of the corners of the leaf, on the sphere \param corners     where they lie in
+/// space \param guess       a triangle of the surface near one of them
+template <typename IsFine>
+bool all_of_places(const MappedSurface& mapped, std::span<const glm::dvec3> grid,
+                   const std::array<glm::dvec3, 3>& directions, const TriangleCorners& corners, Index guess,
+                   IsFine is_fine) {
+    const auto at = [](const glm::dvec3& place, const std::array<glm::dvec3, 3>& values) {
+        return place[0] * values[0] + place[1] * values[1] + place[2] * values[2];
+    };
+    for (const glm::dvec3& place : grid) {
+        const MeshPoint point = mapped.location.locate(glm::normalize(at(place, directions)), guess);
+        guess = point.triangle;
+        if (!is_fine(FacingPlaces{at(place, corners), mapped.position(point), point.triangle})) return false;
+    }
+    return true;
+}
 
 }  // namespace interleaf

@@ -8,6 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "fit/half_edge_mesh.h"
+
 namespace interleaf {
 namespace {
 
@@ -40,12 +42,21 @@ std::vector<SpaceBox> cone_boxes_of(std::span<const Triangle> triangles, std::sp
     return boxes;
 }
 
+std::vector<Triangle> neighbours_of(std::span<const Triangle> triangles, std::size_t vertex_count) {
+    const HalfEdgeMesh mesh(static_cast<Index>(vertex_count), triangles);
+    std::vector<Triangle> neighbours(triangles.size());
+    for (Index t = 0; t < triangles.size(); ++t)
+        for (Index corner = 0; corner < 3; ++corner)
+            neighbours[t][corner] = mesh.twin(HalfEdgeMesh::next(3 * t + corner)) / 3;
+    return neighbours;
+}
+
 }  // namespace
 
 SphereLocation::SphereLocation(std::span<const Triangle> triangles, std::span<const glm::dvec3> points)
     : triangles_(triangles),
       points_(points),
-      neighbours_(static_cast<Index>(points.size()), triangles),
+      neighbours_(neighbours_of(triangles, points.size())),
       tree_(cone_boxes_of(triangles, points)) {}
 
 /// The coordinates of \p direction in the cone of a triangle, not normalised: side_of_arc() of the edges
@@ -63,7 +74,7 @@ MeshPoint SphereLocation::locate(const glm::dvec3& direction, Index guess) const
             inside.x <= inside.y ? (inside.x <= inside.z ? 0 : 2) : (inside.y <= inside.z ? 1 : 2);
         const double sum = inside.x + inside.y + inside.z;
         if (inside[farthest] >= 0 && sum > 0) return {guess, inside / sum};
-        guess = neighbours_.twin(3 * guess + static_cast<Index>((farthest + 1) % 3)) / 3;
+        guess = neighbours_[guess][static_cast<std::size_t>(farthest)];
     }
 
     MeshPoint best;

@@ -6,13 +6,11 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "fit/box_tree.h"
-#include "fit/half_edge_mesh.h"
 #include "hierarchy/triangle.h"
 
 namespace interleaf {
@@ -42,7 +40,8 @@ struct MeshPoint {
 class SphereLocation {
   public:
     /// \param points  of the unit sphere, one a vertex of \p triangles; both must outlive this
-    /// \pre fault_of_map() finds none
+    /// \pre fault_of_map() finds none, and every vertex has a triangle
+    /// \throw InputError when the triangles are no closed surface (half_edge_mesh.h)
     SphereLocation(std::span<const Triangle> triangles, std::span<const glm::dvec3> points);
 
     /// The point in \p direction, of length 1. Where rounding puts an edge's direction in neither triangle,
@@ -55,7 +54,7 @@ class SphereLocation {
 
     std::span<const Triangle> triangles_;
     std::span<const glm::dvec3> points_;
-    HalfEdgeMesh neighbours_;
+    std::vector<Triangle> neighbours_;  ///< across the edges opposite to the corners
     BoxTree tree_;
 };
 

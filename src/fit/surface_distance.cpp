@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "fit/triangle_distance.h"
+#include "fit/space_triangle.h"
 
 namespace interleaf {
 namespace {

@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "fit/progress_meter.h"
-#include "fit/triangle_distance.h"
+#include "fit/space_triangle.h"
 #include "hierarchy/adaptive_mesh.h"
 #include "hierarchy/greedy.h"
 
@@ -24,7 +24,7 @@ constexpr double turn_share = 0.1;
 /// Where on a leaf its distance is measured closely.
 constexpr auto close_places = barycentric_grid<8>();
 
-/// The work of that, in steps of a progress meter.
+/// The work of that, in the units of a progress meter; a vertex of the surface in the leaf is one more.
 constexpr std::size_t close_work = 400;
 
 /// When leaves are levelled, those that seemed farthest before are measured closely: this many times as many
@@ -83,13 +83,16 @@ class Sampler {
     /// The error by which most leaves are made.
     double error(const AdaptiveMesh& mesh, Index leaf);
 
-    /// The distance of a leaf from the surface as error() has found it, at a few places and from this leaf
-    /// alone; infinite when it has not been asked.
+    /// The distance of a leaf from the surface as error() has found it: of a few places and the vertices of
+    /// the surface in it, from this leaf alone; infinite when it has not been asked.
     double noted_distance(Index leaf) const { return leaves_[leaf].distance; }
 
     /// The largest distance between the key at a leaf and the surface there, either way, at the places of a
     /// grid and the vertices of the surface; \p least when that is larger.
     double close_distance(const AdaptiveMesh& mesh, Index leaf, double least) const;
+
+    /// Vertices of the surface in a leaf.
+    std::size_t vertex_count(Index leaf) const { return vertices_of(leaves_[leaf]).size(); }
 
     SampledSurface result(const AdaptiveMesh& mesh) && {
         SampledSurface surface;
@@ -222,38 +225,34 @@ double Sampler::error(const AdaptiveMesh& mesh, Index leaf) {
 double Sampler::close_distance(const AdaptiveMesh& mesh, Index leaf, double least) const {
     if (mesh.level(leaf) >= deepest_level) return 0;
     const auto& [a, b, c] = mesh.vertices(leaf);
-    const TriangleCorners corners = corners_of(mesh, leaf);
-    const glm::dvec3 &u = sphere_points_[a], &v = sphere_points_[b], &w = sphere_points_[c];
     double squared = least * least;
     for (const Index vertex : vertices_of(leaves_[leaf]))
         squared =
             std::max(squared, squared_distance_to_key(mapped_.mesh.positions[vertex], mesh, leaf, squared));
-    Index guess = mesh_points_[a].triangle;
-    for (const glm::dvec3& place : close_places) {
-        const MeshPoint point =
-            mapped_.location.locate(glm::normalize(place[0] * u + place[1] * v + place[2] * w), guess);
-        guess = point.triangle;
-        const glm::dvec3 on_surface = mapped_.position(point);
-        const glm::dvec3 on_leaf = place[0] * corners[0] + place[1] * corners[1] + place[2] * corners[2];
-        const glm::dvec3 gap = on_surface - on_leaf;
-        if (glm::dot(gap, gap) <= squared) continue;  // neither is farther from the other surface
-        squared = std::max(squared, squared_distance_to_key(on_surface, mesh, leaf, squared));
-        Index nearest = point.triangle;
-        const double from_surface = mapped_.distance(on_leaf, nearest);
+    const auto measure = [&](const FacingPlaces& places) {
+        const glm::dvec3 gap = places.on_surface - places.on_leaf;
+        if (glm::dot(gap, gap) <= squared) return true;  // neither is farther from the other surface
+        squared = std::max(squared, squared_distance_to_key(places.on_surface, mesh, leaf, squared));
+        Index nearest = places.triangle;
+        const double from_surface = mapped_.distance(places.on_leaf, nearest, std::sqrt(squared));
         squared = std::max(squared, from_surface * from_surface);
-    }
+        return true;
+    };
+    all_of_places(mapped_, close_places, {sphere_points_[a], sphere_points_[b], sphere_points_[c]},
+                  corners_of(mesh, leaf), mesh_points_[a].triangle, measure);
     return std::sqrt(squared);
 }
 
-/// The distance that a leaf is noted to have when \p count leaves are noted to have more.
-double noted_distance_below(const Sampler& sampler, const AdaptiveMesh& mesh, std::size_t count) {
+/// About the largest distance that a leaf is noted to have when those of the first \p count are left out: a
+/// little less, so that rounding does not part leaves that are equal.
+double noted_distance_behind(std::size_t count, const Sampler& sampler, const AdaptiveMesh& mesh) {
     std::vector<double> distances;
     distances.reserve(mesh.leaf_count());
     for (Index leaf = 0; leaf < mesh.leaf_bound(); ++leaf) distances.push_back(sampler.noted_distance(leaf));
     if (count >= distances.size()) return 0;
     const auto place = distances.begin() + static_cast<std::ptrdiff_t>(count);
     std::ranges::nth_element(distances, place, std::greater());
-    return *place;
+    return 0.999 * *place;
 }
 
 }  // namespace
@@ -277,7 +276,7 @@ SampledSurface sample_surface(const MappedSurface& mapped, const SphereRoots& ro
         meter.step();
     };
     const auto close_distance = [&](const AdaptiveMesh& refined, Index leaf, double least) {
-        meter.step(close_work);
+        meter.step(close_work + sampler.vertex_count(leaf));
         return sampler.close_distance(refined, leaf, least);
     };
     if (options.tolerance > 0) {
@@ -291,7 +290,9 @@ SampledSurface sample_surface(const MappedSurface& mapped, const SphereRoots& ro
         refine_greedily(leaves,
                         [&](const AdaptiveMesh& refined, Index leaf) { return sampler.error(refined, leaf); },
                         {.leaves = options.leaves - levelling, .after_step = after_step});
-        const double far = noted_distance_below(sampler, leaves, levelling_choice * levelling);
+        if (levelling == 0) return std::move(sampler).result(leaves);
+        const double far = noted_distance_behind(levelling_choice * levelling, sampler, leaves);
+        // What is nearer than half of that need not be told apart: it is not what levelling is for.
         refine_greedily(
             leaves,
             [&](const AdaptiveMesh& refined, Index leaf) {

@@ -3,12 +3,10 @@
 // A leaf's vertices are points of the sphere, and lie where these are mapped to on the surface. The leaf of
 // the largest error is bisected next, at the middle of its refinement edge on the sphere. Its error is its
 // distance from the surface plus a term for the turn of the normal, measured at a few places of it and at all
-// vertices of the surface that are mapped into it: without those, what is thin is missed. The last of the
-// leaves level the distance alone: it is measured closely, and those that are farthest are bisected.
+// vertices of the surface that are mapped into it: without those, what is thin is missed. At last comes
+// levelling: the distance alone is measured, closely, and the farthest leaves are bisected.
 #pragma once
 
-#include <optional>
-#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -22,9 +20,11 @@ namespace interleaf {
 
 struct SamplingOptions {
     Index leaves = 20000;         ///< at most this many, and as near as closure allows
-    Index most_levelling = 2000;  ///< so many of the leaves, but at most a tenth, level the distance
-    double tolerance = 0;  ///< only leaves that are farther from the surface are bisected, in its unit; 0:
-                           ///< the number of leaves alone counts
+    Index most_levelling = 2000;  ///< so many of the leaves, but at most a tenth, are for levelling
+
+    /// Where it is not 0: leaves are bisected that are farther from the surface when they are made, in its
+    /// unit, and no others but by closure. Their neighbours may change later, so the key is to be measured.
+    double tolerance = 0;
 };
 
 /// Leaves in preorder; what belongs to a vertex is indexed by the numbers used in the leaves, root vertices

@@ -13,7 +13,7 @@ namespace interleaf {
 struct GreedyOptions {
     Index leaves =
         std::numeric_limits<Index>::max();  ///< at most this many leaves, and as near as closure allows
-    double tolerance = 0;                   ///< stop when no leaf's error is larger; same unit as the error
+    double tolerance = 0;                   ///< leaves with no larger error stay; same unit as the error
 
     /// Told after each step, before errors are asked for, which leaves it made: what AdaptiveMesh::refine()
     /// appends to its `changed`.
@@ -24,7 +24,7 @@ struct GreedyOptions {
 using LeafError = std::function<double(const AdaptiveMesh&, Index leaf)>;
 
 /// Refines \p mesh by the errors that \p error gives for its leaves, once for each: at the beginning, or when
-/// the leaf is made.
+/// the leaf is made. What the error of a leaf owes to others, and they change later, is not asked for again.
 ///
 /// Errors are compared in 12 significant bits and the older of equal leaves goes first. So rounding, which
 /// differs between mathematical libraries, does not decide which of many equal leaves of a symmetric surface

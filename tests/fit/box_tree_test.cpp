@@ -48,12 +48,10 @@ TEST_CASE("every box that contains a point is found, and the nearest box is the 
                 least = std::min(least, boxes[item].squared_distance(point));
             }
             CHECK(found == expected);
-            for (const double enough : {0.0, 0.01, 0.1}) {
-                double nearest = std::numeric_limits<double>::infinity();
-                tree.find_nearest(point, nearest, enough,
-                                  [&](Index item) { return boxes[item].squared_distance(point); });
-                CHECK((nearest == least || (least < nearest && nearest <= enough)));
-            }
+            double nearest = std::numeric_limits<double>::infinity();
+            tree.find_nearest(point, nearest, 0,
+                              [&](Index item) { return boxes[item].squared_distance(point); });
+            CHECK(nearest == least);
         }
     }
 }
@@ -65,4 +63,22 @@ TEST_CASE("a search ends where it is told to") {
     CHECK(BoxTree(boxes).find(glm::dvec3(0), [&](Index) { return ++visits == 3; }));
     CHECK(visits == 3);
     CHECK_FALSE(BoxTree(boxes).find(glm::dvec3(2), [](Index) { return true; }));
+
+    const std::vector<SpaceBox> many = random_boxes(random, 1000);
+    const BoxTree tree(many);
+    const glm::dvec3 outside(0, 0, 3);
+    const auto calls_until = [&](double enough, double& nearest) {
+        std::size_t calls = 0;
+        nearest = std::numeric_limits<double>::infinity();
+        tree.find_nearest(outside, nearest, enough, [&](Index item) {
+            ++calls;
+            return many[item].squared_distance(outside);
+        });
+        return calls;
+    };
+    double least = 0;
+    double near_enough = 0;
+    const std::size_t all_calls = calls_until(0, least);
+    CHECK(calls_until(2 * least, near_enough) < all_calls);
+    CHECK(near_enough <= 2 * least);
 }

@@ -31,6 +31,10 @@ struct Smoothed {
         after = before;
         smooth_leaves(located, roots.complex.vertex_count(), after, {});
     }
+    Smoothed(const Smoothed&) = delete;  // located refers to mapped
+    Smoothed& operator=(const Smoothed&) = delete;
+    ~Smoothed() = default;
+
     FitQuality quality(const SampledSurface& surface) const { return measure_quality(located, surface, {}); }
 };
 

@@ -9,9 +9,9 @@
 #include <glm/geometric.hpp>
 
 #include "fit/closed_meshes.h"
+#include "fit/space_triangle.h"
 #include "fit/spherical_map.h"
 #include "fit/star_shapes.h"
-#include "fit/triangle_distance.h"
 
 using namespace interleaf;
 using namespace interleaf::testing;

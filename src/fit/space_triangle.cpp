@@ -1,4 +1,4 @@
-#include "fit/triangle_distance.h"
+#include "fit/space_triangle.h"
 
 #include <algorithm>
 
@@ -17,6 +17,12 @@ double squared_distance_to_segment(const glm::dvec3& a, const glm::dvec3& edge) 
 }
 
 }  // namespace
+
+glm::dvec3 unit_normal(const TriangleCorners& corners) {
+    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double length = glm::length(normal);
+    return length > 0 ? normal / length : glm::dvec3(0);
+}
 
 double squared_distance_to_triangle(const glm::dvec3& point, const TriangleCorners& corners) {
     const glm::dvec3 a = corners[0] - point;  // the point is the origin

@@ -1,0 +1,33 @@
+// A triangle in space: its normal, places of it, and the distance of a point from it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <glm/vec3.hpp>
+
+namespace interleaf {
+
+/// The corners of a triangle in space.
+using TriangleCorners = std::array<glm::dvec3, 3>;
+
+/// The unit normal; zero for a triangle of no area.
+glm::dvec3 unit_normal(const TriangleCorners& corners);
+
+/// Barycentric coordinates of places of a triangle: the grid that divides each edge into \p parts, without
+/// the corners.
+template <int parts>
+constexpr auto barycentric_grid() {
+    std::array<glm::dvec3, (parts + 1) * (parts + 2) / 2 - 3> places{};
+    std::size_t count = 0;
+    for (int i = 0; i < parts; ++i)
+        for (int j = i == 0 ? 1 : 0; j < parts && i + j <= parts; ++j)
+            places[count++] = {double(i) / parts, double(j) / parts, double(parts - i - j) / parts};
+    return places;
+}
+
+/// The square of the distance of \p point from the closed triangle with these corners, which may be
+/// degenerate (Ericson, Real-Time Collision Detection, 2005, section 5.1.5: the regions of its plane).
+double squared_distance_to_triangle(const glm::dvec3& point, const TriangleCorners& corners);
+
+}  // namespace interleaf
