@@ -4,8 +4,7 @@
 #include <utility>
 
 #include <fmt/core.h>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 #include "fit/fit_quality.h"
 #include "fit/progress_meter.h"

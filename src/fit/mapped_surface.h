@@ -1,6 +1,7 @@
 // A surface that is mapped to the sphere, with what finds places of it.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -36,9 +37,11 @@ struct FacingPlaces {
     Index triangle;  ///< of the surface
 };
 
-/// Calls \p is_fine(const FacingPlaces&) at the places of a grid until it says no. \return whether it never
-/// did \param directions  of the corners of the leaf, on the sphere \param corners     where they lie in
-/// space \param guess       a triangle of the surface near one of them
+/// Whether \p is_fine(const FacingPlaces&) says so at all places of a grid; it is called until it says no.
+/// \param grid        barycentric coordinates, see barycentric_grid()
+/// \param directions  of the corners of the leaf, on the sphere
+/// \param corners     where they lie in space
+/// \param guess       a triangle of the surface near one of them
 template <typename IsFine>
 bool all_of_places(const MappedSurface& mapped, std::span<const glm::dvec3> grid,
                    const std::array<glm::dvec3, 3>& directions, const TriangleCorners& corners, Index guess,

@@ -68,6 +68,23 @@ TEST_CASE("every direction is found, on edges and vertices as well, from any gue
     }
 }
 
+TEST_CASE("from a neighbour, the walk crosses the edge between") {
+    // A vertex lies in all triangles around it, and a search without a guess has the same one of them always.
+    const SurfaceMesh mesh = icosphere(3);
+    const std::vector<glm::dvec3> points = on_sphere(mesh);
+    const SphereLocation location(mesh.triangles, points);
+    for (Index here = 0; here < mesh.triangles.size(); ++here)
+        for (Index there = 0; there < mesh.triangles.size(); ++there) {
+            const Triangle& triangle = mesh.triangles[there];
+            const auto is_here = [&](Index vertex) {
+                return std::ranges::find(mesh.triangles[here], vertex) != mesh.triangles[here].end();
+            };
+            if (here == there || std::ranges::count_if(triangle, is_here) != 2) continue;
+            const Index beyond = *std::ranges::find_if_not(triangle, is_here);
+            CHECK(location.locate(points[beyond], here).triangle == there);
+        }
+}
+
 TEST_CASE(
     "the distance from a triangle is that of the nearest of many of its points, also where it is "
     "degenerate") {
