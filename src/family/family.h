@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "family/parameter_domain.h"
 #include "family/shared_hierarchy.h"
 #include "family/timeline.h"
@@ -25,6 +27,7 @@ struct Family {
     std::vector<Key> keys;
     std::optional<Timeline> timeline;
     std::optional<ParameterDomain> domain;
+    glm::dvec3 origin{0};  ///< that was subtracted from all positions (origin.h)
 };
 
 /// Index of the key called \p name; none when there is no such key.

@@ -9,7 +9,12 @@
 namespace interleaf::family_format {
 
 inline constexpr std::string_view name = "interleaf-family";
-inline constexpr std::uint32_t version = 1;
+
+/// Written where version 1 has a place for all of a family; read, too.
+inline constexpr std::uint32_t oldest_version = 1;
+/// Has an origin.
+inline constexpr std::uint32_t version = 2;
+
 inline constexpr std::uint64_t largest_file = 16 << 20;
 
 /// Finding overlaps compares every two triangles.

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "family/new_family.h"
+#include "family/origin.h"
 #include "family/synchronise_keys.h"
 #include "hierarchy/error.h"
 #include "io/family_file.h"
@@ -161,6 +162,11 @@ glm::dvec2 point_at(const JsonPlace& place) {
     return {place.element(0).number(), place.element(1).number()};
 }
 
+glm::dvec3 origin_at(const JsonPlace& place) {
+    if (place.size() != 3) place.fail_expecting("three numbers");
+    return {place.element(0).number(), place.element(1).number(), place.element(2).number()};
+}
+
 Triangle triangle_at(const JsonPlace& place, std::size_t vertex_count) {
     if (place.size() != 3) place.fail_expecting("three vertices");
     return {place.element(0).index_below(vertex_count), place.element(1).index_below(vertex_count),
@@ -205,8 +211,9 @@ Family read_family_json(const fs::path& file, std::vector<std::string>* changes)
     if (format.string() != family_format::name)
         format.fail_expecting(fmt::format("\"{}\"", family_format::name));
     const JsonPlace version = root.member("version");
-    if (version.number() != family_format::version)
-        version.fail_expecting(fmt::to_string(family_format::version));
+    if (version.number() != family_format::oldest_version && version.number() != family_format::version)
+        version.fail_expecting(
+            fmt::format("{} or {}", family_format::oldest_version, family_format::version));
 
     Family family;
     family.name = name_at(root.member("name"));
@@ -224,6 +231,8 @@ Family read_family_json(const fs::path& file, std::vector<std::string>* changes)
     if (const auto timeline = root.optional_member("timeline"))
         family.timeline = timeline_at(*timeline, names);
     if (const auto domain = root.optional_member("domain")) family.domain = domain_at(*domain, names);
+    if (const auto origin = root.optional_member("origin"); origin && version.number() > 1)
+        family.origin = origin_at(*origin);
     return family;
 }
 
@@ -235,18 +244,26 @@ bool is_mesh(const fs::path& file) {
     return lower_case_extension(file) == ".obj";
 }
 
-Hierarchy read_key(const fs::path& file) {
-    if (is_mesh(file)) return read_obj(file);
-    if (lower_case_extension(file) == ".ilh") return read_hierarchy(file);
-    throw InputError(fmt::format("{}: expected a file that ends in .ilh or .obj", file.string()));
-}
-
-std::vector<Hierarchy> read_all(std::span<const fs::path> files) {
+/// Keys of hierarchy files among those of meshes, whose origin is that of the first mesh.
+MeshKeys read_all(std::span<const fs::path> files) {
     if (std::ranges::all_of(files, is_mesh)) return read_obj_series(files);
-    std::vector<Hierarchy> hierarchies;
-    hierarchies.reserve(files.size());
-    for (const fs::path& file : files) hierarchies.push_back(read_key(file));
-    return hierarchies;
+    MeshKeys all;
+    std::optional<glm::dvec3> origin;
+    for (const fs::path& file : files) {
+        if (is_mesh(file)) {
+            MeshKeys mesh = read_obj_series(std::span(&file, 1), origin);
+            origin = all.origin = mesh.origin;
+            all.keys.push_back(std::move(mesh.keys.front()));
+            all.remarks.insert(all.remarks.end(), mesh.remarks.begin(), mesh.remarks.end());
+        } else if (lower_case_extension(file) == ".ilh") {
+            all.keys.push_back(read_hierarchy(file));
+        } else {
+            throw InputError(fmt::format(
+                "{}: expected a file that ends in .ilh or .obj; `interleaf fit` makes keys of other meshes",
+                file.string()));
+        }
+    }
+    return all;
 }
 
 }  // namespace
@@ -291,14 +308,19 @@ Family read_family(const fs::path& path, std::vector<std::string>* changes) {
 Family read_keys(std::span<const fs::path> files, std::vector<std::string>* changes) {
     std::vector<Key> keys;
     keys.reserve(files.size());
-    for (Hierarchy& hierarchy : read_all(files))
+    MeshKeys read = read_all(files);
+    if (read.origin != glm::dvec3(0)) read.remarks.push_back(origin_sentence(read.origin));
+    if (changes != nullptr) changes->insert(changes->end(), read.remarks.begin(), read.remarks.end());
+    for (Hierarchy& hierarchy : read.keys)
         keys.push_back({name_of(files[keys.size()]), std::move(hierarchy)});
     synchronise_all(
         keys, {}, [&](std::size_t key) { return files[key].string(); }, changes);
     const std::string name = files.size() == 1
                                  ? name_of(files.front())
                                  : fmt::format("{} to {}", name_of(files.front()), name_of(files.back()));
-    return family_of_keys(name, std::move(keys));
+    Family family = family_of_keys(name, std::move(keys));
+    family.origin = read.origin;
+    return family;
 }
 
 }  // namespace interleaf

@@ -140,14 +140,18 @@ std::string family_text(const Family& family, const std::vector<KeyFile>& files)
     keys.reserve(family.keys.size());
     for (std::size_t i = 0; i < family.keys.size(); ++i)
         keys.push_back({{"name", family.keys[i].name}, {"file", files[i].mark.name}});
+    const bool has_origin = family.origin != glm::dvec3(0);
     std::vector<std::string> members{
         fmt::format("  \"format\": \"{}\"", family_format::name),
-        fmt::format("  \"version\": {}", family_format::version),
+        fmt::format("  \"version\": {}", has_origin ? family_format::version : family_format::oldest_version),
         fmt::format("  \"name\": {}", ordered_json(family.name).dump()),
         array_text("  ", "keys", keys),
     };
     if (family.timeline) members.push_back(timeline_text(*family.timeline, family));
     if (family.domain) members.push_back(domain_text(*family.domain, family));
+    if (has_origin)
+        members.push_back(fmt::format(
+            "  \"origin\": {}", ordered_json{family.origin.x, family.origin.y, family.origin.z}.dump()));
     return fmt::format("{{\n{}\n}}\n", joined(members, ",\n"));
 }
 

@@ -9,10 +9,12 @@
 #include <fmt/format.h>
 #include <stb_image_write.h>
 
+#include "family/origin.h"
 #include "hierarchy/error.h"
 #include "io/input_file.h"
 #include "io/obj_lines.h"
 #include "io/ply_properties.h"
+#include "io/polygon_mesh.h"
 
 namespace interleaf {
 
@@ -20,8 +22,12 @@ namespace {
 
 constexpr std::uint64_t largest_obj = std::uint64_t{1} << 30;
 
-ObjLines read_lines(const std::filesystem::path& file) {
-    return read_obj_lines(read_text(file, largest_obj), file.string());
+PolygonMesh read_lines(const std::filesystem::path& file, std::vector<std::string>& remarks) {
+    const std::string name = file.string();
+    PolygonMesh mesh = read_obj_lines(read_text(file, largest_obj), name);
+    settle(mesh, name);
+    for (const std::string& remark : mesh.remarks) remarks.push_back(fmt::format("{}: {}", name, remark));
+    return mesh;
 }
 
 /// The vertices that triangles use, in their order.
@@ -43,34 +49,30 @@ void renumber(std::vector<Triangle>& triangles, const std::vector<Index>& used, 
         for (Index& vertex : triangle) vertex = number[vertex];
 }
 
-std::vector<glm::vec3> picked(const std::vector<glm::vec3>& values, const std::vector<Index>& used) {
-    std::vector<glm::vec3> result;
-    result.reserve(used.size());
-    for (const Index vertex : used) result.push_back(values[vertex]);
-    return result;
-}
-
 constexpr std::string_view color_name = "color";
 
-Field color_field(std::span<const glm::vec3> colors) {
+Field color_field(const std::vector<glm::vec3>& colors, const std::vector<Index>& used) {
     Field field{std::string(color_name), FieldKind::color, {}};
-    field.values.reserve(3 * colors.size());
-    for (const glm::vec3& color : colors)
-        field.values.insert(field.values.end(), {color.r, color.g, color.b});
+    field.values.reserve(3 * used.size());
+    for (const Index vertex : used)
+        field.values.insert(field.values.end(), {colors[vertex].r, colors[vertex].g, colors[vertex].b});
     return field;
 }
 
-/// The vertices of \p lines that are \p used, over \p roots.
-Hierarchy key_of(const RootComplex& roots, const ObjLines& lines, const std::vector<Index>& used) {
-    Hierarchy key = unrefined(roots, picked(lines.positions, used));
-    if (!lines.colors.empty()) key.fields.push_back(color_field(picked(lines.colors, used)));
+/// The vertices of \p lines that are \p used, less \p origin, over \p roots.
+Hierarchy key_of(const RootComplex& roots, const PolygonMesh& lines, const std::vector<Index>& used,
+                 const glm::dvec3& origin) {
+    std::vector<glm::vec3> positions;
+    positions.reserve(used.size());
+    for (const Index vertex : used) positions.emplace_back(lines.positions[vertex] - origin);
+    Hierarchy key = unrefined(roots, std::move(positions));
+    if (!lines.colors.empty()) key.fields.push_back(color_field(lines.colors, used));
     return key;
 }
 
-/// The roots that the faces of \p lines are; \p used gets the vertices that they use.
-RootComplex roots_of(const ObjLines& lines, const std::string& name, std::vector<Index>& used) {
-    std::vector<Triangle> triangles = triangles_of(lines, name);
-    used = used_vertices(triangles, lines.positions.size());
+/// The roots that \p triangles, the faces of \p lines, are; \p used are the vertices of theirs.
+RootComplex roots_of(std::vector<Triangle> triangles, const PolygonMesh& lines,
+                     const std::vector<Index>& used, const std::string& name) {
     renumber(triangles, used, lines.positions.size());
     try {
         return {static_cast<Index>(used.size()), std::move(triangles)};
@@ -92,22 +94,21 @@ std::string corners_text(std::span<const Index> corners) {
 
 /// Where the faces of \p lines differ from those of \p first, the file \p first_name; empty where they do
 /// not.
-std::string face_difference(const ObjLines& lines, const ObjLines& first, std::string_view first_name) {
+std::string face_difference(const PolygonMesh& lines, const PolygonMesh& first, std::string_view first_name) {
     std::size_t corner = 0;
     for (std::size_t face = 0; face < std::min(lines.face_sizes.size(), first.face_sizes.size()); ++face) {
-        const auto of = [&](const ObjLines& some) {
+        const auto of = [&](const PolygonMesh& some) {
             return std::span(some.corners).subspan(corner, some.face_sizes[face]);
         };
         if (!std::ranges::equal(of(lines), of(first)))
-            return fmt::format("face {}: has the vertices {}, expected {} as in {} (counted from 1)",
-                               face + 1, corners_text(of(lines)), corners_text(of(first)), first_name);
+            return fmt::format("line {}: a face of the vertices {}, expected {} as in line {} of {}",
+                               lines.face_lines[face], corners_text(of(lines)), corners_text(of(first)),
+                               first.face_lines[face], first_name);
         corner += lines.face_sizes[face];
     }
-    if (lines.face_sizes.size() > first.face_sizes.size())
-        return fmt::format("face {}: expected {} faces, as {} has", first.face_sizes.size() + 1,
+    if (lines.face_sizes.size() != first.face_sizes.size())
+        return fmt::format("has {} faces, expected {}, as {} has", lines.face_sizes.size(),
                            first.face_sizes.size(), first_name);
-    if (lines.face_sizes.size() < first.face_sizes.size())
-        return fmt::format("has {} faces, expected more, as {} has", lines.face_sizes.size(), first_name);
     return "";
 }
 
@@ -125,37 +126,41 @@ void append_bytes(std::string& bytes, const void* data, std::size_t size) {
 }  // namespace
 
 Hierarchy read_obj(const std::filesystem::path& file) {
-    const ObjLines lines = read_lines(file);
-    std::vector<Index> used;
-    const RootComplex roots = roots_of(lines, file.string(), used);
-    return key_of(roots, lines, used);
+    return std::move(read_obj_series(std::span(&file, 1)).keys.front());
 }
 
-std::vector<Hierarchy> read_obj_series(std::span<const std::filesystem::path> files) {
-    std::vector<Hierarchy> series;
+MeshKeys read_obj_series(std::span<const std::filesystem::path> files, std::optional<glm::dvec3> origin) {
+    MeshKeys series;
     if (files.empty()) return series;
-    series.reserve(files.size());
+    series.keys.reserve(files.size());
     const std::string first_name = files.front().string();
-    const ObjLines first = read_lines(files.front());
-    std::vector<Index> used;
-    const RootComplex roots = roots_of(first, first_name, used);
-    series.push_back(key_of(roots, first, used));
+    const PolygonMesh first = read_lines(files.front(), series.remarks);
+    std::vector<Triangle> triangles = triangles_of(first, first_name);
+    series.origin = origin ? *origin : origin_for(first.positions, triangles);
+    const std::vector<Index> used = used_vertices(triangles, first.positions.size());
+    const RootComplex roots = roots_of(std::move(triangles), first, used, first_name);
+    series.keys.push_back(key_of(roots, first, used, series.origin));
     for (const std::filesystem::path& file : files.subspan(1)) {
-        const ObjLines lines = read_lines(file);
+        const PolygonMesh lines = read_lines(file, series.remarks);
         const std::string difference = face_difference(lines, first, first_name);
-        if (!difference.empty()) throw InputError(fmt::format("{}: {}", file.string(), difference));
-        series.push_back(key_of(roots, lines, used));
+        if (!difference.empty())
+            throw InputError(fmt::format("{}: {}; `interleaf fit` makes keys of meshes with different faces",
+                                         file.string(), difference));
+        series.keys.push_back(key_of(roots, lines, used, series.origin));
     }
     return series;
 }
 
 std::string obj_text(std::span<const Triangle> triangles, std::span<const glm::vec3> positions,
-                     std::span<const Field> fields) {
+                     std::span<const Field> fields, const glm::dvec3& origin) {
     std::string text;
     const Field* const colors = vertex_colors(fields);
     for (std::size_t v = 0; v < positions.size(); ++v) {
-        const glm::vec3& p = positions[v];
-        fmt::format_to(std::back_inserter(text), "v {} {} {}", p.x, p.y, p.z);
+        const glm::vec3& local = positions[v];
+        if (const glm::dvec3 p = glm::dvec3(local) + origin; origin != glm::dvec3(0))
+            fmt::format_to(std::back_inserter(text), "v {} {} {}", p.x, p.y, p.z);
+        else
+            fmt::format_to(std::back_inserter(text), "v {} {} {}", local.x, local.y, local.z);
         if (colors != nullptr)
             for (const float part : colors->at(static_cast<Index>(v)))
                 fmt::format_to(std::back_inserter(text), " {}", part);
@@ -167,20 +172,25 @@ std::string obj_text(std::span<const Triangle> triangles, std::span<const glm::v
 }
 
 std::string ply_bytes(std::span<const Triangle> triangles, std::span<const glm::vec3> positions,
-                      std::span<const Field> fields) {
+                      std::span<const Field> fields, const glm::dvec3& origin) {
+    const bool is_local = origin == glm::dvec3(0);
     const std::vector<PlyProperty> properties = ply_properties(fields, vertex_colors(fields));
     std::string bytes = fmt::format(
         "ply\nformat binary_little_endian 1.0\n"
-        "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n",
-        positions.size());
+        "element vertex {0}\nproperty {1} x\nproperty {1} y\nproperty {1} z\n",
+        positions.size(), is_local ? "float" : "double");
     for (const PlyProperty& property : properties)
         bytes += fmt::format("property {} {}\n", property.is_byte ? "uchar" : "float", property.name);
     bytes += fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
                          triangles.size());
-    bytes.reserve(bytes.size() + positions.size() * (sizeof(glm::vec3) + sizeof(float) * properties.size()) +
+    bytes.reserve(bytes.size() + positions.size() * (sizeof(glm::dvec3) + sizeof(float) * properties.size()) +
                   triangles.size_bytes() + triangles.size());
     for (std::size_t v = 0; v < positions.size(); ++v) {
-        append_bytes(bytes, &positions[v], sizeof(glm::vec3));
+        const glm::dvec3 placed = glm::dvec3(positions[v]) + origin;
+        if (is_local)
+            append_bytes(bytes, &positions[v], sizeof(glm::vec3));
+        else
+            append_bytes(bytes, &placed, sizeof(placed));
         for (const PlyProperty& property : properties) {
             const float value = property.field->at(static_cast<Index>(v))[property.component];
             if (property.is_byte)

@@ -1,39 +1,17 @@
-// The lines of a Wavefront OBJ file that make a surface: vertices (v), with their colours where they have
+// The lines of a Wavefront OBJ file that make a surface: vertices (v), with their colors where they have
 // some, and faces (f), checked.
-//
-// tinyobjloader takes a number it cannot read for 0, rounds others, leaves out a polygon with a vertex that
-// does not exist, and takes 25 times the memory of a file. So every line is read and checked here, with its
-// number; tinyobjloader only divides polygons.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <string>
 #include <string_view>
-#include <vector>
 
-#include <glm/vec3.hpp>
-
-#include "hierarchy/triangle.h"
+#include "io/polygon_mesh.h"
 
 namespace interleaf {
 
-/// Dividing a polygon takes time that grows with the square of its corners.
-inline constexpr std::size_t most_corners = 1000;
-
-struct ObjLines {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> colors;  ///< one a vertex, white where its line has none; empty when none has
-    std::vector<Index> corners;     ///< vertices of the faces, one face after the other
-    std::vector<std::uint16_t> face_sizes;  ///< corners of each face, 3 to most_corners
-    std::size_t triangle_count = 0;         ///< triangles in the faces once they are triangulated
-};
-
-/// \throw InputError naming \p name, the line and what was expected: finite numbers, colours from 0 to 1,
-/// vertices that exist, a face
-ObjLines read_obj_lines(std::string_view obj, std::string_view name);
-
-/// The faces as triangles, polygons divided by tinyobjloader. \throw InputError naming \p name, where that
-/// cannot be done
-std::vector<Triangle> triangles_of(const ObjLines& lines, std::string_view name);
+/// The mesh, not settled. A line of a vertex or face that ends in a backslash goes on in the next; commas may
+/// stand behind numbers, comments behind all. A vertex without a color is white where others have one. \throw
+/// InputError naming \p name, the line and what was expected
+PolygonMesh read_obj_lines(std::string text, std::string_view name);
 
 }  // namespace interleaf

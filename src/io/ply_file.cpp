@@ -13,7 +13,10 @@
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
+#include "io/ear_clipping.h"
 #include "io/json_place.h"
+#include "io/plain_text.h"
+#include "io/polygon_mesh.h"
 #include "io/surface_file.h"
 #include "io/words.h"
 
@@ -53,9 +56,9 @@ enum class Form { text, little_endian, big_endian };
 
 class PlyReader {
   public:
-    PlyReader(std::string_view bytes, std::string_view name) : rest_(bytes), name_(name) {}
+    PlyReader(std::string_view bytes, std::string_view name) : whole_(bytes), rest_(bytes), name_(name) {}
 
-    SurfaceFile read() {
+    PolygonMesh read() {
         read_header();
         for (const Element& element : elements_) {
             if (element.properties.empty()) continue;  // takes no place
@@ -65,19 +68,21 @@ class PlyReader {
                     read_vertex(element);
                 else if (element.name == "face")
                     read_face(element);
+                else if (element.name == "tristrips")
+                    read_strips(element);
                 else
                     for (const Property& property : element.properties) pass_over(property);
             }
         }
-        if (surface_.triangles.empty())
-            throw InputError(fmt::format("{}: has no faces, expected some", name_));
-        if (surface_.colors.size() != surface_.positions.size()) surface_.colors.clear();
-        for (const Triangle& triangle : surface_.triangles)
-            for (const Index vertex : triangle)
-                if (vertex >= surface_.positions.size())
-                    throw InputError(fmt::format("{}: a face has vertex {}, there are {}, counted from 0",
-                                                 name_, vertex, surface_.positions.size()));
-        return std::move(surface_);
+        if (!unknown_line_.empty() && form_ == Form::text && !Words(rest_).next().empty())
+            throw InputError(fmt::format("{}: more follows than the header declares, of which a line says {}",
+                                         name_, in_quotes(unknown_line_)));
+        if (mesh_.colors.size() != mesh_.positions.size()) mesh_.colors.clear();
+        for (const Index vertex : mesh_.corners)
+            if (vertex >= mesh_.positions.size())
+                throw InputError(fmt::format("{}: a face has vertex {}, there are {}, counted from 0", name_,
+                                             vertex, mesh_.positions.size()));
+        return std::move(mesh_);
     }
 
   private:
@@ -85,8 +90,9 @@ class PlyReader {
         throw InputError(fmt::format("{}: line {}: {}", name_, line_number_, what));
     }
     [[noreturn]] void fail(std::string_view what) const {
-        throw InputError(fmt::format("{}: {} {} (counted from 0): {}", name_, element_, number_, what));
+        throw InputError(fmt::format("{}: {}: {}", name_, place(), what));
     }
+    std::string place() const { return fmt::format("{} {} (counted from 0)", element_, number_); }
 
     static const Type* find_type(std::string_view name) {
         const auto* const found = std::ranges::find_if(
@@ -98,7 +104,8 @@ class PlyReader {
         bool has_format = false;
         for (line_number_ = 1;; ++line_number_) {
             if (rest_.empty()) fail_in_header("the file ends, expected end_header");
-            std::string_view line = take_line(rest_);
+            std::string_view line = take_header_line();
+            const std::string_view whole = line;
             const std::string_view keyword = take_word(line);
             if (line_number_ == 1) {
                 if (keyword != "ply") fail_in_header("expected ply");
@@ -112,11 +119,27 @@ class PlyReader {
             } else if (keyword == "end_header") {
                 break;
             } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-                fail_in_header(fmt::format("{} found, expected format, element, property or end_header",
-                                           in_quotes(keyword)));
+                if (!looks_like_text(whole)) fail_in_header("is not text, expected end_header before");
+                unknown_line_ = whole;
+                mesh_.remarks.push_back(
+                    fmt::format("Line {} of the header, {}, was ignored.", line_number_, in_quotes(whole)));
+                constexpr std::size_t max_unknown_lines = 100;
+                if (mesh_.remarks.size() > max_unknown_lines)
+                    fail_in_header("expected format, element, property or end_header");
             }
         }
         if (!has_format) fail_in_header("the header ends, expected a format in it");
+    }
+
+    /// Lines end as the first does, so that the bytes behind the last are known.
+    std::string_view take_header_line() {
+        const std::size_t first_end = whole_.find_first_of("\r\n");
+        if (first_end == std::string_view::npos || whole_[first_end] == '\n' ||
+            (first_end + 1 < whole_.size() && whole_[first_end + 1] == '\n'))
+            return take_line(rest_);
+        const std::string_view line = rest_.substr(0, rest_.find('\r'));
+        rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
+        return line;
     }
 
     void read_format(std::string_view word) {
@@ -173,8 +196,8 @@ class PlyReader {
     double next(const Type& type) {
         if (form_ == Form::text) {
             const std::string_view word = next_word();
-            const std::optional<double> number = parse_double(word);
-            if (!number) fail(fmt::format("{} found, expected a finite number", in_quotes(word)));
+            const std::optional<double> number = parse_coordinate(word);
+            if (!number) fail(fmt::format("{} found, expected a number", in_quotes(word)));
             return *number;
         }
         if (rest_.size() < type.bytes) fail("the file ends within it");
@@ -191,11 +214,37 @@ class PlyReader {
         return type.is_signed && (bits & sign) != 0 ? value - 2 * static_cast<double>(sign) : value;
     }
 
-    Index next_whole(const Type& type, std::string_view expected) {
-        const double number = next(type);
+    Index next_whole(const Type& type, std::string_view expected) { return whole(next(type), expected); }
+
+    Index whole(double number, std::string_view expected) const {
         if (!(number >= 0 && number < double(no_index) && number == std::floor(number)))
             fail(fmt::format("{} found, expected {}", number, expected));
         return static_cast<Index>(number);
+    }
+
+    /// Each three corners in a row are a triangle, every other one turned over; -1 ends a strip.
+    void read_strips(const Element& element) {
+        for (const Property& property : element.properties) {
+            if (property.count_type == nullptr || !property.name.starts_with("vertex_ind")) {
+                pass_over(property);
+                continue;
+            }
+            const Index count = next_whole(*property.count_type, "the length of the strips");
+            corners_.clear();
+            for (Index i = 0; i < count; ++i) {
+                const double corner = next(*property.type);
+                if (corner == -1) {
+                    corners_.clear();
+                    continue;
+                }
+                corners_.push_back(whole(corner, "a vertex or -1"));
+                const std::size_t length = corners_.size();
+                if (length < 3) continue;
+                const std::size_t odd = length % 2 == 0 ? 1 : 0;
+                mesh_.add_face(
+                    std::array{corners_[length - 3 + odd], corners_[length - 2 - odd], corners_[length - 1]});
+            }
+        }
     }
 
     void pass_over(const Property& property) {
@@ -222,17 +271,14 @@ class PlyReader {
             } else {
                 const double most =
                     property.type->is_float ? 1 : std::ldexp(1, 8 * int(property.type->bytes)) - 1;
-                if (!(value >= 0 && value <= most))
-                    fail(fmt::format("a colour of {}, expected 0 to {}", value, most));
                 color[static_cast<std::size_t>(channel - channels.begin())] =
                     static_cast<float>(value / most);
             }
         }
         if (!position[0] || !position[1] || !position[2]) fail("expected the properties x, y and z");
-        for (const std::optional<double>& coordinate : position)
-            if (!std::isfinite(*coordinate)) fail("a coordinate is not a finite number");
-        surface_.positions.emplace_back(*position[0], *position[1], *position[2]);
-        if (color[0] && color[1] && color[2]) surface_.colors.emplace_back(*color[0], *color[1], *color[2]);
+        if (!mesh_.add_vertex({*position[0], *position[1], *position[2]}, [&] { return place(); }))
+            fail(too_many_broken_vertices);
+        if (color[0] && color[1] && color[2]) mesh_.colors.emplace_back(*color[0], *color[1], *color[2]);
     }
 
     void read_face(const Element& element) {
@@ -243,31 +289,33 @@ class PlyReader {
                 continue;
             }
             const Index count = next_whole(*property.count_type, "the number of a face's corners");
-            if (count < 3 || count > most_polygon_corners)
-                fail(fmt::format("{} corners, expected 3 to {}", count, most_polygon_corners));
+            if (count < 3 || count > max_polygon_corners)
+                fail(fmt::format("{} corners, expected 3 to {}", count, max_polygon_corners));
             corners_.clear();
             for (Index i = 0; i < count; ++i) corners_.push_back(next_whole(*property.type, "a vertex"));
-            append_fan(surface_.triangles, corners_);
+            mesh_.add_face(corners_);
             has_corners = true;
         }
         if (!has_corners) fail("expected the property list vertex_indices");
     }
 
+    std::string_view whole_;
     std::string_view rest_;
     std::string_view name_;
+    std::string_view unknown_line_;  ///< of the header; empty for none
     std::size_t line_number_ = 0;
     Form form_ = Form::text;
     std::vector<Element> elements_;
     std::string_view element_;
     std::uint64_t number_ = 0;
     std::vector<Index> corners_;
-    SurfaceFile surface_;
+    PolygonMesh mesh_;
 };
 
 }  // namespace
 
 SurfaceFile parse_ply(std::string_view bytes, std::string_view name) {
-    return PlyReader(bytes, name).read();
+    return surface_of(PlyReader(bytes, name).read(), name);
 }
 
 }  // namespace interleaf

@@ -8,6 +8,7 @@
 
 #include "hierarchy/error.h"
 #include "io/json_place.h"
+#include "io/plain_text.h"
 #include "io/surface_file.h"
 #include "io/words.h"
 
@@ -31,14 +32,30 @@ std::uint32_t claimed_triangles(std::string_view bytes) {
     return count;
 }
 
-bool is_binary(std::string_view bytes) {
-    return bytes.size() >= header_bytes &&
-           bytes.size() == header_bytes + triangle_bytes * std::size_t{claimed_triangles(bytes)};
+/// How many triangles there are. Programs that write while they make triangles leave 0 or 2^32 - 1 as their
+/// number; then the size tells. Some write more behind the last.
+std::size_t count_triangles(std::string_view bytes, std::string_view name,
+                            std::vector<std::string>& remarks) {
+    const std::size_t claimed = claimed_triangles(bytes);
+    const std::size_t present = (bytes.size() - header_bytes) / triangle_bytes;
+    const std::size_t trailing = bytes.size() - header_bytes - triangle_bytes * present;
+    const bool is_unknown = claimed == 0 || claimed == 0xffffffff;
+    if (is_unknown && present > 0 && trailing == 0) {
+        remarks.push_back(fmt::format("The file says {} triangles, its size {}.", claimed, present));
+        return present;
+    }
+    if (claimed > present)
+        throw InputError(
+            fmt::format("{}: size: {} bytes, expected {} + {} for each of the {} triangles that byte 80 says",
+                        name, bytes.size(), header_bytes, triangle_bytes, claimed));
+    const std::size_t unread = bytes.size() - header_bytes - triangle_bytes * claimed;
+    if (unread > 0) remarks.push_back(fmt::format("{} bytes behind the last triangle were ignored.", unread));
+    return claimed;
 }
 
 SurfaceFile parse_binary(std::string_view bytes, std::string_view name) {
     SurfaceFile surface;
-    const std::size_t count = claimed_triangles(bytes);
+    const std::size_t count = count_triangles(bytes, name, surface.remarks);
     surface.positions.reserve(3 * count);
     for (std::size_t n = 0; n < count; ++n)
         for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -53,50 +70,88 @@ SurfaceFile parse_binary(std::string_view bytes, std::string_view name) {
     return surface;
 }
 
-SurfaceFile parse_text(std::string_view text, std::string_view name) {
-    SurfaceFile surface;
-    std::size_t in_loop = 0;
-    for (std::size_t number = 1; !text.empty(); ++number) {
-        std::string_view line = take_line(text);
-        const auto fail = [&](std::string_view what) {
-            throw InputError(fmt::format("{}: line {}: {}", name, number, what));
-        };
-        const std::string_view keyword = take_word(line);
-        if (keyword == "vertex") {
-            glm::dvec3 position;
-            for (int axis = 0; axis < 3; ++axis) {
-                const std::string_view word = take_word(line);
-                const std::optional<double> coordinate = parse_double(word);
-                if (!coordinate)
-                    fail(fmt::format("{} is not a coordinate, expected three finite numbers",
-                                     in_quotes(word)));
-                position[axis] = coordinate.value_or(0);
-            }
-            surface.positions.push_back(position);
-            ++in_loop;
-        } else if (keyword == "endloop") {
-            if (in_loop != 3) fail(fmt::format("a loop of {} vertices ends, expected 3", in_loop));
-            in_loop = 0;
+/// Reads the words of the text form, on whatever lines they are.
+class TextReader {
+  public:
+    TextReader(std::string_view text, std::string_view name) : words_(text), name_(name) {}
+
+    SurfaceFile read() {
+        // A name stands behind "solid" and "endsolid", up to the line's end or the first facet.
+        std::size_t name_line = 0;
+        for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
+            if (is_word(word, "facet"))
+                name_line = 0;
+            else if (words_.line() == name_line)
+                continue;
+            else if (is_word(word, "solid") || is_word(word, "endsolid"))
+                name_line = words_.line();
+            else if (is_word(word, "vertex"))
+                read_vertex();
+            else if (is_word(word, "endloop"))
+                end_loop();
         }
+        if (in_loop_ != 0) throw InputError(fmt::format("{}: ends within a loop, expected endloop", name_));
+        return std::move(surface_);
     }
-    if (in_loop != 0) throw InputError(fmt::format("{}: ends within a loop, expected endloop", name));
-    return surface;
+
+  private:
+    [[noreturn]] void fail(std::string_view what) const {
+        throw InputError(fmt::format("{}: line {}: {}", name_, words_.line(), what));
+    }
+
+    void read_vertex() {
+        glm::dvec3 position;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::string_view word = words_.next();
+            const std::optional<double> coordinate = parse_double(word);
+            if (!coordinate)
+                fail(fmt::format("{} is not a coordinate, expected three finite numbers", in_quotes(word)));
+            position[axis] = *coordinate;
+        }
+        surface_.positions.push_back(position);
+        ++in_loop_;
+    }
+
+    void end_loop() {
+        if (in_loop_ != 3) fail(fmt::format("a loop of {} vertices ends, expected 3", in_loop_));
+        in_loop_ = 0;
+    }
+
+    Words words_;
+    std::string_view name_;
+    std::size_t in_loop_ = 0;
+    SurfaceFile surface_;
+};
+
+bool is_text(std::string_view bytes) {
+    return looks_like_text(bytes) && is_word(Words(bytes).next().substr(0, 5), "solid");
 }
 
 }  // namespace
 
 SurfaceFile parse_stl(std::string_view bytes, std::string_view name) {
-    if (!is_binary(bytes) && !bytes.starts_with("solid")) {
-        throw InputError(
-            bytes.size() < header_bytes
-                ? fmt::format("{}: size: {} bytes, expected at least {}, or a file that begins with solid",
-                              name, bytes.size(), header_bytes)
-                : fmt::format(
-                      "{}: size: {} bytes, expected {} + {} for each of the {} triangles named at byte 80, "
-                      "or a file that begins with solid",
-                      name, bytes.size(), header_bytes, triangle_bytes, claimed_triangles(bytes)));
+    const bool is_exactly_binary =
+        bytes.size() > header_bytes &&
+        bytes.size() == header_bytes + triangle_bytes * std::size_t{claimed_triangles(bytes)};
+    SurfaceFile surface;
+    std::vector<std::string> remarks;
+    if (!is_exactly_binary) {
+        const std::string text = plain_text(std::string(bytes), remarks);
+        if (is_text(text)) {
+            surface = TextReader(text, name).read();
+            surface.remarks = std::move(remarks);
+            number_vertices(surface, name);
+            return surface;
+        }
+        if (looks_like_text(text))
+            throw InputError(fmt::format("{}: begins with {}, expected solid, or a binary STL", name,
+                                         in_quotes(Words(text).next())));
     }
-    SurfaceFile surface = is_binary(bytes) ? parse_binary(bytes, name) : parse_text(bytes, name);
+    if (bytes.size() < header_bytes)
+        throw InputError(
+            fmt::format("{}: size: {} bytes, expected at least {}, or a file that begins with solid", name,
+                        bytes.size(), header_bytes));
+    surface = parse_binary(bytes, name);
     number_vertices(surface, name);
     return surface;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -16,15 +17,15 @@ namespace {
 constexpr std::uint64_t largest_surface = std::uint64_t{1} << 30;
 
 SurfaceFile parse_obj(std::string_view text, std::string_view name) {
-    const ObjLines lines = read_obj_lines(text, name);
-    return {{lines.positions.begin(), lines.positions.end()}, triangles_of(lines, name), lines.colors};
+    return surface_of(read_obj_lines(std::string(text), name), name);
 }
 
 }  // namespace
 
-void append_fan(std::vector<Triangle>& triangles, std::span<const Index> corners) {
-    for (std::size_t i = 2; i < corners.size(); ++i)
-        triangles.push_back({corners[0], corners[i - 1], corners[i]});
+SurfaceFile surface_of(PolygonMesh mesh, std::string_view name) {
+    settle(mesh, name);
+    std::vector<Triangle> triangles = triangles_of(mesh, name);
+    return {std::move(mesh.positions), std::move(triangles), std::move(mesh.colors), std::move(mesh.remarks)};
 }
 
 SurfaceFile read_surface(const std::filesystem::path& file) {

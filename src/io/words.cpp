@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace interleaf {
 namespace {
@@ -28,21 +29,20 @@ std::string_view take_word(std::string_view& line) {
     return word;
 }
 
-std::optional<float> parse_float(std::string_view word) {
-    word = without_plus(word);
-    float number = 0;
-    std::errc error = parse_word(word, number);
-    if (error == std::errc::result_out_of_range) {
-        // Too small for a float is as good as 0; only too large is wrong.
-        double wide = 0;
-        error = parse_word(word, wide);
-        if (std::abs(wide) < 1)
-            number = static_cast<float>(wide);
-        else
-            error = std::errc::result_out_of_range;
-    }
-    if (error != std::errc() || !std::isfinite(number)) return std::nullopt;
-    return number;
+bool is_word(std::string_view word, std::string_view expected) {
+    return std::ranges::equal(word, expected, [](char a, char b) {
+        return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+    });
+}
+
+std::string_view Words::next() {
+    constexpr std::string_view spaces = " \t\r\n\v\f";
+    const std::size_t begin = std::min(rest_.find_first_not_of(spaces), rest_.size());
+    line_ += static_cast<std::size_t>(std::ranges::count(rest_.substr(0, begin), '\n'));
+    rest_.remove_prefix(begin);
+    const std::string_view word = rest_.substr(0, rest_.find_first_of(spaces));
+    rest_.remove_prefix(word.size());
+    return word;
 }
 
 std::optional<double> parse_double(std::string_view word) {
@@ -57,6 +57,29 @@ std::optional<double> parse_double(std::string_view word) {
     }
     if (error != std::errc() || !std::isfinite(number)) return std::nullopt;
     return number;
+}
+
+std::optional<double> parse_coordinate(std::string_view word) {
+    if (std::optional<double> number = parse_double(word)) {
+        if (std::abs(*number) > std::numeric_limits<float>::max()) return std::nullopt;
+        // Half-way between two floats the rounding to double may hide on which side the word is.
+        const auto nearest = static_cast<float>(*number);
+        const double offset = *number - double{nearest};
+        const float other = std::nextafter(nearest, offset < 0 ? -HUGE_VALF : HUGE_VALF);
+        if (offset != 0 && std::abs(double{other} - *number) == std::abs(offset)) {
+            float exact = 0;
+            parse_word(without_plus(word), exact);
+            if (exact != nearest) number = std::nextafter(*number, double{exact});
+        }
+        return number;
+    }
+    const std::string_view unsigned_word =
+        word.substr(word.starts_with('-') || word.starts_with('+') ? 1 : 0);
+    double number = 0;
+    const bool is_special = unsigned_word.starts_with("1.#") ||
+                            (parse_word(unsigned_word, number) == std::errc() && !std::isfinite(number));
+    if (!is_special) return std::nullopt;
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace interleaf

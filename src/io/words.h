@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -15,6 +16,28 @@ std::string_view take_line(std::string_view& text);
 /// words.
 std::string_view take_word(std::string_view& line);
 
+/// Whether \p word is \p expected, which has small letters, in letters of any case.
+bool is_word(std::string_view word, std::string_view expected);
+
+/// The words of a text, whatever lines they are on.
+class Words {
+  public:
+    explicit Words(std::string_view text) : rest_(text) {}
+
+    /// Empty at the end.
+    std::string_view next();
+
+    /// Of the last word, counted from 1.
+    std::size_t line() const { return line_; }
+
+    /// What follows the last word.
+    std::string_view rest() const { return rest_; }
+
+  private:
+    std::string_view rest_;
+    std::size_t line_ = 1;
+};
+
 /// The whole of \p word as a number.
 template <typename Number>
 std::errc parse_word(std::string_view word, Number& number) {
@@ -24,7 +47,11 @@ std::errc parse_word(std::string_view word, Number& number) {
 
 /// The number nearest to \p word, which may begin with a plus sign; none unless it is finite. What is too
 /// small is 0.
-std::optional<float> parse_float(std::string_view word);
 std::optional<double> parse_double(std::string_view word);
+
+/// The same for a coordinate or a part of a color: within the range of floats, and such that the nearest
+/// float is the one nearest to the word, too. A word that stands for no number, or for an infinite one, as
+/// programs print them ("nan", "-inf", "1.#QNAN"), is given as NaN.
+std::optional<double> parse_coordinate(std::string_view word);
 
 }  // namespace interleaf

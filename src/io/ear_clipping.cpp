@@ -1,0 +1,200 @@
+#include "io/ear_clipping.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "io/crossing_edges.h"
+#include "io/polygon_plane.h"
+#include "io/reflex_tree.h"
+
+namespace interleaf {
+namespace {
+
+/// A polygon of which ears have been clipped: a ring of the corners that are left.
+class Ring {
+  public:
+    /// \param points   the corners in their plane, turning left
+    /// \param corners  the same in space
+    Ring(std::span<const PlanePoint> points, std::span<const glm::dvec3> corners)
+        : points_(points), corners_(corners), links_(points.size()), reflex_(points, reflex_corners(points)) {
+        const auto count = static_cast<Index>(points.size());
+        for (Index corner = 0; corner < count; ++corner)
+            links_[corner] = {(corner + count - 1) % count, (corner + 1) % count, 0};
+        triangles_.reserve(points.size() - 2);
+    }
+
+    std::vector<Triangle> clip() && {
+        clip_ears(Touching::forbidden);
+        // What touches itself may have no other ears; each round clips one at least.
+        constexpr int max_rounds = 32;
+        for (int round = 0; round < max_rounds && !is_done(); ++round) clip_ears(Touching::allowed);
+        while (!is_done()) clip_corner(first_);  // it crosses itself: the sum of areas tells
+        return std::move(triangles_);
+    }
+
+  private:
+    /// Whether ears may have no area, and a diagonal that other corners lie on.
+    enum class Touching { forbidden, allowed };
+
+    struct Link {
+        Index previous;
+        Index next;
+        Index age;  ///< how often its neighbours have changed
+    };
+
+    struct Candidate {
+        bool is_flat;
+        double squared_diagonal;
+        Index corner;
+        Index age;
+        bool operator>(const Candidate& other) const {
+            return std::tie(is_flat, squared_diagonal, corner) >
+                   std::tie(other.is_flat, other.squared_diagonal, other.corner);
+        }
+    };
+
+    static std::vector<Index> reflex_corners(std::span<const PlanePoint> points) {
+        std::vector<Index> reflex;
+        const std::size_t count = points.size();
+        for (std::size_t i = 0; i < count; ++i)
+            if (orientation(points[(i + count - 1) % count], points[i], points[(i + 1) % count]) < 0)
+                reflex.push_back(static_cast<Index>(i));
+        return reflex;
+    }
+
+    bool is_done() const { return triangles_.size() + 2 == points_.size(); }
+
+    std::int64_t turn_at(Index corner) const {
+        const Link& link = links_[corner];
+        return orientation(points_[link.previous], points_[corner], points_[link.next]);
+    }
+
+    void add_candidate(Index corner, Touching touching) {
+        const std::int64_t turn = turn_at(corner);
+        if (turn < 0 || (turn == 0 && touching == Touching::forbidden)) return;
+        const Link& link = links_[corner];
+        const glm::dvec3 diagonal = corners_[link.next] - corners_[link.previous];
+        candidates_.push({turn == 0,
+                          diagonal.x * diagonal.x + diagonal.y * diagonal.y + diagonal.z * diagonal.z, corner,
+                          link.age});
+    }
+
+    bool is_ear(Index corner, Touching touching) const {
+        const Link& link = links_[corner];
+        return !reflex_.has_inside(points_[link.previous], points_[corner], points_[link.next],
+                                   touching == Touching::forbidden);
+    }
+
+    /// Clips ears until there are none. An ear that is none stays none until a neighbour of it is clipped:
+    /// what lies in its triangle is outside the polygon, and the outside only grows.
+    void clip_ears(Touching touching) {
+        candidates_ = {};
+        Index corner = first_;
+        do {
+            add_candidate(corner, touching);
+            corner = links_[corner].next;
+        } while (corner != first_);
+        while (!candidates_.empty() && !is_done()) {
+            const Candidate best = candidates_.top();
+            candidates_.pop();
+            const Link link = links_[best.corner];
+            if (best.age != link.age || !is_ear(best.corner, touching)) continue;
+            clip_corner(best.corner);
+            for (const Index neighbor : {link.previous, link.next}) add_candidate(neighbor, touching);
+        }
+    }
+
+    void clip_corner(Index corner) {
+        Link& link = links_[corner];
+        triangles_.push_back({link.previous, corner, link.next});
+        links_[link.previous].next = link.next;
+        links_[link.next].previous = link.previous;
+        ++link.age;
+        reflex_.remove(corner);
+        for (const Index neighbor : {link.previous, link.next}) {
+            ++links_[neighbor].age;
+            if (turn_at(neighbor) >= 0) reflex_.remove(neighbor);
+        }
+        first_ = link.next;
+    }
+
+    std::span<const PlanePoint> points_;
+    std::span<const glm::dvec3> corners_;
+    std::vector<Link> links_;
+    ReflexTree reflex_;
+    Index first_ = 0;
+    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates_;
+    std::vector<Triangle> triangles_;
+};
+
+/// Whether a polygon that turns left at each corner goes around once.
+bool is_convex(std::span<const PlanePoint> points) {
+    const std::size_t count = points.size();
+    int changes = 0;  // of the direction along x; a convex polygon has two
+    std::int64_t last = 0;
+    for (std::size_t i = 0; i < 2 * count; ++i) {
+        const PlanePoint& a = points[i % count];
+        const PlanePoint& b = points[(i + 1) % count];
+        if (i < count && orientation(a, b, points[(i + 2) % count]) <= 0) return false;
+        const std::int64_t along = b.x - a.x;
+        if (along == 0) continue;
+        if (i >= count && last != 0 && (along > 0) != (last > 0)) ++changes;
+        last = along;
+    }
+    return changes == 2;
+}
+
+/// Whether triangles overlap, to more than rounding: some are turned over then.
+bool do_overlap(std::span<const Triangle> triangles, std::span<const PlanePoint> points) {
+    constexpr double least_part = 1e-3;  // of the area
+    constexpr double least_area = 1e-8 * static_cast<double>(plane_steps) * static_cast<double>(plane_steps);
+    double whole = 0;
+    double turned_over = 0;
+    for (const auto& [a, b, c] : triangles) {
+        const auto area = static_cast<double>(orientation(points[a], points[b], points[c]));
+        whole += std::abs(area);
+        if (area < 0) turned_over -= area;
+    }
+    return turned_over > std::max(least_part * whole, least_area);
+}
+
+/// The two ways to halve a quadrilateral, the one with the shorter diagonal first.
+std::array<std::array<Triangle, 2>, 2> ways_to_halve(std::span<const glm::dvec3> corners) {
+    const std::array<Triangle, 2> from_first{{{0, 1, 2}, {0, 2, 3}}};
+    const std::array<Triangle, 2> from_second{{{0, 1, 3}, {1, 2, 3}}};
+    const auto squared = [](const glm::dvec3& v) { return v.x * v.x + v.y * v.y + v.z * v.z; };
+    if (squared(corners[2] - corners[0]) < squared(corners[3] - corners[1])) return {from_first, from_second};
+    return {from_second, from_first};
+}
+
+}  // namespace
+
+std::vector<Triangle> divide_polygon(std::span<const glm::dvec3> corners) {
+    assert(corners.size() >= 3 && corners.size() <= max_polygon_corners);
+    if (corners.size() == 3) return {{0, 1, 2}};
+    const std::vector<PlanePoint> points = in_plane(corners);
+    if (points.empty()) {
+        std::vector<Triangle> fan;
+        for (Index i = 2; i < corners.size(); ++i) fan.push_back({0, i - 1, i});
+        return fan;
+    }
+    if (corners.size() == 4) {
+        for (const std::array<Triangle, 2>& halves : ways_to_halve(corners))
+            if (std::ranges::all_of(halves, [&](const Triangle& half) {
+                    return orientation(points[half[0]], points[half[1]], points[half[2]]) > 0;
+                }))
+                return {halves.begin(), halves.end()};
+    }
+    if (!is_convex(points) && has_crossing_edges(points)) return {};
+    std::vector<Triangle> triangles = Ring(points, corners).clip();
+    if (do_overlap(triangles, points)) triangles.clear();
+    return triangles;
+}
+
+}  // namespace interleaf

@@ -1,0 +1,36 @@
+// A polygon in the plane that fits it best, on a grid of whole numbers, so that what lies left of what is
+// decided exactly.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace interleaf {
+
+/// Steps of the grid along the longer side of a polygon's box. A product of two differences fits 64 bits.
+inline constexpr std::int64_t plane_steps = std::int64_t{1} << 29;
+
+/// A place on the grid, 0 to plane_steps on both axes.
+struct PlanePoint {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+
+    bool operator==(const PlanePoint&) const = default;
+    auto operator<=>(const PlanePoint&) const = default;
+};
+
+/// Twice the signed area of a triangle: positive where \p a, \p b, \p c turn left.
+constexpr std::int64_t orientation(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// The corners of a polygon in the plane of its area vector (Newell's method), around which it turns left.
+/// Equal corners give equal places. Empty where all corners lie on one line, or are as good as that: no plane
+/// fits better than others.
+/// \pre at least three corners, finite
+std::vector<PlanePoint> in_plane(std::span<const glm::dvec3> corners);
+
+}  // namespace interleaf
