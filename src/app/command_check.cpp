@@ -9,6 +9,8 @@
 #include <fmt/core.h>
 
 #include "app/error_message.h"
+#include "app/fit_files.h"
+#include "app/mesh_figures.h"
 #include "app/open_family.h"
 #include "app/shown_text.h"
 #include "hierarchy/error.h"
@@ -16,9 +18,19 @@
 namespace interleaf {
 namespace {
 
+/// A mesh is sound where a key can be fitted to it as it is.
+CheckResult check_mesh(const std::filesystem::path& file) {
+    const std::vector<std::string> faults = faults_of_mesh(file);
+    for (const std::string& fault : faults) print_error(fmt::format("{}: {}", file.string(), fault));
+    if (!faults.empty()) return CheckResult::at_fault;
+    fmt::print("{}: sound, a mesh to fit a key to\n", shown_text(file.string()));
+    return CheckResult::sound;
+}
+
 // Readers check every invariant of what they read, so a file that can be read is sound.
 CheckResult check(const std::filesystem::path& file) {
     try {
+        if (is_surface_file(file)) return check_mesh(file);
         std::vector<std::string> changes;
         const Family family = open_family(std::span(&file, 1), &changes);
         fmt::print("{}: sound, {}\n", shown_text(file.string()),

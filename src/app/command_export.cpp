@@ -6,8 +6,10 @@
 
 #include <fmt/core.h>
 
+#include "app/error_message.h"
 #include "app/open_family.h"
 #include "family/family_fields.h"
+#include "family/origin.h"
 #include "hierarchy/error.h"
 #include "hierarchy/morph.h"
 #include "io/mesh_file.h"
@@ -50,11 +52,14 @@ void run_export(const ExportOptions& options) {
     const std::vector<Field> fields = morphed_fields(mesh, values);
 
     if (format == "obj") {
-        write_output(options.output, obj_text(mesh.triangles, positions, fields));
+        write_output(options.output, obj_text(mesh.triangles, positions, fields, family.origin));
     } else if (format == "ply") {
-        write_output(options.output, ply_bytes(mesh.triangles, positions, fields));
+        write_output(options.output, ply_bytes(mesh.triangles, positions, fields, family.origin));
     } else {
         write_output(options.output, serialize_hierarchy(morphed_hierarchy(mesh, values), options.form));
+        // A key has no place for it.
+        if (family.origin != glm::dvec3(0))
+            print_error(fmt::format("{}: {}", options.output.target, origin_sentence(family.origin)));
     }
 }
 

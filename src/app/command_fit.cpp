@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "app/error_message.h"
 #include "app/fit_files.h"
 #include "app/fit_roots.h"
 #include "app/held_interrupts.h"
@@ -31,6 +32,9 @@ void check_options(const FitCommandOptions& options) {
         throw UsageError(
             fmt::format("fit: --rotate {} times for {} meshes, expected one for each, x,0 for none",
                         options.rotations.size(), options.meshes.size()));
+    if (!options.ups.empty() && options.ups.size() != options.meshes.size())
+        throw UsageError(fmt::format("fit: --up {} times for {} meshes, expected one for each, y for none",
+                                     options.ups.size(), options.meshes.size()));
     if (options.meshes.size() == 1) {
         format_of({options.output, options.output == "-" ? "ilh" : ""}, fit_formats);
     } else if (options.output == "-") {
@@ -52,22 +56,37 @@ SphereRoots roots_named(const std::string& name) {
     }
 }
 
+/// The meshes of a command, fitted.
+struct Fitted {
+    std::vector<FittedMesh> meshes;
+    glm::dvec3 origin{0};
+};
+
 /// Fits every mesh. Cancelled when an interrupt waits.
-std::vector<FittedKey> fit_files(const FitCommandOptions& options, const HeldInterrupts& interrupts) {
-    FitOptions fit_options{
-        .roots = roots_named(options.roots), .leaves = options.leaves, .tolerance = options.tolerance};
-    std::vector<FittedKey> keys;
+Fitted fit_files(const FitCommandOptions& options, const HeldInterrupts& interrupts) {
+    FitTask task{.meshes = options.meshes,
+                 .options = {.roots = roots_named(options.roots),
+                             .leaves = options.leaves,
+                             .tolerance = options.tolerance,
+                             .keep_largest = options.keep_largest,
+                             .fill_holes = options.fill_holes},
+                 .rotations = {},
+                 .ups = options.ups,
+                 .placing = options.placing};
+    for (const AxisTurn& rotation : options.rotations) task.rotations.push_back(matrix_of(rotation));
+    MeshFitter fitter(std::move(task));
+    Fitted fitted;
     ProgressLine line;
     for (std::size_t i = 0; i < options.meshes.size(); ++i) {
         const std::filesystem::path& mesh = options.meshes[i];
-        if (!options.rotations.empty()) fit_options.rotation = matrix_of(options.rotations[i]);
-        keys.push_back(fit_file(mesh, fit_options, [&](std::string_view stage, double part) {
+        fitted.meshes.push_back(fitter.fit_next([&](std::string_view stage, double part) {
             line.show(fmt::format("{}: {}", mesh.filename().string(), stage),
                       (double(i) + part) / double(options.meshes.size()));
             return !interrupts.is_waiting();
         }));
     }
-    return keys;
+    fitted.origin = fitter.origin();
+    return fitted;
 }
 
 std::string folder_name(const std::filesystem::path& folder) {
@@ -76,12 +95,14 @@ std::string folder_name(const std::filesystem::path& folder) {
     return name.empty() || name == "." ? "family" : name;
 }
 
-Family family_of(const FitCommandOptions& options, const std::vector<FittedKey>& fitted) {
+Family family_of(const FitCommandOptions& options, const Fitted& fitted) {
     std::vector<Key> keys;
-    keys.reserve(fitted.size());
-    for (std::size_t i = 0; i < fitted.size(); ++i)
-        keys.push_back({options.meshes[i].stem().string(), fitted[i].hierarchy});
-    return family_of_keys(folder_name(options.output), std::move(keys));
+    keys.reserve(fitted.meshes.size());
+    for (std::size_t i = 0; i < fitted.meshes.size(); ++i)
+        keys.push_back({options.meshes[i].stem().string(), fitted.meshes[i].key.hierarchy});
+    Family family = family_of_keys(folder_name(options.output), std::move(keys));
+    family.origin = fitted.origin;
+    return family;
 }
 
 Json json_of(const FitQuality& quality) {
@@ -92,7 +113,8 @@ Json json_of(const FitQuality& quality) {
             {"euler", quality.euler}};
 }
 
-Json json_of(const std::filesystem::path& file, const FittedKey& key) {
+Json json_of(const std::filesystem::path& file, const FittedMesh& mesh) {
+    const FittedKey& key = mesh.key;
     const FitReport& report = key.report;
     Json seconds = Json::object();
     double whole = 0;
@@ -103,18 +125,24 @@ Json json_of(const std::filesystem::path& file, const FittedKey& key) {
     seconds["whole"] = whole;
     return {{"file", file.string()},
             {"mesh", {{"vertices", report.mesh_vertices}, {"triangles", report.mesh_triangles}}},
+            {"remarks", mesh.remarks},
+            {"warning", mesh.warning},
             {"clean_up", report.clean_up.sentences()},
+            {"area", {{"dropped", report.clean_up.dropped_area}, {"made", report.clean_up.made_area}}},
             {"map", {{"method", name_of(report.map_method)}, {"keeps", name_of(report.map_keeps)}}},
             {"mean_cosine", report.mean_cosine},
             {"key", {{"leaves", key.hierarchy.leaf_count()}, {"vertices", key.hierarchy.vertex_count()}}},
             {"quality", json_of(report.quality)},
+            {"hausdorff_as_brought", report.hausdorff_as_brought},
             {"quality_at_20000_leaves", json_of(report.at_20000_leaves)},
             {"seconds", seconds}};
 }
 
-void print_report(const std::filesystem::path& file, const FittedKey& key) {
+void print_report(const std::filesystem::path& file, const FittedMesh& mesh) {
+    const FittedKey& key = mesh.key;
     const FitReport& report = key.report;
     fmt::print("{}: {} vertices, {} triangles\n", file.string(), report.mesh_vertices, report.mesh_triangles);
+    for (const std::string& remark : mesh.remarks) fmt::print("  read: {}\n", remark);
     for (const std::string& sentence : report.clean_up.sentences())
         fmt::print("  cleaned up: {}\n", sentence);
     double whole = 0;
@@ -122,18 +150,25 @@ void print_report(const std::filesystem::path& file, const FittedKey& key) {
     fmt::print("  key: {} leaves, at most {:.3g} % of the box diagonal from the mesh, {:.3g} % in the mean\n",
                key.hierarchy.leaf_count(), 100 * report.quality.hausdorff,
                100 * report.quality.root_mean_square);
+    if (report.hausdorff_as_brought != report.quality.hausdorff)
+        fmt::print("  at most {:.3g} % of its box diagonal from the mesh as it was brought\n",
+                   100 * report.hausdorff_as_brought);
     fmt::print("  least angle {:.3g} degrees, flipped leaves: {}, {:.2g} s\n", report.quality.least_angle,
                report.quality.flipped_leaves, whole);
 }
 
-void print_reports(const FitCommandOptions& options, const std::vector<FittedKey>& keys) {
+void print_reports(const FitCommandOptions& options, const std::vector<FittedMesh>& fitted) {
+    for (std::size_t i = 0; i < fitted.size(); ++i)
+        if (!fitted[i].warning.empty())
+            print_error(fmt::format("{}: warning: {}; --same-size and --same-center bring meshes together",
+                                    options.meshes[i].string(), fitted[i].warning));
     if (options.output == "-") return;
     Json meshes = Json::array();
-    for (std::size_t i = 0; i < keys.size(); ++i) {
+    for (std::size_t i = 0; i < fitted.size(); ++i) {
         if (options.json)
-            meshes.push_back(json_of(options.meshes[i], keys[i]));
+            meshes.push_back(json_of(options.meshes[i], fitted[i]));
         else
-            print_report(options.meshes[i], keys[i]);
+            print_report(options.meshes[i], fitted[i]);
     }
     if (options.json)
         fmt::print("{}\n", Json{{"meshes", meshes}}.dump(2, ' ', false, Json::error_handler_t::replace));
@@ -144,17 +179,18 @@ void print_reports(const FitCommandOptions& options, const std::vector<FittedKey
 void run_fit(const FitCommandOptions& options) {
     check_options(options);
     const HeldInterrupts interrupts;
-    std::vector<FittedKey> keys;
+    Fitted fitted;
     try {
-        keys = fit_files(options, interrupts);
+        fitted = fit_files(options, interrupts);
     } catch (const Cancelled&) {
         return;  // the interrupt that is held ends the program now
     }
-    if (keys.size() == 1)
-        write_output({options.output, "ilh"}, serialize_hierarchy(keys[0].hierarchy, options.form));
+    if (fitted.meshes.size() == 1)
+        write_output({options.output, "ilh"},
+                     serialize_hierarchy(fitted.meshes[0].key.hierarchy, options.form));
     else
-        write_family(family_of(options, keys), options.output, options.form);
-    print_reports(options, keys);
+        write_family(family_of(options, fitted), options.output, options.form);
+    print_reports(options, fitted.meshes);
 }
 
 }  // namespace interleaf

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/axis_turn.h"
+#include "fit/placement.h"
 #include "hierarchy/triangle.h"
 #include "io/hierarchy_file.h"
 
@@ -19,7 +20,11 @@ struct FitCommandOptions {
     std::optional<double> tolerance;
     std::string roots = "cube";       ///< "cube", "icosahedron", "octahedron" or an .obj file
     std::vector<AxisTurn> rotations;  ///< none, or one a mesh
-    bool json = false;                ///< the report, on standard output
+    std::vector<UpAxis> ups;          ///< none, or one a mesh
+    PlacingOptions placing;
+    bool keep_largest = false;  ///< of several parts
+    bool fill_holes = false;    ///< however large
+    bool json = false;          ///< the report, on standard output
     HierarchyFileOptions form;
 };
 

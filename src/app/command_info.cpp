@@ -1,6 +1,8 @@
 #include "app/command_info.h"
 
 #include <array>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,11 +10,15 @@
 #include <nlohmann/json.hpp>
 
 #include "app/figures.h"
+#include "app/fit_files.h"
+#include "app/mesh_figures.h"
 #include "app/open_family.h"
 #include "app/shown_text.h"
 #include "family/family_fields.h"
+#include "hierarchy/error.h"
 #include "io/family_file.h"
 #include "io/hierarchy_file.h"
+#include "io/mesh_file.h"
 #include "ui/number_text.h"
 
 namespace interleaf {
@@ -69,6 +75,21 @@ Json json_of(const glm::vec3& p) {
     return {p.x, p.y, p.z};
 }
 
+Json json_of(const glm::dvec3& p) {
+    return {p.x, p.y, p.z};
+}
+
+/// Without what there is none of: the volume of an open surface, the handles of a one-sided one.
+Json json_of(const SurfaceCensus& census) {
+    Json json = {{"area", census.area},
+                 {"parts", census.parts},
+                 {"openings", census.openings},
+                 {"crowded_edges", census.crowded_edges}};
+    json["volume"] = census.volume ? Json(*census.volume) : Json();
+    json["handles"] = census.handles ? Json(*census.handles) : Json();
+    return json;
+}
+
 Json json_of(const Figures& figures) {
     Json json = {{"roots", figures.roots},
                  {"leaves", figures.leaves},
@@ -116,6 +137,10 @@ Json json_of(const ParameterDomain& domain, const Family& family) {
     return {{"vertices", vertices}, {"triangles", domain.triangles()}};
 }
 
+void print(const Json& document) {
+    fmt::print("{}\n", document.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
 void print_json(Kind kind, const Family& family, std::span<const Figures> keys, const Figures& whole) {
     Json document = {{"kind", name_of(kind)}, {"name", family.name}};
     document.update(json_of(whole));
@@ -129,17 +154,22 @@ void print_json(Kind kind, const Family& family, std::span<const Figures> keys, 
             document["keys"].push_back(std::move(key));
         }
     }
+    if (family.origin != glm::dvec3(0)) document["origin"] = json_of(family.origin);
+    if (kind == Kind::hierarchy) document.update(json_of(census_of_key(*family.keys.front().hierarchy)));
     if (family.timeline) document["timeline"] = json_of(*family.timeline, family);
     if (family.domain) document["domain"] = json_of(*family.domain, family);
-    fmt::print("{}\n", document.dump(2, ' ', false, Json::error_handler_t::replace));
+    print(document);
 }
 
 std::string levels(const Figures& figures) {
     return fmt::format("{} to {}", figures.min_level, figures.max_level);
 }
 
-std::string text_of(const glm::vec3& p) {
-    return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x, p.y, p.z);
+std::string text_of(const glm::dvec3& p) {
+    const auto number = [](double x) {
+        return std::abs(x) < 1e4 ? fmt::format("{:.4g}", x) : fmt::format("{:.3f}", x);
+    };
+    return fmt::format("({}, {}, {})", number(p.x), number(p.y), number(p.z));
 }
 
 /// "52,340 bytes, compressed, 1.31 bytes a leaf".
@@ -154,6 +184,14 @@ void print_line(std::string_view label, std::string_view text) {
     fmt::print("{:<14}{}\n", label, text);
 }
 
+void print_census(const SurfaceCensus& census) {
+    print_line("area", fmt::format("{:.6g}", census.area));
+    print_line("volume", census.volume ? fmt::format("{:.6g}", *census.volume) : "none, not closed");
+    print_line("parts", in_words(census));
+    if (census.crowded_edges > 0)
+        print_line("crowded", grouped(census.crowded_edges) + " edges of more than two triangles");
+}
+
 void print_whole(Kind kind, const Family& family, const Figures& whole) {
     print_line(name_of(kind), shown_text(family.name));
     print_line("roots", grouped(whole.roots));
@@ -165,7 +203,7 @@ void print_whole(Kind kind, const Family& family, const Figures& whole) {
     print_line("least angle", fmt::format("{:.1f} degrees", whole.min_angle));
     print_line("Euler number", fmt::format("{}", whole.euler));
     print_line("boundary", whole.boundary == 0 ? "none" : grouped(whole.boundary) + " root edges");
-    print_line("box", text_of(whole.box.min) + " to " + text_of(whole.box.max));
+    print_line("box", text_of(glm::dvec3(whole.box.min)) + " to " + text_of(glm::dvec3(whole.box.max)));
 }
 
 /// Scalars with their range over all keys that have them.
@@ -207,16 +245,64 @@ void print_domain(const ParameterDomain& domain, const Family& family) {
 
 void print_text(Kind kind, const Family& family, std::span<const Figures> keys, const Figures& whole) {
     print_whole(kind, family, whole);
+    if (kind == Kind::hierarchy) print_census(census_of_key(*family.keys.front().hierarchy));
+    if (family.origin != glm::dvec3(0)) print_line("origin", text_of(family.origin));
     print_fields(fields_of(family.keys));
     if (kind == Kind::family) print_keys(family, keys);
     if (family.timeline) print_timeline(*family.timeline, family);
     if (family.domain) print_domain(*family.domain, family);
 }
 
+/// A mesh is a key, too, where its faces can be roots; then there are the figures of a key as well.
+std::optional<Figures> figures_as_key(const std::filesystem::path& file) {
+    if (lower_case_extension(file) != ".obj") return std::nullopt;
+    try {
+        return figures_of(read_obj(file), std::filesystem::file_size(file));
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+void print_mesh(const std::filesystem::path& file, bool as_json) {
+    const MeshFigures mesh = figures_of_mesh(file);
+    const std::optional<Figures> key = figures_as_key(file);
+    if (as_json) {
+        Json document = {{"kind", name_of(Kind::mesh)}, {"name", file.stem().string()}};
+        if (key) document.update(json_of(*key));
+        document.update({{"vertices", mesh.census.vertices},
+                         {"triangles", mesh.census.triangles},
+                         {"bytes", {{"file", mesh.file}}},
+                         {"angles", {{"min", mesh.min_angle}}},
+                         {"box", {json_of(mesh.box_min), json_of(mesh.box_max)}},
+                         {"welded_vertices", mesh.census.welded_vertices},
+                         {"removed_triangles", mesh.census.removed_triangles},
+                         {"colors", mesh.has_colors},
+                         {"remarks", mesh.remarks}});
+        document.update(json_of(mesh.census));
+        print(document);
+        return;
+    }
+    print_line(name_of(Kind::mesh), shown_text(file.stem().string()));
+    print_line("vertices", grouped(mesh.census.vertices));
+    print_line("triangles", grouped(mesh.census.triangles));
+    print_census(mesh.census);
+    if (mesh.census.welded_vertices > 0)
+        print_line("welded", grouped(mesh.census.welded_vertices) + " vertices");
+    if (mesh.census.removed_triangles > 0)
+        print_line("removed", grouped(mesh.census.removed_triangles) + " double or degenerate triangles");
+    print_line("least angle", fmt::format("{:.1f} degrees", mesh.min_angle));
+    print_line("box", text_of(mesh.box_min) + " to " + text_of(mesh.box_max));
+    print_line("colors", mesh.has_colors ? "yes" : "none");
+    print_line("file", grouped(mesh.file) + " bytes");
+    print_line("as a key", key ? fmt::format("{} roots", grouped(key->roots)) : "by `interleaf fit`");
+    for (const std::string& remark : mesh.remarks) print_line("read", shown_text(remark));
+}
+
 }  // namespace
 
 void run_info(const InfoOptions& options) {
     const std::vector<std::filesystem::path> files = files_of(std::span(&options.file, 1));
+    if (files.size() == 1 && is_mesh_file(files.front())) return print_mesh(files.front(), options.json);
     const Family family = open_family(files);
     // Several files are the keys of a family that has no file of its own.
     const bool is_one = files.size() == 1;

@@ -348,6 +348,23 @@ void add_fit(CLI::App& program) {
             "Turn a mesh's parts over the roots; positions stay; once for each mesh")
         ->allow_extra_args(false)
         ->type_name("AXIS,DEGREES");
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--up",
+            [options](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) options->ups.push_back(parse_up(text));
+            },
+            "The axis of a mesh that points up: x, y or z; once for each mesh")
+        ->allow_extra_args(false)
+        ->type_name("AXIS");
+    command->add_flag("--same-size", options->placing.same_size,
+                      "Scale all meshes to the first one's size, the square root of the area");
+    command->add_flag("--same-center", options->placing.same_center,
+                      "Move all meshes to where the first one's area has its centroid");
+    command->add_flag("--keep-largest", options->keep_largest,
+                      "Of several parts keep the largest, even where over 2 % of the area is lost");
+    command->add_flag("--fill-holes", options->fill_holes,
+                      "Fill holes, even where that adds over 5 % to the area");
     add_text_option(*command, "--report", "Print the report as json", [options](const std::string& text) {
         if (text != "json") throw UsageError(fmt::format("expected json, got '{}'", text));
         options->json = true;

@@ -91,8 +91,8 @@ class DocumentFiles {
                      const std::function<void(const std::string&)>& fit);
     void reopen();
     void offer_to_add(const std::vector<std::filesystem::path>& meshes, const std::string& reason);
-    void open_fitted(const std::vector<std::filesystem::path>& meshes, const Comparisons& fitted);
-    void tell_fit(const Comparisons& fitted);
+    void open_fitted(const std::vector<std::filesystem::path>& meshes, const FittedMeshes& fitted);
+    void tell_fit(const FittedMeshes& fitted);
     void replace_document(Family family, std::vector<std::filesystem::path> sources);
     void set_sources(std::vector<std::filesystem::path> sources);
     void forget_unsaved();

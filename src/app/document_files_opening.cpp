@@ -72,7 +72,7 @@ void DocumentFiles::open(std::vector<fs::path> files) {
             },
             [&](const std::string& reason) {
                 fitting_.offer({files, reason, {}},
-                               [this, files](const Comparisons& fitted) { open_fitted(files, fitted); });
+                               [this, files](const FittedMeshes& fitted) { open_fitted(files, fitted); });
             });
     });
 }
@@ -95,7 +95,7 @@ void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
         files,
         [&](Family family) {
             const auto before = state_.document.snapshot();
-            interleaf::add_keys(state_, std::move(family.keys), now);
+            interleaf::add_keys(state_, std::move(family.keys), family.origin, now);
             if (state_.document.snapshot() == before && are_obj_files(files))
                 offer(std::exchange(state_.message, {}).text);
         },
@@ -106,8 +106,8 @@ void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
 void DocumentFiles::offer_to_add(const std::vector<fs::path>& meshes, const std::string& reason) {
     try {
         fitting_.offer({meshes, reason, roots_of(state_.document.family())},
-                       [this](const Comparisons& fitted) {
-                           interleaf::add_keys(state_, keys_of(fitted), now_);
+                       [this](const FittedMeshes& fitted) {
+                           interleaf::add_keys(state_, keys_of(fitted.comparisons), fitted.origin, now_);
                            tell_fit(fitted);
                        });
     } catch (const InputError& error) {
@@ -117,10 +117,12 @@ void DocumentFiles::offer_to_add(const std::vector<fs::path>& meshes, const std:
 
 /// The fitted keys as a new document, which is nowhere on disk yet; several are played once, from the first
 /// to the last.
-void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, const Comparisons& fitted) {
-    std::vector<Key> keys = keys_of(fitted);
+void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, const FittedMeshes& fitted) {
+    std::vector<Key> keys = keys_of(fitted.comparisons);
     const std::string name = keys.size() == 1 ? keys.front().name : "Fitted meshes";
-    replace_document(family_of_keys(name, std::move(keys)), {});
+    Family family = family_of_keys(name, std::move(keys));
+    family.origin = fitted.origin;
+    replace_document(std::move(family), {});
     state_.document.mark_unsaved();
     for (const fs::path& mesh : meshes) remember(mesh);
     state_.session.toggle_loop(now_);
@@ -130,10 +132,10 @@ void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, const Compa
 
 /// Says how near to their meshes the keys are that have come into the document. No question: what has been
 /// fitted is to be seen, and to be played with, at once.
-void DocumentFiles::tell_fit(const Comparisons& fitted) {
-    const auto compared = compared_keys(state_.document.family(), fitted);
+void DocumentFiles::tell_fit(const FittedMeshes& fitted) {
+    const auto compared = compared_keys(state_.document.family(), fitted.comparisons);
     if (compared.empty()) return;
-    state_.comparisons.insert(state_.comparisons.end(), fitted.begin(), fitted.end());
+    state_.comparisons.insert(state_.comparisons.end(), fitted.comparisons.begin(), fitted.comparisons.end());
     state_.compared = compared.front().comparison;
     constexpr std::size_t most_lines = 6;
     std::string text =
@@ -144,6 +146,7 @@ void DocumentFiles::tell_fit(const Comparisons& fitted) {
         text += fmt::format("\n{}: {}.", state_.document.family().keys[each.key].name,
                             in_words(each.comparison->quality));
     if (compared.size() > most_lines) text += fmt::format("\nAnd {} more.", compared.size() - most_lines);
+    for (const std::string& warning : fitted.warnings) text += "\n" + warning;
     state_.message = {std::move(text), nullptr};
 }
 

@@ -10,6 +10,7 @@
 #include "family/domain_edits.h"
 #include "family/key_edits.h"
 #include "family/new_family.h"
+#include "family/origin.h"
 #include "family/synchronise_keys.h"
 #include "hierarchy/error.h"
 #include "hierarchy/morph.h"
@@ -111,13 +112,14 @@ void keep_blend(ViewerState& state, double now) {
     if (state.document.family().keys.size() > count) state.selected_key = count;
 }
 
-void add_keys(ViewerState& state, std::vector<Key> keys, double now) {
+void add_keys(ViewerState& state, std::vector<Key> keys, const glm::dvec3& origin, double now) {
     const std::string step =
         keys.size() == 1 ? fmt::format("Add {}", keys.front().name) : fmt::format("Add {} keys", keys.size());
     edit(
         state, step,
         [&](const Family& family) {
             Family result = family;
+            move_origin(keys, origin, family.origin);
             for (Key& key : keys) {
                 key.name = unused_name(result, key.name);
                 result.keys.push_back(std::move(key));

@@ -29,7 +29,8 @@ void redo(ViewerState& state, double now);
 /// The functions below that work on a key do so on the selected one, and nothing without one.
 
 void keep_blend(ViewerState& state, double now);
-void add_keys(ViewerState& state, std::vector<Key> keys, double now);
+/// \param origin  that the keys' positions count from (family/origin.h)
+void add_keys(ViewerState& state, std::vector<Key> keys, const glm::dvec3& origin, double now);
 void duplicate_key(ViewerState& state, double now);
 void remove_key(ViewerState& state, double now);
 void move_key(ViewerState& state, std::size_t to, double now);

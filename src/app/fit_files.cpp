@@ -5,9 +5,9 @@
 
 #include <fmt/core.h>
 
+#include "family/origin.h"
 #include "hierarchy/error.h"
 #include "io/family_file.h"
-#include "io/surface_file.h"
 
 namespace interleaf {
 
@@ -23,11 +23,12 @@ bool is_surface_file(const std::filesystem::path& file) {
     return extension == ".ply" || extension == ".stl" || extension == ".off";
 }
 
+bool is_mesh_file(const std::filesystem::path& file) {
+    return is_surface_file(file) || lower_case_extension(file) == ".obj";
+}
+
 bool are_surfaces(std::span<const std::filesystem::path> files) {
-    return std::ranges::any_of(files, is_surface_file) &&
-           std::ranges::all_of(files, [](const std::filesystem::path& file) {
-               return is_surface_file(file) || lower_case_extension(file) == ".obj";
-           });
+    return std::ranges::any_of(files, is_surface_file) && std::ranges::all_of(files, is_mesh_file);
 }
 
 bool are_obj_files(std::span<const std::filesystem::path> files) {
@@ -35,14 +36,40 @@ bool are_obj_files(std::span<const std::filesystem::path> files) {
         files, [](const std::filesystem::path& file) { return lower_case_extension(file) == ".obj"; });
 }
 
-FittedKey fit_file(const std::filesystem::path& file, const FitOptions& options, const Progress& progress) {
+CleanMesh MeshFitter::clean_next(SurfaceFile surface, const Progress& progress) {
+    if (!task_.ups.empty()) turn_up(surface.positions, task_.ups[next_]);
+    if (!task_.origin) task_.origin = origin_for(surface.positions, surface.triangles);
+    for (glm::dvec3& position : surface.positions) position -= *task_.origin;
+    return clean_up({std::move(surface.positions), std::move(surface.triangles), std::move(surface.colors)},
+                    progress);
+}
+
+FittedMesh MeshFitter::fit_next(const Progress& progress) {
+    constexpr double fitting_begins = 0.1;
+    const std::filesystem::path& file = task_.meshes[next_];
     SurfaceFile surface = read_surface(file);
+    FittedMesh fitted;
+    fitted.remarks = std::move(surface.remarks);
     try {
-        return fit({std::move(surface.positions), std::move(surface.triangles), std::move(surface.colors)},
-                   options, progress);
+        CleanMesh clean = clean_next(std::move(surface), [&](std::string_view stage, double part) {
+            return !progress || progress(stage, fitting_begins * part);
+        });
+        if (!task_.reference) task_.reference = extent_of(clean.mesh);
+        place(clean, *task_.reference, task_.placing);
+        if (next_ > 0) fitted.warning = fault_of_placing(*task_.reference, extent_of(clean.mesh));
+        if (!task_.rotations.empty()) task_.options.rotation = task_.rotations[next_];
+        fitted.key = fit(std::move(clean), task_.options, [&](std::string_view stage, double part) {
+            return !progress || progress(stage, fitting_begins + (1 - fitting_begins) * part);
+        });
     } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+        // How it was read may be why.
+        std::string text = fmt::format("{}: {}", file.string(), error.what());
+        for (const std::string& remark : fitted.remarks) text += fmt::format(" ({})", remark);
+        throw InputError(text);
     }
+    if (next_ == 0 && origin() != glm::dvec3(0)) fitted.remarks.push_back(origin_sentence(origin()));
+    ++next_;
+    return fitted;
 }
 
 std::vector<Key> keys_of(const Comparisons& fitted) {
@@ -53,11 +80,9 @@ std::vector<Key> keys_of(const Comparisons& fitted) {
     return keys;
 }
 
-FitJob::FitJob(std::vector<std::filesystem::path> meshes, FitOptions options,
-               std::vector<glm::dmat3> rotations)
-    : meshes_(std::move(meshes)),
-      options_(std::move(options)),
-      rotations_(std::move(rotations)),
+FitJob::FitJob(FitTask task)
+    : meshes_(task.meshes),
+      fitter_(std::move(task)),
       thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 FitJob::State FitJob::state() const {
@@ -65,7 +90,7 @@ FitJob::State FitJob::state() const {
     return state_;
 }
 
-Comparisons FitJob::take() {
+FittedMeshes FitJob::take() {
     const std::scoped_lock lock(mutex_);
     if (error_) std::rethrow_exception(error_);
     return std::move(fitted_);
@@ -76,20 +101,22 @@ void FitJob::work(const std::stop_token& stop) {
     try {
         for (std::size_t i = 0; i < meshes_.size(); ++i) {
             const std::filesystem::path& mesh = meshes_[i];
-            options_.rotation = rotations_[i];
             const auto part_of_all = [&](std::string_view stage, double part) {
                 report(mesh, stage, (static_cast<double>(i) + part) / static_cast<double>(meshes_.size()));
                 return !stop.stop_requested();
             };
-            FittedKey key = fit_file(mesh, options_, [&](std::string_view stage, double part) {
+            FittedMesh fitted = fitter_.fit_next([&](std::string_view stage, double part) {
                 return part_of_all(stage, comparing_begins * part);
             });
-            auto compared = std::make_shared<const FitComparison>(
-                compare(mesh.filename().string(), std::move(key), [&](std::string_view stage, double part) {
+            auto compared = std::make_shared<const FitComparison>(compare(
+                mesh.filename().string(), std::move(fitted.key), [&](std::string_view stage, double part) {
                     return part_of_all(stage, comparing_begins + (1 - comparing_begins) * part);
                 }));
             const std::scoped_lock lock(mutex_);
-            fitted_.push_back(std::move(compared));
+            fitted_.comparisons.push_back(std::move(compared));
+            fitted_.origin = fitter_.origin();
+            if (!fitted.warning.empty())
+                fitted_.warnings.push_back(fmt::format("{} {}.", mesh.filename().string(), fitted.warning));
         }
     } catch (...) {
         error = std::current_exception();  // for take(), on the other thread

@@ -114,7 +114,11 @@ void MeshFitting::start(double now) {
     rotations.reserve(choices.turns.size());
     for (const FitChoices::Turn& turn : choices.turns) rotations.push_back(rotation_of(turn));
     started_ = now;
-    job_.emplace(meshes_, fit_options(choices, roots_[choices.roots].roots), std::move(rotations));
+    job_.emplace(FitTask{.meshes = meshes_,
+                         .options = fit_options(choices, roots_[choices.roots].roots),
+                         .rotations = std::move(rotations),
+                         .ups = {},
+                         .placing = {}});
 }
 
 std::optional<std::string> MeshFitting::show_work(const Rect& area, double now) {
@@ -128,7 +132,7 @@ std::optional<std::string> MeshFitting::show_work(const Rect& area, double now) 
     if (!state.is_done) return std::nullopt;
 
     const Receiver receiver = std::exchange(receiver_, nullptr);
-    Comparisons fitted;
+    FittedMeshes fitted;
     try {
         fitted = job_->take();
     } catch (const Cancelled&) {

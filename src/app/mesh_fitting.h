@@ -19,7 +19,7 @@ namespace interleaf {
 
 class MeshFitting {
   public:
-    using Receiver = std::function<void(Comparisons)>;
+    using Receiver = std::function<void(FittedMeshes)>;
 
     struct Task {
         std::vector<std::filesystem::path> meshes;

@@ -119,6 +119,13 @@ AxisTurn parse_axis_turn(std::string_view text) {
     return {static_cast<int>(axis), *degrees};
 }
 
+UpAxis parse_up(std::string_view text) {
+    if (text == "x" || text == "X") return UpAxis::x;
+    if (text == "y" || text == "Y") return UpAxis::y;
+    if (text == "z" || text == "Z") return UpAxis::z;
+    expected("X, Y or Z", text);
+}
+
 Shading parse_shading(std::string_view text) {
     if (text == "smooth") return Shading::smooth;
     if (text == "flat") return Shading::flat;

@@ -39,6 +39,9 @@ Viewpoint parse_viewpoint(std::string_view text);
 /// A turn "AXIS,DEGREES" about the axis x, y or z.
 AxisTurn parse_axis_turn(std::string_view text);
 
+/// The axis that points up, "X", "Y" or "Z", or small letters.
+UpAxis parse_up(std::string_view text);
+
 Shading parse_shading(std::string_view text);
 
 /// "plain", "level", "origin", "checker", the name of a field, or "field:NAME" for one that is called like

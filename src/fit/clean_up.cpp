@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <fmt/core.h>
@@ -10,6 +12,7 @@
 
 #include "fit/edge_pairing.h"
 #include "fit/hole_filling.h"
+#include "fit/near_welding.h"
 #include "fit/surface_splitting.h"
 #include "fit/triangle_soup.h"
 #include "fit/unit_box.h"
@@ -54,19 +57,31 @@ std::vector<double> areas_of(std::span<const Triangle> triangles, std::span<cons
 }
 
 /// Keeps the component of the largest area, the first of equal ones.
-void keep_largest(std::vector<Triangle>& triangles, std::vector<Index>& twin,
-                  std::span<const glm::dvec3> positions, CleanUpReport& report, ProgressMeter& meter) {
+/// \return the triangles of the others, by their vertices of all
+std::vector<Triangle> keep_largest(std::vector<Triangle>& triangles, std::vector<Index>& twin,
+                                   std::span<const glm::dvec3> positions, CleanUpReport& report,
+                                   ProgressMeter& meter) {
     const std::vector<Index> component = components_of(twin, meter);
     const std::vector<double> areas = areas_of(triangles, positions);
-    std::vector<double> area_of_component(1 + *std::max_element(component.begin(), component.end()));
-    for (std::size_t i = 0; i < areas.size(); ++i) area_of_component[component[i]] += areas[i];
-    const auto largest = static_cast<Index>(
-        std::max_element(area_of_component.begin(), area_of_component.end()) - area_of_component.begin());
+    std::vector<DroppedPart> parts(1 + *std::max_element(component.begin(), component.end()));
+    double whole = 0;
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+        ++parts[component[i]].triangles;
+        parts[component[i]].area += areas[i];
+        whole += areas[i];
+    }
+    const auto largest = std::ranges::max_element(parts, {}, &DroppedPart::area);
+    const auto kept = static_cast<Index>(largest - parts.begin());
 
+    std::vector<Triangle> dropped;
     std::vector<Index> number(triangles.size(), no_index);
     Index count = 0;
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-        if (component[i] == largest) number[i] = count++;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (component[i] == kept)
+            number[i] = count++;
+        else
+            dropped.push_back(triangles[i]);
+    }
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         if (number[i] == no_index) continue;
         triangles[number[i]] = triangles[i];
@@ -75,24 +90,61 @@ void keep_largest(std::vector<Triangle>& triangles, std::vector<Index>& twin,
             twin[3 * number[i] + k] = partner == no_index ? no_index : 3 * number[partner / 3] + partner % 3;
         }
     }
-    report.dropped_components = area_of_component.size() - 1;
-    report.dropped_triangles = triangles.size() - count;
     triangles.resize(count);
     twin.resize(3 * std::size_t(count));
+
+    parts.erase(largest);
+    for (DroppedPart& part : parts) {
+        if (whole > 0) part.area /= whole;
+        report.dropped_area += part.area;
+    }
+    std::ranges::stable_sort(parts, std::greater(), &DroppedPart::area);
+    report.dropped_parts = std::move(parts);
+    return dropped;
 }
 
-/// Refuses holes as large as the surface.
-void check_holes(const SurfaceMesh& mesh, const HoleFilling& filling) {
+/// \p triangles with the vertices they use.
+SurfaceMesh used_part(std::span<const glm::dvec3> positions, std::vector<Triangle> triangles) {
+    SurfaceMesh part;
+    std::vector<Index> number(triangles.empty() ? 0 : positions.size(), no_index);
+    for (Triangle& triangle : triangles)
+        for (Index& vertex : triangle) {
+            if (number[vertex] == no_index) {
+                number[vertex] = static_cast<Index>(part.positions.size());
+                part.positions.push_back(positions[vertex]);
+            }
+            vertex = number[vertex];
+        }
+    part.triangles = std::move(triangles);
+    return part;
+}
+
+/// Fills holes; refuses some as large as the surface.
+void fill(SurfaceMesh& mesh, std::span<const Index> twin, CleanUpReport& report, ProgressMeter& meter) {
     constexpr double largest_part = 0.95;  // of the surface's own area; the lid of a shallow dish
+    const std::size_t own_count = mesh.triangles.size();
+    const std::vector<FilledHole> holes = fill_holes(mesh, twin, meter);
+    if (holes.empty()) return;
     const std::vector<double> areas = areas_of(mesh.triangles, in_unit_box(mesh.positions));
-    double own = 0;
-    double filled = 0;
-    for (std::size_t i = 0; i < areas.size(); ++i)
-        (i < areas.size() - filling.triangles ? own : filled) += areas[i];
-    if (filled >= largest_part * own)
+    const auto sum = [&](std::size_t begin, std::size_t end) {
+        return std::accumulate(areas.begin() + std::ptrdiff_t(begin), areas.begin() + std::ptrdiff_t(end),
+                               0.0);
+    };
+    const double own = sum(0, own_count);
+    std::size_t begin = own_count;
+    for (const FilledHole& hole : holes) {
+        report.fillings.push_back({hole.edges, hole.triangles, sum(begin, begin + hole.triangles) / own});
+        report.made_area += report.fillings.back().area;
+        begin += hole.triangles;
+    }
+    std::ranges::stable_sort(report.fillings, std::greater(), &MadeFilling::area);
+    if (!(report.made_area < largest_part))
         throw InputError(fmt::format(
-            "the surface is an open sheet, not closed: to fill its {} would take {:.0f} % of its own area",
-            filling.holes == 1 ? "hole" : fmt::format("{} holes", filling.holes), 100 * filled / own));
+            "the surface is an open sheet, not closed: to fill its {} would take {:.0f} % of its own area{}",
+            holes.size() == 1 ? "hole" : fmt::format("{} holes", holes.size()), 100 * report.made_area,
+            report.dropped_parts.empty()
+                ? ""
+                : fmt::format("; it is the largest of {} parts", report.dropped_parts.size() + 1)));
 }
 
 void check_genus(const SurfaceMesh& mesh) {
@@ -126,6 +178,35 @@ bool turn_outward(SurfaceMesh& mesh) {
     return true;
 }
 
+/// Lets triangles name the first of equal vertices.
+void weld_equal(SurfaceMesh& mesh, CleanUpReport& report, ProgressMeter& meter) {
+    const std::vector<Index> first = first_at_same_point(mesh.positions, meter);
+    std::vector<char> is_welded(first.size(), 0);
+    for (Triangle& triangle : mesh.triangles)
+        for (Index& vertex : triangle) {
+            is_welded[vertex] = first[vertex] != vertex;
+            vertex = first[vertex];
+        }
+    report.welded_vertices = static_cast<std::size_t>(std::ranges::count(is_welded, 1));
+}
+
+/// Refuses what is no surface at all: triangles that share no edges, and the faces inside a volume mesh.
+void check_edges(std::size_t triangles, std::span<const Index> twin, std::size_t crowded_edges) {
+    const auto open = static_cast<std::size_t>(std::ranges::count(twin, no_index));
+    constexpr std::size_t least_triangles = 8;
+    if (triangles >= least_triangles && open == twin.size() && crowded_edges == 0)
+        throw InputError(fmt::format(
+            "no two of the {} triangles share an edge: their corners are apart, and too far to be joined",
+            triangles));
+    constexpr std::size_t least_of_volume = 100;
+    if (triangles >= least_of_volume && 4 * crowded_edges > triangles)
+        throw InputError(
+            fmt::format("more than two triangles meet at {} edges of {} triangles: these may be all faces of "
+                        "a volume mesh; its "
+                        "outer surface is expected",
+                        crowded_edges, triangles));
+}
+
 }  // namespace
 
 CleanMesh clean_up(SurfaceMesh mesh, const Progress& progress) {
@@ -134,21 +215,21 @@ CleanMesh clean_up(SurfaceMesh mesh, const Progress& progress) {
     check_numbers(mesh);
     CleanUpReport report;
 
-    const std::vector<Index> first = first_at_same_point(mesh.positions, meter);
-    for (Index vertex = 0; vertex < first.size(); ++vertex) report.welded_vertices += first[vertex] != vertex;
-    for (Triangle& triangle : mesh.triangles)
-        for (Index& vertex : triangle) vertex = first[vertex];
+    weld_equal(mesh, report, meter);
     report.degenerate_triangles = remove_degenerate(mesh.triangles);
     if (mesh.triangles.empty()) throw InputError("each triangle of the mesh names some point twice");
     meter.set_part(0.2);
+    report.nearly_equal_vertices = weld_nearby(mesh.positions, mesh.triangles, meter);
     report.duplicate_triangles = remove_duplicates(mesh.triangles, meter);
 
     meter.set_part(0.4);
     const std::vector<glm::dvec3> positions = in_unit_box(mesh.positions);
     auto [twin, crowded_edges] = pair_edges(positions, mesh.triangles, meter);
     report.crowded_edges = crowded_edges;
+    check_edges(mesh.triangles.size(), twin, crowded_edges);
     meter.set_part(0.6);
-    keep_largest(mesh.triangles, twin, positions, report, meter);
+    const SurfaceMesh dropped =
+        used_part(mesh.positions, keep_largest(mesh.triangles, twin, positions, report, meter));
     report.turned_triangles = make_agree(mesh.triangles, twin, meter);
 
     meter.set_part(0.7);
@@ -158,51 +239,13 @@ CleanMesh clean_up(SurfaceMesh mesh, const Progress& progress) {
         source.size() - std::size_t(std::unique(distinct.begin(), distinct.end()) - distinct.begin());
     report.split_edges = split_double_edges(mesh, twin, meter);
     meter.set_part(0.9);
-    const HoleFilling filling = fill_holes(mesh, twin, meter);
-    report.holes = filling.holes;
-    report.hole_triangles = filling.triangles;
+    fill(mesh, twin, report, meter);
     source.resize(mesh.positions.size(), no_index);
 
-    check_holes(mesh, filling);
     check_genus(mesh);
     report.turned_outward = turn_outward(mesh);
     meter.enter("cleaning up", 1);
-    return {std::move(mesh), report, std::move(source)};
-}
-
-std::vector<std::string> CleanUpReport::sentences() const {
-    std::vector<std::string> said;
-    const auto say = [&](std::size_t count, std::string_view one, std::string_view several) {
-        if (count == 1)
-            said.push_back(fmt::format("1 {}.", one));
-        else if (count > 1)
-            said.push_back(fmt::format("{} {}.", count, several));
-    };
-    say(welded_vertices, "vertex was welded to an equal one", "vertices were welded to equal ones");
-    say(degenerate_triangles, "triangle named a point twice and was removed",
-        "triangles named a point twice and were removed");
-    say(duplicate_triangles, "triangle had the same points as another and was removed",
-        "triangles had the same points as others and were removed");
-    say(crowded_edges, "edge had more than two triangles, which were parted",
-        "edges had more than two triangles, which were parted");
-    if (dropped_components > 0)
-        said.push_back(fmt::format(
-            "{} smaller {} of {} {} dropped.", dropped_components,
-            dropped_components == 1 ? "component" : "components",
-            dropped_triangles == 1 ? "1 triangle" : fmt::format("{} triangles", dropped_triangles),
-            dropped_components == 1 ? "was" : "were"));
-    say(turned_triangles, "triangle was turned to agree with its neighbours",
-        "triangles were turned to agree with their neighbours");
-    say(split_vertices, "vertex was added where the surface touches itself",
-        "vertices were added where the surface touches itself");
-    say(split_edges, "edge that joined the same vertices as another got a midpoint",
-        "edges that joined the same vertices as others got midpoints");
-    if (holes > 0)
-        said.push_back(
-            fmt::format("{} filled with {}.", holes == 1 ? "1 hole was" : fmt::format("{} holes were", holes),
-                        hole_triangles == 1 ? "1 triangle" : fmt::format("{} triangles", hole_triangles)));
-    if (turned_outward) said.emplace_back("The surface looked inward and was turned over.");
-    return said;
+    return {std::move(mesh), std::move(report), std::move(source), dropped};
 }
 
 }  // namespace interleaf

@@ -132,6 +132,26 @@ FittedKey fit_clean(const SurfaceMesh& mesh, Keeps keeps, const FitOptions& opti
     return key;
 }
 
+/// See FitReport::hausdorff_as_brought. \p key is of \p clean.
+double distance_as_brought(const CleanMesh& clean, const FittedKey& key, const Progress& progress) {
+    // Where nothing was changed that is the distance from the clean mesh, which has been measured.
+    if (clean.report.fillings.empty() && clean.report.dropped_parts.empty())
+        return key.report.quality.hausdorff;
+    SurfaceMesh brought{.positions = clean.mesh.positions, .triangles = clean.mesh.triangles, .colors = {}};
+    brought.triangles.resize(brought.triangles.size() - clean.report.filling_triangles());
+    const auto first = static_cast<Index>(brought.positions.size());
+    brought.positions.insert(brought.positions.end(), clean.dropped.positions.begin(),
+                             clean.dropped.positions.end());
+    for (const auto& [a, b, c] : clean.dropped.triangles)
+        brought.triangles.push_back({first + a, first + b, first + c});
+
+    std::vector<Triangle> leaves;
+    for (const Leaf& leaf : leaves_of(key.hierarchy)) leaves.push_back(leaf.vertices);
+    const std::vector<glm::dvec3> positions(key.hierarchy.positions.begin(), key.hierarchy.positions.end());
+    return hausdorff_distance({leaves, positions}, {brought.triangles, brought.positions}, progress) /
+           box_diagonal(brought);
+}
+
 }  // namespace
 
 FittedKey fit_mapped(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, const FitOptions& options,
@@ -184,19 +204,28 @@ std::string_view name_of(Keeps keeps) {
 
 FittedKey fit(SurfaceMesh mesh, const FitOptions& options, const Progress& progress) {
     check_options(options);
+    return fit(clean_up(std::move(mesh), part_of(progress, 0, map_begins)), options,
+               part_of(progress, map_begins, 1));
+}
+
+FittedKey fit(CleanMesh clean, const FitOptions& options, const Progress& progress) {
+    check_options(options);
+    std::string unwanted;
+    for (const std::string& change : unwanted_changes(clean.report, options.keep_largest, options.fill_holes))
+        unwanted += (unwanted.empty() ? "" : "; ") + change;
+    if (!unwanted.empty()) throw InputError(unwanted);
+
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
-    CleanMesh clean = clean_up(std::move(mesh), part_of(progress, 0, map_begins));
-    stopwatch.lap("clean-up");
-
     FittedKey key;
     try {
-        key = fit_clean(clean.mesh, Keeps::shapes, options, part_of(progress, map_begins, second_map_begins));
+        key = fit_clean(clean.mesh, Keeps::shapes, options, part_of(progress, 0, second_map_begins));
     } catch (const InputError&) {
         stopwatch.lap("first attempt");
         key = fit_clean(clean.mesh, Keeps::areas, options, part_of(progress, second_map_begins, 1));
     }
-    key.report.clean_up = clean.report;
+    key.report.hausdorff_as_brought = distance_as_brought(clean, key, {});
+    key.report.clean_up = std::move(clean.report);
     key.mesh = std::move(clean.mesh);
     key.report.times.insert(key.report.times.begin(), times.begin(), times.end());
     return key;

@@ -34,6 +34,9 @@ struct FitOptions {
     glm::dmat3 rotation{1};
 
     FitLimits limits{};
+
+    bool keep_largest = false;  ///< of several parts, however much of the area is lost
+    bool fill_holes = false;    ///< however much area that adds
 };
 
 /// How long a stage took.
@@ -51,6 +54,10 @@ struct FitReport {
     double mean_cosine = 0;      ///< of directions on the sphere against directions in space (alignment.h)
     FitQuality at_20000_leaves;  ///< what acceptance was judged by
     FitQuality quality;          ///< of the key
+    /// The largest distance between the key and the mesh as it was brought, with all its parts and holes, as
+    /// a part of the diagonal of its box.
+    double hausdorff_as_brought = 0;
+
     std::vector<StageTime> times;
 };
 
@@ -65,10 +72,13 @@ std::string_view name_of(MapMethod method);
 std::string_view name_of(Keeps keeps);
 
 /// A map that keeps shapes is tried first, and where that gives no good key, one that keeps areas.
-/// \throw InputError  saying what is wrong with the mesh, or why no key stands for it well enough
-/// \throw UsageError  when leaves and tolerance are both named, or one is out of its range
-/// \throw Cancelled   when progress says so
+/// \throw InputError  saying what is wrong with the mesh, what cleaning up would change unasked, or why no
+/// key stands for it well enough \throw UsageError  when leaves and tolerance are both named, or one is out
+/// of its range \throw Cancelled   when progress says so
 FittedKey fit(SurfaceMesh mesh, const FitOptions& options, const Progress& progress = {});
+
+/// The part of fit() behind the clean-up.
+FittedKey fit(CleanMesh clean, const FitOptions& options, const Progress& progress = {});
 
 /// The part of fit() behind the map to the sphere: aligns \p points, samples, and accepts or refuses.
 /// \p mesh is clean, \p points its map, one a vertex.

@@ -20,12 +20,7 @@ constexpr double places = 100000;
 /// Parts an edge of a grid over one triangle, at most.
 constexpr double most_parts = 64;
 
-struct Flat {
-    std::span<const Triangle> triangles;
-    std::span<const glm::dvec3> positions;
-};
-
-glm::dvec3 doubled_area(const Flat& flat, const Triangle& triangle) {
+glm::dvec3 doubled_area(const MeshView& flat, const Triangle& triangle) {
     const glm::dvec3& a = flat.positions[triangle[0]];
     return glm::cross(flat.positions[triangle[1]] - a, flat.positions[triangle[2]] - a);
 }
@@ -36,7 +31,7 @@ struct Distances {
 };
 
 /// Distances of \p from's vertices, and of grids over its triangles, from a mesh.
-Distances distances(const Flat& from, const SurfaceDistance& distance, const Progress& progress,
+Distances distances(const MeshView& from, const SurfaceDistance& distance, const Progress& progress,
                     double begin) {
     double area = 0;
     for (const Triangle& triangle : from.triangles) area += glm::length(doubled_area(from, triangle)) / 2;
@@ -83,14 +78,20 @@ double box_diagonal(const SurfaceMesh& mesh) {
     return glm::distance(box.min, box.max);
 }
 
+double hausdorff_distance(const MeshView& a, const MeshView& b, const Progress& progress) {
+    const Distances there = distances(a, SurfaceDistance(b.triangles, b.positions), progress, 0);
+    const Distances back = distances(b, SurfaceDistance(a.triangles, a.positions), progress, 0.5);
+    return std::max(there.largest, back.largest);
+}
+
 FitQuality measure_quality(const MappedSurface& mapped, const SampledSurface& surface,
                            const Progress& progress) {
     std::vector<Triangle> triangles;
     triangles.reserve(surface.leaves.size());
     for (const Leaf& leaf : surface.leaves) triangles.push_back(leaf.vertices);
     const std::vector<glm::dvec3> positions(surface.positions.begin(), surface.positions.end());
-    const Flat key{triangles, positions};
-    const Flat original{mapped.mesh.triangles, mapped.mesh.positions};
+    const MeshView key{triangles, positions};
+    const MeshView original{mapped.mesh.triangles, mapped.mesh.positions};
 
     const double diagonal = box_diagonal(mapped.mesh);
     const Distances to_key = distances(original, SurfaceDistance(triangles, positions), progress, 0);

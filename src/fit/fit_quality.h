@@ -1,6 +1,7 @@
 // How well a sampled surface stands for the one it was made from, and whether that is good enough.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "fit/progress.h"
@@ -11,6 +12,16 @@ namespace interleaf {
 
 /// The diagonal of the box around a mesh, its sides along the axes.
 double box_diagonal(const SurfaceMesh& mesh);
+
+/// A mesh that somebody else keeps.
+struct MeshView {
+    std::span<const Triangle> triangles;
+    std::span<const glm::dvec3> positions;
+};
+
+/// The largest distance of a point of either mesh from the other, at places as measure_quality() takes them.
+/// \throw Cancelled
+double hausdorff_distance(const MeshView& a, const MeshView& b, const Progress& progress);
 
 /// Lengths are parts of the box diagonal of the surface.
 struct FitQuality {

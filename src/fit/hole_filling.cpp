@@ -120,11 +120,10 @@ Index next_on_boundary(std::span<const Index> twin, Index half_edge) {
 
 }  // namespace
 
-HoleFilling fill_holes(SurfaceMesh& mesh, std::span<const Index> twin, ProgressMeter& meter) {
-    HoleFilling filling;
+std::vector<FilledHole> fill_holes(SurfaceMesh& mesh, std::span<const Index> twin, ProgressMeter& meter) {
+    std::vector<FilledHole> holes;
     Filler filler(mesh, meter);
     std::vector<char> is_done(twin.size());
-    const std::size_t triangles_before = mesh.triangles.size();
     for (Index start = 0; start < twin.size(); ++start) {
         if (twin[start] != no_index || is_done[start]) continue;
         std::vector<Index> rim;
@@ -134,11 +133,11 @@ HoleFilling fill_holes(SurfaceMesh& mesh, std::span<const Index> twin, ProgressM
             meter.step();
         }
         // The surface runs along the rim with the hole on its right.
+        const std::size_t triangles_before = mesh.triangles.size();
         filler.fill({rim.rbegin(), rim.rend()});
-        ++filling.holes;
+        holes.push_back({rim.size(), mesh.triangles.size() - triangles_before});
     }
-    filling.triangles = mesh.triangles.size() - triangles_before;
-    return filling;
+    return holes;
 }
 
 }  // namespace interleaf

@@ -12,14 +12,15 @@
 
 namespace interleaf {
 
-struct HoleFilling {
-    std::size_t holes = 0;
-    std::size_t triangles = 0;  ///< added
+struct FilledHole {
+    std::size_t edges = 0;      ///< of its rim
+    std::size_t triangles = 0;  ///< that fill it
 };
 
-/// Appends the vertices and triangles that close \p mesh. The new vertices are no more than those on the
-/// rims. \pre a manifold whose triangles agree, at most one edge between two vertices, with the twins of its
+/// Appends the vertices and triangles that close \p mesh, hole by hole; the holes in the same order. The new
+/// vertices are no more than those on the rims.
+/// \pre a manifold whose triangles agree, at most one edge between two vertices, with the twins of its
 ///      half-edges (see edge_pairing.h)
-HoleFilling fill_holes(SurfaceMesh& mesh, std::span<const Index> twin, ProgressMeter& meter);
+std::vector<FilledHole> fill_holes(SurfaceMesh& mesh, std::span<const Index> twin, ProgressMeter& meter);
 
 }  // namespace interleaf

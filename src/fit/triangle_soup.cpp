@@ -44,18 +44,80 @@ std::size_t erase_others(std::vector<Triangle>& triangles, std::span<const char>
     return removed;
 }
 
-/// Marks one of the equal triangles \p copies: the first of those that look the way that most do. With
-/// \p cancel, none of as many on either side.
-void mark_kept(std::span<const SortedTriangle> copies, bool cancel, std::vector<char>& keep) {
+/// The first of the equal triangles \p copies that looks the way that most do; or no_index where as many look
+/// one way as the other.
+Index most_common(std::span<const SortedTriangle> copies) {
     const auto even =
         std::count_if(copies.begin(), copies.end(), [](const auto& copy) { return copy.is_even; });
     const auto odd = std::ptrdiff_t(copies.size()) - even;
-    if (even == odd && cancel) return;
-    const bool wanted = even == odd ? copies.front().is_even : even > odd;
-    keep[std::find_if(copies.begin(), copies.end(), [&](const auto& copy) {
-             return copy.is_even == wanted;
-         })->triangle] = 1;
+    if (even == odd) return no_index;
+    return std::find_if(copies.begin(), copies.end(),
+                        [&](const auto& copy) { return copy.is_even == (even > odd); })
+        ->triangle;
 }
+
+/// Patches of triangles that are there for both sides, joined along edges, and whether the surface needs
+/// them.
+class FoldedPatches {
+  public:
+    /// \param folded  one triangle of each such pair
+    /// \param keep    1 for the triangles that are kept anyway
+    FoldedPatches(std::span<const Triangle> triangles, std::span<const Index> folded,
+                  std::span<const char> keep)
+        : patch_(folded.size()), votes_(folded.size(), 0) {
+        std::iota(patch_.begin(), patch_.end(), Index{0});
+        std::vector<EdgeUse> uses;
+        for (Index place = 0; place < folded.size(); ++place)
+            add_edges(triangles[folded[place]], place, uses);
+        for (Index triangle = 0; triangle < triangles.size(); ++triangle)
+            if (keep[triangle]) add_edges(triangles[triangle], no_index, uses);
+        std::ranges::sort(uses, {},
+                          [](const EdgeUse& use) { return std::tie(use.low, use.high, use.place); });
+        const auto for_each_edge = [&](auto call) {
+            for (auto first = uses.begin(); first != uses.end();) {
+                const auto last = std::find_if(first, uses.end(), [&](const EdgeUse& use) {
+                    return use.low != first->low || use.high != first->high;
+                });
+                call(std::span<const EdgeUse>(first, last));
+                first = last;
+            }
+        };
+        for_each_edge([&](std::span<const EdgeUse> edge) {
+            if (edge.back().place == no_index) return;
+            for (const EdgeUse& use : edge) patch_[root(use.place)] = root(edge.front().place);
+        });
+        // An edge of the patch at which an odd number of others ends would be the rim of a hole without it.
+        for_each_edge([&](std::span<const EdgeUse> edge) {
+            const auto others = std::ranges::count(edge, no_index, &EdgeUse::place);
+            if (std::ptrdiff_t(edge.size()) - others == 1)
+                votes_[root(edge.front().place)] += others % 2 == 1 ? 1 : -1;
+        });
+    }
+
+    bool closes(Index place) { return votes_[root(place)] > 0; }
+
+  private:
+    struct EdgeUse {
+        Index low;
+        Index high;
+        Index place;  ///< in folded; no_index for another triangle, which is the last of an edge then
+    };
+
+    static void add_edges(const Triangle& triangle, Index place, std::vector<EdgeUse>& uses) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
+            uses.push_back({low, high, place});
+        }
+    }
+
+    Index root(Index place) {
+        while (patch_[place] != place) place = patch_[place] = patch_[patch_[place]];
+        return place;
+    }
+
+    std::vector<Index> patch_;  ///< by place, another of the same patch, in the end its first
+    std::vector<std::ptrdiff_t> votes_;
+};
 
 /// Turns a triangle over, with the twins of its half-edges.
 void turn(Index triangle, std::vector<Triangle>& triangles, std::vector<Index>& twin) {
@@ -104,17 +166,24 @@ std::size_t remove_duplicates(std::vector<Triangle>& triangles, ProgressMeter& m
         meter.step(1);
         return std::tie(a.vertices, a.triangle) < std::tie(b.vertices, b.triangle);
     });
-    const auto kept = [&](bool cancel) {
-        std::vector<char> keep(triangles.size(), 0);
-        for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
-            while (last < order.size() && order[last].vertices == order[first].vertices) ++last;
-            mark_kept({order.data() + first, last - first}, cancel, keep);
-            meter.step();
-        }
-        return keep;
-    };
-    std::vector<char> keep = kept(true);
-    if (2 * std::count(keep.begin(), keep.end(), 1) < std::ptrdiff_t(triangles.size())) keep = kept(false);
+    std::vector<char> keep(triangles.size(), 0);
+    std::vector<Index> folded;
+    for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+        while (last < order.size() && order[last].vertices == order[first].vertices) ++last;
+        const Index kept = most_common({order.data() + first, last - first});
+        if (kept == no_index)
+            folded.push_back(order[first].triangle);
+        else
+            keep[kept] = 1;
+        meter.step();
+    }
+    if (!folded.empty()) {
+        const bool is_most_folded =
+            2 * std::count(keep.begin(), keep.end(), 1) < std::ptrdiff_t(triangles.size());
+        FoldedPatches patches(triangles, folded, keep);
+        for (Index place = 0; place < folded.size(); ++place)
+            if (is_most_folded || patches.closes(place)) keep[folded[place]] = 1;
+    }
     return erase_others(triangles, keep);
 }
 

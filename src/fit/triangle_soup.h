@@ -18,10 +18,10 @@ std::vector<Index> first_at_same_point(std::span<const glm::dvec3> positions, Pr
 /// Removes triangles that name a vertex twice; how many.
 std::size_t remove_degenerate(std::vector<Triangle>& triangles);
 
-/// Of triangles with the same three vertices, keeps one; or none where as many look one way as the other,
-/// since there the surface is folded onto itself and bounds nothing. Where that would take more than half of
-/// all triangles away (a mesh that has each triangle for both of its sides), one is kept there too. How many
-/// were removed.
+/// Of triangles with the same three vertices, keeps one. Where as many look one way as the other, the surface
+/// is folded onto itself and bounds nothing, like a fin, and none is kept; but one is where a patch of such
+/// triangles closes what would be a hole without it, or where more than half of all triangles would go (a
+/// mesh that has each triangle for both of its sides). How many were removed.
 std::size_t remove_duplicates(std::vector<Triangle>& triangles, ProgressMeter& meter);
 
 /// The component of each triangle, numbered from 0 by their first triangles.

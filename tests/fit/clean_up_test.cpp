@@ -143,8 +143,8 @@ TEST_CASE("the component of the largest area is kept, not the one of most triang
     const SurfaceMesh small = moved(icosphere(3), [](const glm::dvec3& p) { return 0.1 * p + 5.0; });
     const CleanMesh clean = cleaned(joined(small, icosphere(1)));
     CHECK(clean.mesh.triangles.size() == 80);
-    CHECK(clean.report.dropped_components == 1);
-    CHECK(clean.report.dropped_triangles == 1280);
+    CHECK(clean.report.dropped_parts.size() == 1);
+    CHECK(clean.report.dropped_triangles() == 1280);
     CHECK(clean.source_vertex.front() == small.positions.size());
 }
 
@@ -152,13 +152,13 @@ TEST_CASE("two balls that touch at a point come apart there") {
     const CleanMesh clean = cleaned(joined(icosphere(2), moved(icosphere(2), [&](const glm::dvec3& p) {
                                                return p + 2.0 * icosphere(0).positions[1] - glm::dvec3(0);
                                            })));
-    CHECK(clean.report.dropped_components == 1);
+    CHECK(clean.report.dropped_parts.size() == 1);
 }
 
 TEST_CASE("two cubes that touch along an edge come apart there") {
     const CleanMesh clean = cleaned(joined(cube_at({0, 0, 0}), cube_at({1, 1, 0})));
     CHECK(clean.report.crowded_edges == 1);
-    CHECK(clean.report.dropped_components == 1);
+    CHECK(clean.report.dropped_parts.size() == 1);
     CHECK(clean.mesh.triangles.size() == 12);
     CHECK(volume(clean.mesh) == doctest::Approx(1));
 }
@@ -211,15 +211,15 @@ TEST_CASE("holes of 3, of 6 and of 300 edges are filled, without vertices out of
     mesh.triangles.erase(mesh.triangles.begin() + 11);
     remove_triangles_at(mesh, 600);
     CleanMesh clean = cleaned(mesh);
-    CHECK(clean.report.holes == 2);
-    CHECK(clean.report.hole_triangles == 1 + 6);
+    CHECK(clean.report.fillings.size() == 2);
+    CHECK(clean.report.filling_triangles() == 1 + 6);
     CHECK(clean.source_vertex.back() == no_index);
     CHECK(glm::distance(clean.mesh.colors.back(), glm::vec3(0.25F)) < 1e-6F);
 
     mesh = globe(300, 40);
     remove_triangles_at(mesh, 0);
     clean = cleaned(mesh);
-    CHECK(clean.report.holes == 1);
+    CHECK(clean.report.fillings.size() == 1);
     CHECK(clean.mesh.positions.size() < mesh.positions.size() + 300);
 }
 
