@@ -155,7 +155,8 @@ void print_json(Kind kind, const Family& family, std::span<const Figures> keys, 
         }
     }
     if (family.origin != glm::dvec3(0)) document["origin"] = json_of(family.origin);
-    if (kind == Kind::hierarchy) document.update(json_of(census_of_key(*family.keys.front().hierarchy)));
+    if (kind == Kind::hierarchy)
+        document.update(json_of(census_as_it_is(surface_of(*family.keys.front().hierarchy))));
     if (family.timeline) document["timeline"] = json_of(*family.timeline, family);
     if (family.domain) document["domain"] = json_of(*family.domain, family);
     print(document);
@@ -245,7 +246,7 @@ void print_domain(const ParameterDomain& domain, const Family& family) {
 
 void print_text(Kind kind, const Family& family, std::span<const Figures> keys, const Figures& whole) {
     print_whole(kind, family, whole);
-    if (kind == Kind::hierarchy) print_census(census_of_key(*family.keys.front().hierarchy));
+    if (kind == Kind::hierarchy) print_census(census_as_it_is(surface_of(*family.keys.front().hierarchy)));
     if (family.origin != glm::dvec3(0)) print_line("origin", text_of(family.origin));
     print_fields(fields_of(family.keys));
     if (kind == Kind::family) print_keys(family, keys);

@@ -105,7 +105,9 @@ void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
 /// Keys for the document are fitted over its roots.
 void DocumentFiles::offer_to_add(const std::vector<fs::path>& meshes, const std::string& reason) {
     try {
-        fitting_.offer({meshes, reason, roots_of(state_.document.family())},
+        const Family& family = state_.document.family();
+        fitting_.offer({meshes, reason, roots_of(family), family.origin,
+                        extent_of(surface_of(*family.keys.front().hierarchy))},
                        [this](const FittedMeshes& fitted) {
                            interleaf::add_keys(state_, keys_of(fitted.comparisons), fitted.origin, now_);
                            tell_fit(fitted);

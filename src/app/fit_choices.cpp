@@ -55,12 +55,25 @@ std::string fault_of(const FitChoices& choices, const SphereRoots& roots,
 }
 
 FitOptions fit_options(const FitChoices& choices, const SphereRoots& roots) {
-    FitOptions options{.roots = roots};
+    FitOptions options{
+        .roots = roots, .keep_largest = choices.keep_largest, .fill_holes = choices.fill_holes};
     if (choices.by_tolerance)
         options.tolerance = *number<double>(choices.tolerance) / 100;
     else
         options.leaves = number<Index>(choices.leaves);
     return options;
+}
+
+PlacingOptions placing_of(const FitChoices& choices) {
+    return {.same_size = choices.same_size, .same_center = choices.same_center};
+}
+
+std::vector<UpAxis> ups_of(const FitChoices& choices) {
+    constexpr std::array<UpAxis, 3> axes{UpAxis::x, UpAxis::y, UpAxis::z};
+    std::vector<UpAxis> ups;
+    ups.reserve(choices.ups.size());
+    for (const std::size_t up : choices.ups) ups.push_back(axes[up]);
+    return ups;
 }
 
 glm::dmat3 rotation_of(const FitChoices::Turn& turn) {

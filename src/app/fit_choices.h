@@ -10,6 +10,7 @@
 
 #include "app/fit_roots.h"
 #include "fit/fit.h"
+#include "fit/placement.h"
 #include "ui/fit_dialog.h"
 
 namespace interleaf {
@@ -21,6 +22,11 @@ std::string fault_of(const FitChoices& choices, const SphereRoots& roots,
 
 /// Without a rotation, which each mesh has of its own. \pre fault_of() finds nothing
 FitOptions fit_options(const FitChoices& choices, const SphereRoots& roots);
+
+PlacingOptions placing_of(const FitChoices& choices);
+
+/// One per mesh.
+std::vector<UpAxis> ups_of(const FitChoices& choices);
 
 /// \pre fault_of() finds nothing
 glm::dmat3 rotation_of(const FitChoices::Turn& turn);

@@ -44,14 +44,6 @@ MeshFigures figures_of_mesh(const std::filesystem::path& file) {
     return figures;
 }
 
-SurfaceCensus census_of_key(const Hierarchy& key) {
-    SurfaceMesh mesh;
-    mesh.positions.assign(key.positions.begin(), key.positions.end());
-    mesh.triangles.reserve(key.leaf_count());
-    for (const Leaf& leaf : leaves_of(key)) mesh.triangles.push_back(leaf.vertices);
-    return census_as_it_is(std::move(mesh));
-}
-
 std::vector<std::string> faults_of_mesh(const std::filesystem::path& file) {
     SurfaceFile surface = read_surface(file);
     try {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "fit/surface_census.h"
-#include "hierarchy/hierarchy.h"
 
 namespace interleaf {
 
@@ -23,9 +22,6 @@ struct MeshFigures {
 
 /// \throw InputError, MachineError as read_surface()
 MeshFigures figures_of_mesh(const std::filesystem::path& file);
-
-/// The census of a key's leaves, as the surface that they are.
-SurfaceCensus census_of_key(const Hierarchy& key);
 
 /// What keeps a mesh from being fitted as it is, a sentence each; none where nothing does.
 /// \throw InputError, MachineError as read_surface()

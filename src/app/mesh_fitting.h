@@ -24,7 +24,9 @@ class MeshFitting {
     struct Task {
         std::vector<std::filesystem::path> meshes;
         std::string reason;  ///< why they are no keys as they are; empty where their kind says so
-        std::optional<NamedRoots> roots;  ///< to fit over; without, the person chooses among named_roots()
+        std::optional<NamedRoots> roots;     ///< to fit over; without, the person chooses among named_roots()
+        std::optional<glm::dvec3> origin{};  ///< of the family that the keys are for
+        std::optional<SurfaceExtent> reference{};  ///< of a key of that family
     };
 
     /// Offers to fit meshes; what comes of it goes to \p receiver. \pre it is not open
@@ -45,14 +47,18 @@ class MeshFitting {
     std::optional<std::string> show(const Rect& area, float density, double now);
 
   private:
+    bool can_be_placed() const { return meshes_.size() > 1 || reference_.has_value(); }
     FitOfferShown offer_shown() const;
     std::vector<FitTile> tiles() const;
+    void tell_changes(FitOfferShown& shown) const;
     void show_offer(const Rect& area, float density, double now);
     void start(double now);
     std::optional<std::string> show_work(const Rect& area, double now);
 
     std::vector<std::filesystem::path> meshes_;
     std::string reason_;
+    std::optional<glm::dvec3> origin_;
+    std::optional<SurfaceExtent> reference_;
     std::vector<NamedRoots> roots_;  ///< that are offered
     bool are_roots_given_ = false;
     Receiver receiver_;

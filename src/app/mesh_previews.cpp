@@ -9,11 +9,14 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include "fit/unit_box.h"
+#include "fit/clean_up.h"
+#include "hierarchy/color.h"
 #include "hierarchy/error.h"
+#include "hierarchy/vertex_normals.h"
 #include "io/surface_file.h"
 #include "render/image_texture.h"
 #include "render/offscreen_target.h"
+#include "render/palette.h"
 #include "render/plain_mesh.h"
 #include "ui/fit_tiles.h"
 
@@ -51,46 +54,80 @@ std::vector<std::uint8_t> without_background(OffscreenTarget& target) {
     return pixels;
 }
 
-glm::dvec3 center_of_area(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions) {
-    glm::dvec3 sum(0);
-    double whole = 0;
-    for (const auto& [i, j, k] : triangles) {
-        const glm::dvec3 &a = positions[i], &b = positions[j], &c = positions[k];
-        const double area = glm::length(glm::cross(b - a, c - a));
-        sum += area * (a + b + c) / 3.0;
-        whole += area;
-    }
-    return whole > 0 ? sum / whole : positions.front();
-}
+/// sRGB, 0 to 1, of what is lost and of what is made.
+constexpr glm::vec3 dropped_color{0.93F, 0.55F, 0.2F};
+constexpr glm::vec3 made_color{0.36F, 0.64F, 0.98F};
 
-/// The positions moved and scaled into the unit ball about the centre of area, from where the roots are seen.
-std::vector<glm::vec3> in_unit_ball(const SurfaceFile& surface) {
-    const std::vector<glm::dvec3> positions = in_unit_box(surface.positions);
-    const glm::dvec3 center = center_of_area(surface.triangles, positions);
-    double radius = 0;
-    for (const glm::dvec3& position : positions) radius = std::max(radius, glm::distance(position, center));
-    std::vector<glm::vec3> in_ball;
-    in_ball.reserve(positions.size());
-    for (const glm::dvec3& position : positions)
-        in_ball.emplace_back(radius > 0 ? (position - center) / radius : glm::dvec3(0));
-    return in_ball;
-}
+/// Triangles of several colors as one mesh for a picture.
+class PictureMesh {
+  public:
+    void add(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions,
+             const glm::vec3& color) {
+        const auto first = static_cast<Index>(positions_.size());
+        for (const auto& [a, b, c] : triangles) triangles_.push_back({first + a, first + b, first + c});
+        positions_.insert(positions_.end(), positions.begin(), positions.end());
+        colors_.resize(positions_.size(), color);
+    }
+
+    std::span<const Triangle> triangles() const { return triangles_; }
+
+    /// Moved and scaled into the unit ball about \p center, whose radius comes to be \p radius.
+    UnionMesh in_unit_ball(const glm::dvec3& center, double& radius) const {
+        radius = 0;
+        for (const Triangle& triangle : triangles_)
+            for (const Index vertex : triangle)
+                radius = std::max(radius, glm::distance(positions_[vertex], center));
+        std::vector<glm::vec3> in_ball;
+        in_ball.reserve(positions_.size());
+        for (const glm::dvec3& position : positions_)
+            in_ball.emplace_back(radius > 0 ? (position - center) / radius : glm::dvec3(0));
+        UnionMesh mesh = plain_mesh(triangles_, in_ball);
+        UnionField& field = mesh.fields.emplace_back();
+        field.label = {"color", FieldKind::color};
+        field.values.emplace_back();
+        for (const glm::vec3& color : colors_) {
+            const glm::vec3 linear = linear_light(color);
+            field.values.front().insert(field.values.front().end(), {linear.r, linear.g, linear.b});
+        }
+        return mesh;
+    }
+
+  private:
+    std::vector<Triangle> triangles_;
+    std::vector<glm::dvec3> positions_;
+    std::vector<glm::vec3> colors_;
+};
 
 }  // namespace
 
 MeshPreviews::MeshPreviews(std::vector<std::filesystem::path> meshes)
     : files_(std::move(meshes)),
       previews_(files_.size()),
-      sides_(files_.size(), 0),
+      drawn_(files_.size()),
       thread_([this](const std::stop_token& stop) { read_all(stop); }) {}
 
 MeshPreviews::Read MeshPreviews::read(const std::filesystem::path& file) {
     Read read;
     try {
-        const SurfaceFile surface = read_surface(file);
-        if (surface.triangles.empty()) throw InputError(fmt::format("{}: it has no faces", file.string()));
-        read.mesh = plain_mesh(surface.triangles, in_unit_ball(surface));
-        read.normals = normal_form(read.mesh);
+        SurfaceFile surface = read_surface(file);
+        const SurfaceMesh brought{std::move(surface.positions), std::move(surface.triangles), {}};
+        PictureMesh picture;
+        try {
+            const CleanMesh clean = clean_up(brought, {});
+            const std::size_t kept = clean.mesh.triangles.size() - clean.report.filling_triangles();
+            const std::span<const Triangle> triangles = clean.mesh.triangles;
+            picture.add(triangles.first(kept), clean.mesh.positions, plain_color);
+            picture.add(triangles.subspan(kept), clean.mesh.positions, made_color);
+            picture.add(clean.dropped.triangles, clean.dropped.positions, dropped_color);
+            read.body.surface = extent_of(clean.mesh);
+            read.dropped = clean.report.dropped_area;
+            read.made = clean.report.made_area;
+        } catch (const InputError&) {  // fitting will say why; it is shown as it is
+            picture.add(brought.triangles, brought.positions, plain_color);
+            read.body.surface = extent_of(brought);
+        }
+        read.body.ball_center = read.body.surface.center;
+        read.mesh = picture.in_unit_ball(read.body.ball_center, read.body.ball_radius);
     } catch (const std::exception& error) {
         read.fault = error.what();
     }
@@ -114,32 +151,51 @@ void MeshPreviews::take_read() {
         preview.is_read = true;
         preview.triangles = read.mesh.leaf_count();
         preview.fault = read.fault;
+        preview.body = read.body;
+        preview.dropped = read.dropped;
+        preview.made = read.made;
     }
     std::ranges::move(done_, std::back_inserter(meshes_));
     done_.clear();
 }
 
-bool MeshPreviews::update(int side) {
+bool MeshPreviews::update(int side, std::span<const UpAxis> ups) {
     take_read();
-    const auto is_missing = [&](std::size_t mesh) {
-        return sides_[mesh] != side && previews_[mesh].fault.empty();
-    };
-    std::size_t mesh = 0;
-    while (mesh < meshes_.size() && !is_missing(mesh)) ++mesh;
-    if (mesh < meshes_.size()) draw(mesh, side);
-    return mesh < meshes_.size() || meshes_.size() < files_.size();
+    for (std::size_t mesh = 0; mesh < meshes_.size(); ++mesh) {
+        const Drawn wanted{side, ups[mesh]};
+        if (drawn_[mesh] == wanted || !previews_[mesh].fault.empty()) continue;
+        draw(mesh, wanted);
+        return true;
+    }
+    return meshes_.size() < files_.size();
 }
 
-void MeshPreviews::draw(std::size_t mesh, int side) {
-    sides_[mesh] = side;
+void MeshPreviews::draw(std::size_t mesh, const Drawn& as) {
+    drawn_[mesh] = as;
+    const auto turned = [&](const glm::dvec3& position) {
+        std::vector<glm::dvec3> one{position};
+        turn_up(one, as.up);
+        return one.front();
+    };
     try {
+        UnionMesh drawn = meshes_[mesh].mesh;
+        for (glm::vec3& position : drawn.positions.front())
+            position = glm::vec3(turned(glm::dvec3(position)));
+        TileBody& body = previews_[mesh].body = meshes_[mesh].body;
+        body.surface.center = turned(body.surface.center);
+        body.ball_center = turned(body.ball_center);
+
         if (!renderer_) renderer_.emplace();
-        renderer_->upload(meshes_[mesh].mesh, meshes_[mesh].normals);
-        const int samples_a_side = static_cast<int>(subpixels) * side;
+        renderer_->upload(drawn, normal_form(drawn));
+        renderer_->set_field(&drawn.fields.front());
+        const int samples_a_side = static_cast<int>(subpixels) * as.side;
         OffscreenTarget target(samples_a_side, samples_a_side, 1);
         constexpr std::array<float, 1> weight{1};
-        renderer_->draw(target, tile_camera(), weight, {});
-        previews_[mesh].picture = image_texture(side, side, without_background(target));
+        Display display;
+        display.coloring = Coloring::field;
+        display.field = drawn.fields.front().label.name;
+        renderer_->draw(target, tile_camera(), weight, display);
+        previews_[mesh].picture = image_texture(as.side, as.side, without_background(target));
     } catch (const MachineError& error) {
         previews_[mesh].fault = fmt::format("{}: {}", files_[mesh].string(), error.what());
     }

@@ -145,10 +145,9 @@ double distance_as_brought(const CleanMesh& clean, const FittedKey& key, const P
     for (const auto& [a, b, c] : clean.dropped.triangles)
         brought.triangles.push_back({first + a, first + b, first + c});
 
-    std::vector<Triangle> leaves;
-    for (const Leaf& leaf : leaves_of(key.hierarchy)) leaves.push_back(leaf.vertices);
-    const std::vector<glm::dvec3> positions(key.hierarchy.positions.begin(), key.hierarchy.positions.end());
-    return hausdorff_distance({leaves, positions}, {brought.triangles, brought.positions}, progress) /
+    const SurfaceMesh leaves = surface_of(key.hierarchy);
+    return hausdorff_distance({leaves.triangles, leaves.positions}, {brought.triangles, brought.positions},
+                              progress) /
            box_diagonal(brought);
 }
 

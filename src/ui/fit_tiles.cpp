@@ -90,9 +90,13 @@ class Globe {
     glm::mat4 to_clip_{1};
 };
 
+/// \p corner and \p side are the tile's; the globe fills a smaller square of it where others are larger.
 void draw_globe(const FitTile& tile, glm::vec2 corner, float side) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImGui::PushFont(small_font());
+    const glm::vec2 center = Globe(list, corner, side).pixel(tile.center);
+    side *= tile.radius;
+    corner = center - glm::vec2(side / 2);
     const Globe globe(list, corner, side);
     for (const auto& [from, to] : tile.root_edges) globe.draw_arc(from, to, false);
     if (tile.is_turned) globe.draw_line(tile.axis);

@@ -26,6 +26,8 @@ struct FitTile {
     std::vector<std::array<glm::vec3, 2>> root_edges;  ///< their ends as directions, where they lie
     int axis = 1;                                      ///< that it is turned about: 0, 1, 2 for x, y, z
     bool is_turned = false;
+    glm::vec3 center{0};  ///< of the globe, in the unit ball that the tile shows
+    float radius = 1;     ///< of the globe
 };
 
 struct FitTilesResult {
