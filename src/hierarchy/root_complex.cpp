@@ -27,12 +27,15 @@ void require_indices(Index vertex_count, const std::vector<Triangle>& triangles)
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const auto& [a, b, c] = triangles[t];
         if (std::max({a, b, c}) >= vertex_count)
-            throw InputError(
+            throw RootError(
                 fmt::format("triangle {} has the vertices ({}, {}, {}), expected indices below {}", t, a, b,
-                            c, vertex_count));
+                            c, vertex_count),
+                t);
         if (a == b || b == c || c == a)
-            throw InputError(fmt::format(
-                "triangle {} has the vertices ({}, {}, {}), expected three different ones", t, a, b, c));
+            throw RootError(
+                fmt::format("triangle {} has the vertices ({}, {}, {}), expected three different ones", t, a,
+                            b, c),
+                t);
     }
 }
 
@@ -55,17 +58,20 @@ std::vector<Triangle> match_sides(const std::vector<Triangle>& triangles) {
         while (last < sides.size() && sides[last].ends() == sides[first].ends()) ++last;
         const Side& a = sides[first];
         if (last - first > 2)
-            throw InputError(fmt::format(
-                "edge ({}, {}) belongs to {} triangles, {}, {} and {} among them; expected at most two",
-                a.from, a.to, last - first, a.triangle, sides[first + 1].triangle,
-                sides[first + 2].triangle));
+            throw RootError(
+                fmt::format(
+                    "edge ({}, {}) belongs to {} triangles, {}, {} and {} among them; expected at most two",
+                    a.from, a.to, last - first, a.triangle, sides[first + 1].triangle,
+                    sides[first + 2].triangle),
+                sides[first + 2].triangle);
         if (last - first < 2) continue;
         const Side& b = sides[first + 1];
         if (a.from == b.from)
-            throw InputError(
+            throw RootError(
                 fmt::format("triangles {} and {} run along edge ({}, {}) in the same direction, expected a "
                             "consistent orientation",
-                            a.triangle, b.triangle, a.from, a.to));
+                            a.triangle, b.triangle, a.from, a.to),
+                b.triangle);
         neighbours[a.triangle][a.side] = b.triangle;
         neighbours[b.triangle][b.side] = a.triangle;
     }
@@ -76,7 +82,8 @@ void require_different_triangles(const std::vector<Triangle>& neighbours) {
     for (std::size_t t = 0; t < neighbours.size(); ++t) {
         const auto& [a, b, c] = neighbours[t];
         if (const Index twin = a == b || a == c ? a : b == c ? b : no_index; twin != no_index)
-            throw InputError(fmt::format("triangles {} and {} have the same vertices", t, twin));
+            throw RootError(fmt::format("triangles {} and {} have the same vertices", t, twin),
+                            std::max<std::size_t>(t, twin));
     }
 }
 
@@ -117,8 +124,10 @@ void require_one_fan_a_vertex(Index vertex_count, const std::vector<Triangle>& t
             if (seen[vertex]) continue;
             seen[vertex] = true;
             if (walk_fan(triangles, neighbours, t, k) != corners[vertex])
-                throw InputError(fmt::format(
-                    "vertex {} joins triangles that share no edge there, expected a manifold", vertex));
+                throw RootError(
+                    fmt::format("vertex {} joins triangles that share no edge there, expected a manifold",
+                                vertex),
+                    t);
         }
 }
 

@@ -7,13 +7,22 @@
 // belong to the keys. It never changes, so copies share one memory.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "hierarchy/error.h"
 #include "hierarchy/triangle.h"
 
 namespace interleaf {
+
+/// Triangles that are no root complex.
+struct RootError : InputError {
+    RootError(const std::string& text, std::size_t at) : InputError(text), triangle(at) {}
+    std::size_t triangle;  ///< one at which that shows
+};
 
 class RootComplex {
   public:
@@ -24,7 +33,8 @@ class RootComplex {
 
     /// \param vertex_count  number of vertices; each must be used by a triangle
     /// \param triangles     vertex triples, consistently oriented, first vertex opposite the refinement edge
-    /// \throw InputError    naming the triangle, edge or vertex, unless this is such a manifold
+    /// \throw InputError    naming the triangle, edge or vertex, unless this is such a manifold; a RootError
+    ///                      where a triangle is at fault
     RootComplex(Index vertex_count, std::vector<Triangle> triangles);
 
     std::span<const Triangle> triangles() const { return connectivity_->triangles; }

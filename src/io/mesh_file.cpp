@@ -70,16 +70,23 @@ Hierarchy key_of(const RootComplex& roots, const PolygonMesh& lines, const std::
     return key;
 }
 
+/// The face that a triangle is a part of.
+std::size_t face_of_triangle(const PolygonMesh& mesh, std::size_t triangle) {
+    std::size_t face = 0;
+    for (std::size_t end = mesh.face_sizes[0] - 2; end <= triangle; end += mesh.face_sizes[face] - 2) ++face;
+    return face;
+}
+
 /// The roots that \p triangles, the faces of \p lines, are; \p used are the vertices of theirs.
 RootComplex roots_of(std::vector<Triangle> triangles, const PolygonMesh& lines,
                      const std::vector<Index>& used, const std::string& name) {
     renumber(triangles, used, lines.positions.size());
     try {
         return {static_cast<Index>(used.size()), std::move(triangles)};
-    } catch (const InputError& error) {
+    } catch (const RootError& error) {
         throw InputError(
-            fmt::format("{}: faces, as triangles (these and the vertices in use counted from 0): {}", name,
-                        error.what()));
+            fmt::format("{}: faces, as triangles (these and the vertices in use counted from 0): {} ({})",
+                        name, error.what(), place_of_face(lines, face_of_triangle(lines, error.triangle))));
     }
 }
 

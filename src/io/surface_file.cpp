@@ -1,10 +1,14 @@
 #include "io/surface_file.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
 
 #include <fmt/core.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "hierarchy/error.h"
 #include "io/family_file.h"
@@ -18,6 +22,28 @@ constexpr std::uint64_t largest_surface = std::uint64_t{1} << 30;
 
 SurfaceFile parse_obj(std::string_view text, std::string_view name) {
     return surface_of(read_obj_lines(std::string(text), name), name);
+}
+
+/// A sentence where 32-bit floats have left no detail: far from 0 they are coarse. "" otherwise.
+std::string lost_digits(const SurfaceFile& surface) {
+    constexpr double enough_steps = 5000;
+    glm::dvec3 least = surface.positions.front();
+    glm::dvec3 most = least;
+    for (const glm::dvec3& p : surface.positions) {
+        if (p != glm::dvec3(glm::vec3(p))) return {};
+        least = glm::min(least, p);
+        most = glm::max(most, p);
+    }
+    const glm::dvec3 far = glm::max(glm::abs(least), glm::abs(most));
+    const auto farthest = static_cast<float>(std::max({far.x, far.y, far.z}));
+    const double step = double{std::nextafter(farthest, HUGE_VALF)} - double{farthest};
+    const double steps = glm::distance(least, most) / step;
+    if (steps > enough_steps) return {};
+    return fmt::format(
+        "The coordinates, of up to {:.6g}, are 32-bit floats, which leave {:.0f} steps across the surface: "
+        "digits were "
+        "lost when it was written.",
+        farthest, steps);
 }
 
 }  // namespace
@@ -37,7 +63,9 @@ SurfaceFile read_surface(const std::filesystem::path& file) {
     if (extension == ".stl") parse = parse_stl;
     if (parse == nullptr)
         throw InputError(fmt::format("{}: expected a mesh called .obj, .ply, .stl or .off", file.string()));
-    return parse(read_text(file, largest_surface), file.string());
+    SurfaceFile surface = parse(read_text(file, largest_surface), file.string());
+    if (std::string lost = lost_digits(surface); !lost.empty()) surface.remarks.push_back(std::move(lost));
+    return surface;
 }
 
 }  // namespace interleaf

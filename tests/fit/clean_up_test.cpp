@@ -57,6 +57,26 @@ SurfaceMesh cube_at(const glm::dvec3& corner) {
     return cube;
 }
 
+/// All faces of the cubes of a grid, those inside once, each as two triangles.
+SurfaceMesh faces_of_grid(Index count) {
+    SurfaceMesh mesh;
+    const Index side = count + 1;
+    for (Index i = 0; i < side * side * side; ++i)
+        mesh.positions.emplace_back(i % side, i / side % side, i / side / side);
+    const Index steps[] = {1, side, side * side};
+    for (Index i = 0; i < side * side * side; ++i) {
+        const Index place[] = {i % side, i / side % side, i / side / side};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::size_t u = (axis + 1) % 3;
+            const std::size_t v = (axis + 2) % 3;
+            if (place[u] == count || place[v] == count) continue;
+            mesh.triangles.push_back({i, i + steps[u], i + steps[u] + steps[v]});
+            mesh.triangles.push_back({i, i + steps[u] + steps[v], i + steps[v]});
+        }
+    }
+    return mesh;
+}
+
 }  // namespace
 
 TEST_CASE("a clean mesh comes back as it was, with nothing to say") {
@@ -137,6 +157,63 @@ TEST_CASE("a fin folded onto itself goes") {
     const CleanMesh clean = cleaned(mesh);
     CHECK(clean.report.duplicate_triangles == 2);
     CHECK(clean.mesh.triangles == icosphere(2).triangles);
+}
+
+TEST_CASE("triangles that are there for both sides are kept where they close the surface") {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        SurfaceMesh mesh = icosphere(2);
+        std::size_t doubled = 0;
+        for (std::size_t i = 0; i < 320; ++i) {
+            if (random() % (1 + seed) != 0) continue;
+            const auto [a, b, c] = mesh.triangles[i];
+            mesh.triangles.push_back({b, a, c});
+            ++doubled;
+        }
+        if (2 * doubled >= 320) continue;
+        const CleanMesh clean = cleaned(mesh);
+        CHECK(clean.report.duplicate_triangles == doubled);
+        CHECK(clean.mesh.triangles.size() == 320);
+        CHECK(clean.report.fillings.empty());
+    }
+}
+
+TEST_CASE("a wall inside that has triangles for both of its sides goes") {
+    // Two cubes side by side, with the square between them once for either.
+    SurfaceMesh mesh = joined(cube_at({0, 0, 0}), cube_at({1, 0, 0}));
+    const CleanMesh clean = cleaned(mesh);
+    CHECK(clean.report.duplicate_triangles == 4);
+    CHECK(clean.report.dropped_parts.empty());
+    CHECK(volume(clean.mesh) == doctest::Approx(2));
+}
+
+TEST_CASE("parts of the area that are lost and made are measured, and refused unless allowed") {
+    const SurfaceMesh two =
+        joined(icosphere(3), moved(icosphere(3), [](const glm::dvec3& p) { return 0.5 * p + 5.0; }));
+    const CleanMesh parts = cleaned(two);
+    REQUIRE(parts.report.dropped_parts.size() == 1);
+    CHECK(parts.report.dropped_parts[0].triangles == 1280);
+    CHECK(parts.report.dropped_area == doctest::Approx(0.2));
+    CHECK(parts.dropped.triangles.size() == 1280);
+    CHECK(parts.dropped.positions.size() == 642);
+    REQUIRE(unwanted_changes(parts.report, false, true).size() == 1);
+    CHECK(unwanted_changes(parts.report, false, true)[0].find("2 parts") != std::string::npos);
+    CHECK(unwanted_changes(parts.report, false, true)[0].find("20 % of the area would be lost") !=
+          std::string::npos);
+    CHECK(unwanted_changes(parts.report, true, false).empty());
+
+    SurfaceMesh cube = cube_at({0, 0, 0});
+    cube.triangles.resize(10);
+    const CleanMesh hole = cleaned(cube);
+    REQUIRE(hole.report.fillings.size() == 1);
+    CHECK(hole.report.fillings[0].edges == 4);
+    CHECK(hole.report.made_area == doctest::Approx(0.2));
+    CHECK(unwanted_changes(hole.report, true, true).empty());
+    REQUIRE(unwanted_changes(hole.report, true, false).size() == 1);
+    CHECK(unwanted_changes(hole.report, true, false)[0].find("would add 20 % to its area") !=
+          std::string::npos);
+    CHECK(unwanted_changes(cleaned(icosphere(2)).report, false, false).empty());
 }
 
 TEST_CASE("the component of the largest area is kept, not the one of most triangles") {
@@ -263,6 +340,14 @@ TEST_CASE("what cannot be repaired is refused with a plain reason") {
     has({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}}, "open sheet");
     has(torus(12, 8), "like a torus");
     has(sheet(4), "open sheet");
+    SurfaceMesh loose;
+    for (Index t = 0; t < 20; ++t) {
+        for (const glm::dvec3& corner : {glm::dvec3(0), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)})
+            loose.positions.push_back(corner + 3.0 * t);
+        loose.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    has(loose, "no two of the 20 triangles share an edge");
+    has(faces_of_grid(3), "all faces of a volume mesh");
     has(moved(icosphere(2),
               [](const glm::dvec3& p) { return glm::dvec3(p.x + 0.3 * p.z, p.y + 0.2 * p.z, 0); }),
         "encloses no volume");

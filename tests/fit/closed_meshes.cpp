@@ -124,6 +124,12 @@ SurfaceMesh sheet(unsigned squares) {
     return mesh;
 }
 
+std::vector<glm::dvec3> on_sphere(const SurfaceMesh& mesh) {
+    std::vector<glm::dvec3> points = mesh.positions;
+    for (glm::dvec3& point : points) point = glm::normalize(point);
+    return points;
+}
+
 SurfaceMesh moved(SurfaceMesh mesh, const std::function<glm::dvec3(const glm::dvec3&)>& map) {
     for (glm::dvec3& position : mesh.positions) position = map(position);
     return mesh;

@@ -29,6 +29,9 @@ SurfaceMesh torus(unsigned around, unsigned across);
 /// A square of so many by so many squares, open.
 SurfaceMesh sheet(unsigned squares);
 
+/// The directions of the vertices from 0.
+std::vector<glm::dvec3> on_sphere(const SurfaceMesh& mesh);
+
 SurfaceMesh moved(SurfaceMesh mesh, const std::function<glm::dvec3(const glm::dvec3&)>& map);
 
 /// The two meshes side by side, as one.

@@ -63,9 +63,40 @@ TEST_CASE("any mesh without handles that the map takes gets a key, from the file
     mesh.triangles.erase(mesh.triangles.begin() + 100);  // a hole
     const FittedKey key = fit(mesh, {.leaves = 4000});
     CHECK(check(key.hierarchy).empty());
-    CHECK(key.report.clean_up.holes == 1);
+    CHECK(key.report.clean_up.fillings.size() == 1);
     CHECK(key.report.quality.hausdorff < 0.005);
     CHECK(key.report.times.size() >= 5);
+}
+
+TEST_CASE(
+    "parts and holes beyond a little are fitted only when that is wanted, and the report says how far off") {
+    const SurfaceMesh body = bumpy_ellipsoid(3).mesh;
+    const SurfaceMesh two =
+        joined(body, moved(icosphere(2), [](const glm::dvec3& p) { return 0.5 * p + glm::dvec3(3, 0, 0); }));
+    const FitOptions options{.leaves = 2000};
+    CHECK(error_of<InputError>([&] { fit(two, options); }).find("--keep-largest") != std::string::npos);
+    FitOptions kept = options;
+    kept.keep_largest = true;
+    const FittedKey key = fit(two, kept);
+    CHECK(key.report.clean_up.dropped_parts.size() == 1);
+    CHECK(key.report.quality.hausdorff < 0.01);
+    // The ball that was dropped reaches to 3.5, the body to about 1.
+    CHECK(key.report.hausdorff_as_brought > 0.3);
+
+    SurfaceMesh open = body;
+    std::erase_if(open.triangles, [&](const Triangle& t) {
+        return body.positions[t[0]].y + body.positions[t[1]].y + body.positions[t[2]].y > 1.2;
+    });
+    const std::string refusal = error_of<InputError>([&] { fit(open, options); });
+    CHECK(refusal.find("--fill-holes") != std::string::npos);
+    FitOptions filled = options;
+    filled.fill_holes = true;
+    const FittedKey closed = fit(open, filled);
+    CHECK(closed.report.clean_up.made_area > 0.05);
+    CHECK(closed.report.hausdorff_as_brought > 2 * closed.report.quality.hausdorff);
+
+    const FittedKey whole = fit(body, options);
+    CHECK(whole.report.hausdorff_as_brought == whole.report.quality.hausdorff);
 }
 
 TEST_CASE("a tolerance is kept, by the measure of the report") {

@@ -18,12 +18,6 @@ using namespace interleaf::testing;
 
 namespace {
 
-std::vector<glm::dvec3> on_sphere(const SurfaceMesh& mesh) {
-    std::vector<glm::dvec3> points;
-    for (const glm::dvec3& position : mesh.positions) points.push_back(glm::normalize(position));
-    return points;
-}
-
 /// The angle between \p direction and the point that was found for it.
 double miss(const SurfaceMesh& mesh, std::span<const glm::dvec3> points, const SphereLocation& location,
             const glm::dvec3& direction, Index guess) {

@@ -21,12 +21,6 @@ using namespace interleaf::testing;
 
 namespace {
 
-std::vector<glm::dvec3> on_sphere(const SurfaceMesh& mesh) {
-    std::vector<glm::dvec3> points = mesh.positions;
-    for (glm::dvec3& point : points) point = glm::normalize(point);
-    return points;
-}
-
 double spherical_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     return glm::dot(a, glm::cross(b - a, c - a)) / 2;
 }
