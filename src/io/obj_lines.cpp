@@ -67,8 +67,9 @@ class Reader {
         while (true) {
             line = line.substr(0, comment_in(line));
             line = line.substr(0, line.find_last_not_of(blanks) + 1);
-            if (!line.ends_with('\\') || text_.empty()) break;
+            if (!line.ends_with('\\')) break;
             line.remove_suffix(1);
+            if (text_.empty()) break;
             joined_.append(line).append(" ");
             line = next_line();
         }
@@ -171,6 +172,8 @@ PolygonMesh read_obj_lines(std::string text, std::string_view name) {
     std::vector<std::string> remarks;
     const std::string plain = plain_text(std::move(text), remarks);
     PolygonMesh mesh = Reader(plain, name).read();
+    if (mesh.face_sizes.empty() && !looks_like_text(plain))
+        throw InputError(fmt::format("{}: is not text, expected lines that begin with v and f", name));
     mesh.remarks = std::move(remarks);
     return mesh;
 }

@@ -51,6 +51,8 @@ Header read_header(std::string_view text, std::string_view name) {
         words = Words(rest);
         word = words.next();
     }
+    if (word.empty()) throw InputError(fmt::format("{}: is empty, expected OFF", name));
+    if (!looks_like_text(word)) throw InputError(fmt::format("{}: is not text, expected OFF", name));
     const std::size_t place = word.find("OFF");
     const auto parts = parts_of(word.substr(0, place == std::string_view::npos ? 0 : place));
     std::uint32_t count = 0;

@@ -74,7 +74,8 @@ class PlyReader {
                     for (const Property& property : element.properties) pass_over(property);
             }
         }
-        if (!unknown_line_.empty() && form_ == Form::text && !Words(rest_).next().empty())
+        const bool has_more = form_ == Form::text ? !Words(rest_).next().empty() : !rest_.empty();
+        if (!unknown_line_.empty() && has_more)
             throw InputError(fmt::format("{}: more follows than the header declares, of which a line says {}",
                                          name_, in_quotes(unknown_line_)));
         if (mesh_.colors.size() != mesh_.positions.size()) mesh_.colors.clear();
@@ -222,7 +223,8 @@ class PlyReader {
         return static_cast<Index>(number);
     }
 
-    /// Each three corners in a row are a triangle, every other one turned over; -1 ends a strip.
+    /// Each three corners in a row are a triangle, every other one turned over; -1 ends a strip, and a corner
+    /// twice leads to where it goes on.
     void read_strips(const Element& element) {
         for (const Property& property : element.properties) {
             if (property.count_type == nullptr || !property.name.starts_with("vertex_ind")) {
@@ -241,8 +243,10 @@ class PlyReader {
                 const std::size_t length = corners_.size();
                 if (length < 3) continue;
                 const std::size_t odd = length % 2 == 0 ? 1 : 0;
-                mesh_.add_face(
-                    std::array{corners_[length - 3 + odd], corners_[length - 2 - odd], corners_[length - 1]});
+                const std::array triangle{corners_[length - 3 + odd], corners_[length - 2 - odd],
+                                          corners_[length - 1]};
+                const auto& [a, b, c] = triangle;
+                if (a != b && b != c && c != a) mesh_.add_face(triangle);
             }
         }
     }

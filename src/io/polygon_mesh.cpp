@@ -22,8 +22,10 @@ void settle_positions(PolygonMesh& mesh, std::string_view name) {
     for (const Index corner : mesh.corners) is_used[corner] = true;
     for (const auto& [vertex, place] : mesh.broken_vertices) {
         if (is_used[vertex])
-            throw InputError(fmt::format(
-                "{}: {}: a coordinate is not a finite number, and faces use the vertex", name, place));
+            throw InputError(
+                fmt::format("{}: {}: a coordinate is not a finite number within the range of floats, and "
+                            "faces use the vertex",
+                            name, place));
         mesh.positions[vertex] = mesh.positions[mesh.corners.front()];
     }
     mesh.remarks.push_back(fmt::format("{} not at a finite place and not used by faces: ignored.",
