@@ -71,11 +71,12 @@ void settle_colors(PolygonMesh& mesh) {
 
 }  // namespace
 
-void PolygonMesh::add_face(std::span<const Index> vertices, std::size_t line) {
+bool PolygonMesh::add_face(std::span<const Index> vertices, std::size_t line) {
     corners.insert(corners.end(), vertices.begin(), vertices.end());
     face_sizes.push_back(static_cast<std::uint32_t>(vertices.size()));
     if (line > 0) face_lines.push_back(static_cast<std::uint32_t>(line));
     triangle_count += vertices.size() - 2;
+    return triangle_count <= max_triangles;
 }
 
 void settle(PolygonMesh& mesh, std::string_view name) {
