@@ -332,10 +332,20 @@ class PlyReader {
     PolygonMesh mesh_;
 };
 
+/// A text in UTF-16, or with a byte order mark.
+PolygonMesh read_converted(std::string_view bytes, std::string_view name) {
+    std::vector<std::string> remarks;
+    const std::string text = plain_text(std::string(bytes), remarks);
+    PolygonMesh mesh = PlyReader(text, name).read();
+    mesh.remarks.insert(mesh.remarks.begin(), remarks.begin(), remarks.end());
+    return mesh;
+}
+
 }  // namespace
 
 SurfaceFile parse_ply(std::string_view bytes, std::string_view name) {
-    return surface_of(PlyReader(bytes, name).read(), name);
+    if (bytes.starts_with("ply")) return surface_of(PlyReader(bytes, name).read(), name);
+    return surface_of(read_converted(bytes, name), name);
 }
 
 }  // namespace interleaf

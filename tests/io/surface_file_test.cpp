@@ -455,6 +455,12 @@ TEST_CASE("a PLY with lines of all kinds is read") {
     check_pyramid(parse_ply(replaced(text, "\n", "\r"), "p"));
     check_pyramid(parse_ply(replaced(text, "\n", "\r\n"), "p"));
     check_pyramid(parse_ply(replaced(text, "vertex_indices", "vertex_index"), "p"));
+    check_pyramid(parse_ply("\xef\xbb\xbf" + text, "p"));
+    std::string utf16 = "\xff\xfe";
+    for (const char c : text) utf16 += {c, '\0'};
+    const SurfaceFile converted = parse_ply(utf16, "p");
+    check_pyramid(converted);
+    CHECK(mentions(converted.remarks, "The text was converted from UTF-16."));
     const SurfaceFile remarked = parse_ply(replaced(text, "comment a", "made by a"), "p");
     check_pyramid(remarked);
     CHECK(mentions(remarked.remarks, "Line 3 of the header, \"made by a pyramid\", was ignored."));
