@@ -59,11 +59,18 @@ class Ring {
         }
     };
 
+    /// Whether an ear must not hold the corner \p b between \p a and \p c: the polygon turns right there, or
+    /// back, as at the end of a slit.
+    static bool is_reflex(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
+        const std::int64_t turn = orientation(a, b, c);
+        return turn < 0 || (turn == 0 && (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y) < 0);
+    }
+
     static std::vector<Index> reflex_corners(std::span<const PlanePoint> points) {
         std::vector<Index> reflex;
         const std::size_t count = points.size();
         for (std::size_t i = 0; i < count; ++i)
-            if (orientation(points[(i + count - 1) % count], points[i], points[(i + 1) % count]) < 0)
+            if (is_reflex(points[(i + count - 1) % count], points[i], points[(i + 1) % count]))
                 reflex.push_back(static_cast<Index>(i));
         return reflex;
     }
@@ -119,7 +126,9 @@ class Ring {
         reflex_.remove(corner);
         for (const Index neighbor : {link.previous, link.next}) {
             ++links_[neighbor].age;
-            if (turn_at(neighbor) >= 0) reflex_.remove(neighbor);
+            const Link& beside = links_[neighbor];
+            if (!is_reflex(points_[beside.previous], points_[neighbor], points_[beside.next]))
+                reflex_.remove(neighbor);
         }
         first_ = link.next;
     }
@@ -150,8 +159,8 @@ bool is_convex(std::span<const PlanePoint> points) {
     return changes == 2;
 }
 
-/// Whether triangles overlap, to more than rounding: some are turned over then.
-bool do_overlap(std::span<const Triangle> triangles, std::span<const PlanePoint> points) {
+/// Whether triangles are turned over, to more than rounding.
+bool are_turned_over(std::span<const Triangle> triangles, std::span<const PlanePoint> points) {
     constexpr double least_part = 1e-3;  // of the area
     constexpr double least_area = 1e-8 * static_cast<double>(plane_steps) * static_cast<double>(plane_steps);
     double whole = 0;
@@ -162,6 +171,29 @@ bool do_overlap(std::span<const Triangle> triangles, std::span<const PlanePoint>
         if (area < 0) turned_over -= area;
     }
     return turned_over > std::max(least_part * whole, least_area);
+}
+
+std::vector<PlaneEdge> edges_of(std::span<const PlanePoint> corners) {
+    std::vector<PlaneEdge> edges;
+    edges.reserve(corners.size());
+    for (std::size_t corner = 0; corner < corners.size(); ++corner)
+        edges.push_back({corners[corner], corners[(corner + 1) % corners.size()]});
+    return edges;
+}
+
+/// The edges of the triangles that are more than lines.
+std::vector<PlaneEdge> edges_of(std::span<const Triangle> triangles, std::span<const PlanePoint> points) {
+    std::vector<PlaneEdge> edges;
+    edges.reserve(3 * triangles.size());
+    for (const auto& [a, b, c] : triangles) {
+        const std::array<PlaneEdge, 3> sides{
+            {{points[a], points[b]}, {points[b], points[c]}, {points[c], points[a]}}};
+        double longest = 0;
+        for (const auto& [from, to] : sides) longest = std::max(longest, distance(from, to));
+        const auto area = static_cast<double>(orientation(points[a], points[b], points[c]));
+        if (area > least_depth * longest) edges.insert(edges.end(), sides.begin(), sides.end());
+    }
+    return edges;
 }
 
 /// The two ways to halve a quadrilateral, the one with the shorter diagonal first.
@@ -191,9 +223,13 @@ std::vector<Triangle> divide_polygon(std::span<const glm::dvec3> corners) {
                 }))
                 return {halves.begin(), halves.end()};
     }
-    if (!is_convex(points) && has_crossing_edges(points)) return {};
+    const bool may_cross = !is_convex(points);
+    if (may_cross && has_crossing(edges_of(points), RunningTogether::allowed)) return {};
     std::vector<Triangle> triangles = Ring(points, corners).clip();
-    if (do_overlap(triangles, points)) triangles.clear();
+    // A polygon may also cross itself at a corner, which only its triangles tell: they overlap.
+    if (may_cross && (are_turned_over(triangles, points) ||
+                      has_crossing(edges_of(triangles, points), RunningTogether::forbidden)))
+        return {};
     return triangles;
 }
 

@@ -61,10 +61,18 @@ Field color_field(const std::vector<glm::vec3>& colors, const std::vector<Index>
 
 /// The vertices of \p lines that are \p used, less \p origin, over \p roots.
 Hierarchy key_of(const RootComplex& roots, const PolygonMesh& lines, const std::vector<Index>& used,
-                 const glm::dvec3& origin) {
+                 const glm::dvec3& origin, const std::string& name) {
     std::vector<glm::vec3> positions;
     positions.reserve(used.size());
-    for (const Index vertex : used) positions.emplace_back(lines.positions[vertex] - origin);
+    for (const Index vertex : used) {
+        const glm::dvec3 local = lines.positions[vertex] - origin;
+        if (!is_place(local))
+            throw InputError(
+                fmt::format("{}: vertex {} (counted from 1): is too far from ({}, {}, {}), from "
+                            "which positions count",
+                            name, vertex + 1, origin.x, origin.y, origin.z));
+        positions.emplace_back(local);
+    }
     Hierarchy key = unrefined(roots, std::move(positions));
     if (!lines.colors.empty()) key.fields.push_back(color_field(lines.colors, used));
     return key;
@@ -146,14 +154,14 @@ MeshKeys read_obj_series(std::span<const std::filesystem::path> files, std::opti
     series.origin = origin ? *origin : origin_for(first.positions, triangles);
     const std::vector<Index> used = used_vertices(triangles, first.positions.size());
     const RootComplex roots = roots_of(std::move(triangles), first, used, first_name);
-    series.keys.push_back(key_of(roots, first, used, series.origin));
+    series.keys.push_back(key_of(roots, first, used, series.origin, first_name));
     for (const std::filesystem::path& file : files.subspan(1)) {
         const PolygonMesh lines = read_lines(file, series.remarks);
         const std::string difference = face_difference(lines, first, first_name);
         if (!difference.empty())
             throw InputError(fmt::format("{}: {}; `interleaf fit` makes keys of meshes with different faces",
                                          file.string(), difference));
-        series.keys.push_back(key_of(roots, lines, used, series.origin));
+        series.keys.push_back(key_of(roots, lines, used, series.origin, file.string()));
     }
     return series;
 }

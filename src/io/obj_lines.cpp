@@ -1,5 +1,6 @@
 #include "io/obj_lines.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -24,7 +25,11 @@ constexpr std::size_t max_vertices = std::numeric_limits<int>::max() / 3;
 
 class Reader {
   public:
-    Reader(std::string_view text, std::string_view name) : text_(text), name_(name) {}
+    Reader(std::string_view text, std::string_view name) : text_(text), name_(name) {
+        mesh_.max_triangles = max_triangles_of(text.size());
+        constexpr std::size_t shortest_line = 8;  // "v 0 0 0" and its end
+        mesh_.positions.reserve(std::min(vertex_lines_in(text), text.size() / shortest_line + 1));
+    }
 
     PolygonMesh read() {
         while (!text_.empty()) read_line();
@@ -37,6 +42,14 @@ class Reader {
     }
 
   private:
+    static std::size_t vertex_lines_in(std::string_view text) {
+        std::size_t count = text.starts_with("v ");
+        for (std::size_t place = text.find('\n'); place != std::string_view::npos;
+             place = text.find('\n', place + 1))
+            count += text.substr(place + 1, 2) == "v ";
+        return count;
+    }
+
     [[noreturn]] void fail(std::string_view what) const {
         throw InputError(fmt::format("{}: line {}: {}", name_, line_number_, what));
     }
@@ -67,8 +80,9 @@ class Reader {
         while (true) {
             line = line.substr(0, comment_in(line));
             line = line.substr(0, line.find_last_not_of(blanks) + 1);
-            if (!line.ends_with('\\') || text_.empty()) break;
+            if (!line.ends_with('\\')) break;
             line.remove_suffix(1);
+            if (text_.empty()) break;
             joined_.append(line).append(" ");
             line = next_line();
         }
@@ -133,7 +147,7 @@ class Reader {
         if (corners_.size() < 3 || corners_.size() > max_polygon_corners)
             fail(
                 fmt::format("a face of {} vertices, expected 3 to {}", corners_.size(), max_polygon_corners));
-        mesh_.add_face(corners_, line_number_);
+        if (!mesh_.add_face(corners_, line_number_)) fail(too_many_triangles);
     }
 
     /// The number, from 1, of the vertex of a corner "v", "v/vt", "v//vn" or "v/vt/vn". One below 0 counts
@@ -171,6 +185,8 @@ PolygonMesh read_obj_lines(std::string text, std::string_view name) {
     std::vector<std::string> remarks;
     const std::string plain = plain_text(std::move(text), remarks);
     PolygonMesh mesh = Reader(plain, name).read();
+    if (mesh.face_sizes.empty() && !looks_like_text(plain))
+        throw InputError(fmt::format("{}: is not text, expected lines that begin with v and f", name));
     mesh.remarks = std::move(remarks);
     return mesh;
 }

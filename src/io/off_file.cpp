@@ -1,6 +1,7 @@
 // The Object File Format of Geomview, text or binary: a header, counts, vertices and faces. The header's
 // letters before OFF, read from the right, tell what stands behind a vertex's three coordinates: N a normal,
 // C a color, ST coordinates of a texture. Normals and textures are left out.
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -51,6 +52,8 @@ Header read_header(std::string_view text, std::string_view name) {
         words = Words(rest);
         word = words.next();
     }
+    if (word.empty()) throw InputError(fmt::format("{}: is empty, expected OFF", name));
+    if (!looks_like_text(word)) throw InputError(fmt::format("{}: is not text, expected OFF", name));
     const std::size_t place = word.find("OFF");
     const auto parts = parts_of(word.substr(0, place == std::string_view::npos ? 0 : place));
     std::uint32_t count = 0;
@@ -80,6 +83,9 @@ class TextReader {
         next_line();
         const Index vertices = take_count("a number of vertices");
         const Index faces = take_count("a number of faces");
+        constexpr std::size_t shortest_line = 6;  // "0 0 0" and its end
+        mesh_.max_triangles = max_triangles_of(text_.size());
+        mesh_.positions.reserve(std::min<std::size_t>(vertices, text_.size() / shortest_line + 1));
         for (Index vertex = 0; vertex < vertices; ++vertex) read_vertex();
         for (Index face = 0; face < faces; ++face) read_face(vertices);
         return std::move(mesh_);
@@ -170,7 +176,7 @@ class TextReader {
                 fail(fmt::format("vertex {} does not exist, there are {}, counted from 0", corner, vertices));
             corners_.push_back(corner);
         }
-        mesh_.add_face(corners_, line);
+        if (!mesh_.add_face(corners_, line)) fail(too_many_triangles);
     }
 
     std::string_view text_;
@@ -192,6 +198,9 @@ class BinaryReader {
         const std::uint32_t vertices = take();
         const std::uint32_t faces = take();
         take();  // edges
+        constexpr std::size_t vertex_bytes = 12;
+        mesh_.max_triangles = max_triangles_of(rest_.size());
+        mesh_.positions.reserve(std::min<std::size_t>(vertices, rest_.size() / vertex_bytes));
         element_ = "vertex";
         for (number_ = 0; number_ < vertices; ++number_) read_vertex();
         element_ = "face";
@@ -239,7 +248,7 @@ class BinaryReader {
                 fail(fmt::format("vertex {} does not exist, there are {}, counted from 0", corner, vertices));
             corners_.push_back(corner);
         }
-        mesh_.add_face(corners_);
+        if (!mesh_.add_face(corners_)) fail(too_many_triangles);
         const std::uint32_t colors = take();
         if (colors > 4) fail(fmt::format("a color of {} numbers, expected at most 4", colors));
         for (std::uint32_t i = 0; i < colors; ++i) take();
@@ -254,17 +263,21 @@ class BinaryReader {
     PolygonMesh mesh_;
 };
 
+PolygonMesh read_text_form(std::string_view bytes, std::string_view name) {
+    std::vector<std::string> remarks;
+    const std::string text = plain_text(std::string(bytes), remarks);
+    PolygonMesh mesh = TextReader(read_header(text, name), name).read();
+    mesh.remarks = std::move(remarks);
+    return mesh;
+}
+
 }  // namespace
 
 SurfaceFile parse_off(std::string_view bytes, std::string_view name) {
     if (const auto binary = binary_part(bytes))
         return surface_of(BinaryReader(*binary, read_header(bytes.substr(0, 80), name).parts, name).read(),
                           name);
-    std::vector<std::string> remarks;
-    const std::string text = plain_text(std::string(bytes), remarks);
-    PolygonMesh mesh = TextReader(read_header(text, name), name).read();
-    mesh.remarks = std::move(remarks);
-    return surface_of(std::move(mesh), name);
+    return surface_of(read_text_form(bytes, name), name);
 }
 
 }  // namespace interleaf

@@ -56,12 +56,15 @@ enum class Form { text, little_endian, big_endian };
 
 class PlyReader {
   public:
-    PlyReader(std::string_view bytes, std::string_view name) : whole_(bytes), rest_(bytes), name_(name) {}
+    PlyReader(std::string_view bytes, std::string_view name) : whole_(bytes), rest_(bytes), name_(name) {
+        mesh_.max_triangles = max_triangles_of(bytes.size());
+    }
 
     PolygonMesh read() {
         read_header();
         for (const Element& element : elements_) {
             if (element.properties.empty()) continue;  // takes no place
+            if (element.name == "vertex") mesh_.positions.reserve(at_most(element));
             for (number_ = 0; number_ < element.count; ++number_) {
                 element_ = element.name;
                 if (element.name == "vertex")
@@ -74,7 +77,8 @@ class PlyReader {
                     for (const Property& property : element.properties) pass_over(property);
             }
         }
-        if (!unknown_line_.empty() && form_ == Form::text && !Words(rest_).next().empty())
+        const bool has_more = form_ == Form::text ? !Words(rest_).next().empty() : !rest_.empty();
+        if (!unknown_line_.empty() && has_more)
             throw InputError(fmt::format("{}: more follows than the header declares, of which a line says {}",
                                          name_, in_quotes(unknown_line_)));
         if (mesh_.colors.size() != mesh_.positions.size()) mesh_.colors.clear();
@@ -93,6 +97,17 @@ class PlyReader {
         throw InputError(fmt::format("{}: {}: {}", name_, place(), what));
     }
     std::string place() const { return fmt::format("{} {} (counted from 0)", element_, number_); }
+
+    /// As many of an element as the rest of the file has place for, or the header says.
+    std::size_t at_most(const Element& element) const {
+        constexpr std::size_t digit_and_blank = 2;
+        std::size_t bytes = 0;
+        for (const Property& property : element.properties) {
+            const Type& type = property.count_type != nullptr ? *property.count_type : *property.type;
+            bytes += form_ == Form::text ? digit_and_blank : type.bytes;
+        }
+        return static_cast<std::size_t>(std::min<std::uint64_t>(element.count, rest_.size() / bytes + 1));
+    }
 
     static const Type* find_type(std::string_view name) {
         const auto* const found = std::ranges::find_if(
@@ -160,6 +175,8 @@ class PlyReader {
         std::uint64_t count = 0;
         if (name.empty() || parse_word(word, count) != std::errc())
             fail_in_header(fmt::format("{} found, expected an element's name and count", in_quotes(word)));
+        constexpr std::size_t max_elements = 1000;
+        if (elements_.size() == max_elements) fail_in_header("more than 1000 elements");
         elements_.push_back({name, count, {}});
     }
 
@@ -222,7 +239,8 @@ class PlyReader {
         return static_cast<Index>(number);
     }
 
-    /// Each three corners in a row are a triangle, every other one turned over; -1 ends a strip.
+    /// Each three corners in a row are a triangle, every other one turned over; -1 ends a strip, and a corner
+    /// twice leads to where it goes on.
     void read_strips(const Element& element) {
         for (const Property& property : element.properties) {
             if (property.count_type == nullptr || !property.name.starts_with("vertex_ind")) {
@@ -241,8 +259,10 @@ class PlyReader {
                 const std::size_t length = corners_.size();
                 if (length < 3) continue;
                 const std::size_t odd = length % 2 == 0 ? 1 : 0;
-                mesh_.add_face(
-                    std::array{corners_[length - 3 + odd], corners_[length - 2 - odd], corners_[length - 1]});
+                const std::array triangle{corners_[length - 3 + odd], corners_[length - 2 - odd],
+                                          corners_[length - 1]};
+                const auto& [a, b, c] = triangle;
+                if (a != b && b != c && c != a && !mesh_.add_face(triangle)) fail(too_many_triangles);
             }
         }
     }
@@ -293,7 +313,7 @@ class PlyReader {
                 fail(fmt::format("{} corners, expected 3 to {}", count, max_polygon_corners));
             corners_.clear();
             for (Index i = 0; i < count; ++i) corners_.push_back(next_whole(*property.type, "a vertex"));
-            mesh_.add_face(corners_);
+            if (!mesh_.add_face(corners_)) fail(too_many_triangles);
             has_corners = true;
         }
         if (!has_corners) fail("expected the property list vertex_indices");
@@ -312,10 +332,20 @@ class PlyReader {
     PolygonMesh mesh_;
 };
 
+/// A text in UTF-16, or with a byte order mark.
+PolygonMesh read_converted(std::string_view bytes, std::string_view name) {
+    std::vector<std::string> remarks;
+    const std::string text = plain_text(std::string(bytes), remarks);
+    PolygonMesh mesh = PlyReader(text, name).read();
+    mesh.remarks.insert(mesh.remarks.begin(), remarks.begin(), remarks.end());
+    return mesh;
+}
+
 }  // namespace
 
 SurfaceFile parse_ply(std::string_view bytes, std::string_view name) {
-    return surface_of(PlyReader(bytes, name).read(), name);
+    if (bytes.starts_with("ply")) return surface_of(PlyReader(bytes, name).read(), name);
+    return surface_of(read_converted(bytes, name), name);
 }
 
 }  // namespace interleaf

@@ -22,8 +22,10 @@ void settle_positions(PolygonMesh& mesh, std::string_view name) {
     for (const Index corner : mesh.corners) is_used[corner] = true;
     for (const auto& [vertex, place] : mesh.broken_vertices) {
         if (is_used[vertex])
-            throw InputError(fmt::format(
-                "{}: {}: a coordinate is not a finite number, and faces use the vertex", name, place));
+            throw InputError(
+                fmt::format("{}: {}: a coordinate is not a finite number within the range of floats, and "
+                            "faces use the vertex",
+                            name, place));
         mesh.positions[vertex] = mesh.positions[mesh.corners.front()];
     }
     mesh.remarks.push_back(fmt::format("{} not at a finite place and not used by faces: ignored.",
@@ -69,11 +71,12 @@ void settle_colors(PolygonMesh& mesh) {
 
 }  // namespace
 
-void PolygonMesh::add_face(std::span<const Index> vertices, std::size_t line) {
+bool PolygonMesh::add_face(std::span<const Index> vertices, std::size_t line) {
     corners.insert(corners.end(), vertices.begin(), vertices.end());
     face_sizes.push_back(static_cast<std::uint32_t>(vertices.size()));
     if (line > 0) face_lines.push_back(static_cast<std::uint32_t>(line));
     triangle_count += vertices.size() - 2;
+    return triangle_count <= max_triangles;
 }
 
 void settle(PolygonMesh& mesh, std::string_view name) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,19 @@ inline constexpr std::size_t max_broken_vertices = 1000;
 inline constexpr std::string_view too_many_broken_vertices =
     "more than 1000 vertices are not at a finite place";
 
+/// Triangles that a file of \p bytes stands for at most. A mesh has about two for each vertex, and these
+/// alone take more bytes; what says more names the same few vertices again and again.
+constexpr std::size_t max_triangles_of(std::size_t bytes) {
+    return bytes / 4 + 1'000'000;
+}
+inline constexpr std::string_view too_many_triangles = "more triangles than a file of its size can have";
+
+/// Whether all coordinates are numbers within the range of floats.
+inline bool is_place(const glm::dvec3& position) {
+    constexpr double most = std::numeric_limits<float>::max();
+    return std::abs(position.x) <= most && std::abs(position.y) <= most && std::abs(position.z) <= most;
+}
+
 struct PolygonMesh {
     std::vector<glm::dvec3> positions;      ///< NaN where the file has no number
     std::vector<glm::vec3> colors;          ///< one per vertex, of any range; empty for none
@@ -28,25 +42,27 @@ struct PolygonMesh {
     std::vector<std::uint32_t> face_sizes;  ///< corners of each face
     std::vector<std::uint32_t> face_lines;  ///< of the file; empty where it has no lines
     std::size_t triangle_count = 0;         ///< that the faces become
+    std::size_t max_triangles = 0;          ///< (max_triangles_of)
 
-    /// A vertex with a coordinate that is not a number, and where it is in the file: "line 12".
+    /// A vertex with a coordinate that is no number, or beyond the range of floats, and where it is in the
+    /// file: "line 12".
     std::vector<std::pair<Index, std::string>> broken_vertices;
 
     /// Sentences about what the file does not say so, but was read as.
     std::vector<std::string> remarks;
 
-    /// \param place   gives where it is in the file, should a coordinate be no finite number
+    /// \param place   gives where it is in the file, should the position be none
     /// \return        whether that is so for no more than max_broken_vertices
     template <typename Place>
     [[nodiscard]] bool add_vertex(const glm::dvec3& position, Place place) {
-        if (!std::isfinite(position.x + position.y + position.z))
-            broken_vertices.emplace_back(static_cast<Index>(positions.size()), place());
+        if (!is_place(position)) broken_vertices.emplace_back(static_cast<Index>(positions.size()), place());
         positions.push_back(position);
         return broken_vertices.size() <= max_broken_vertices;
     }
 
     /// \param line  of the file; 0 for none
-    void add_face(std::span<const Index> vertices, std::size_t line = 0);
+    /// \return      whether there are no more triangles than max_triangles
+    [[nodiscard]] bool add_face(std::span<const Index> vertices, std::size_t line = 0);
 };
 
 /// Makes the mesh one whose numbers are what others expect: a vertex without a place, which no face may use,

@@ -2,6 +2,7 @@
 // decided exactly.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,6 +26,10 @@ struct PlanePoint {
 /// Twice the signed area of a triangle: positive where \p a, \p b, \p c turn left.
 constexpr std::int64_t orientation(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+inline double distance(const PlanePoint& a, const PlanePoint& b) {
+    return std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y));
 }
 
 /// The corners of a polygon in the plane of its area vector (Newell's method), around which it turns left.

@@ -76,44 +76,52 @@ class TextReader {
     TextReader(std::string_view text, std::string_view name) : words_(text), name_(name) {}
 
     SurfaceFile read() {
-        // A name stands behind "solid" and "endsolid", up to the line's end or the first facet.
+        // A name stands behind "solid" and "endsolid", up to the line's end or the first "facet normal".
         std::size_t name_line = 0;
+        bool is_ended = false;
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
-            if (is_word(word, "facet"))
+            if (is_word(word, "facet") && is_word(Words(words_.rest()).next(), "normal")) {
                 name_line = 0;
-            else if (words_.line() == name_line)
+                is_ended = false;
+            } else if (words_.line() == name_line) {
                 continue;
-            else if (is_word(word, "solid") || is_word(word, "endsolid"))
+            } else if (is_word(word, "solid") || is_word(word, "endsolid")) {
                 name_line = words_.line();
-            else if (is_word(word, "vertex"))
+                is_ended = is_word(word, "endsolid");
+            } else if (is_word(word, "vertex")) {
                 read_vertex();
-            else if (is_word(word, "endloop"))
+            } else if (is_word(word, "endloop")) {
                 end_loop();
+            }
         }
         if (in_loop_ != 0) throw InputError(fmt::format("{}: ends within a loop, expected endloop", name_));
+        if (!is_ended) surface_.remarks.emplace_back("The file ends without endsolid: it may be cut off.");
         return std::move(surface_);
     }
 
   private:
-    [[noreturn]] void fail(std::string_view what) const {
-        throw InputError(fmt::format("{}: line {}: {}", name_, words_.line(), what));
+    [[noreturn]] void fail(std::size_t line, std::string_view what) const {
+        throw InputError(fmt::format("{}: line {}: {}", name_, line, what));
     }
 
     void read_vertex() {
+        const std::size_t line = words_.line();
         glm::dvec3 position;
         for (int axis = 0; axis < 3; ++axis) {
             const std::string_view word = words_.next();
-            const std::optional<double> coordinate = parse_double(word);
-            if (!coordinate)
-                fail(fmt::format("{} is not a coordinate, expected three finite numbers", in_quotes(word)));
-            position[axis] = *coordinate;
+            const double coordinate = parse_coordinate(word).value_or(NAN);
+            if (std::isnan(coordinate))
+                fail(line,
+                     fmt::format("{} is not a coordinate, expected three finite numbers", in_quotes(word)));
+            position[axis] = coordinate;
         }
         surface_.positions.push_back(position);
         ++in_loop_;
     }
 
     void end_loop() {
-        if (in_loop_ != 3) fail(fmt::format("a loop of {} vertices ends, expected 3", in_loop_));
+        if (in_loop_ != 3)
+            fail(words_.line(), fmt::format("a loop of {} vertices ends, expected 3", in_loop_));
         in_loop_ = 0;
     }
 
@@ -139,13 +147,13 @@ SurfaceFile parse_stl(std::string_view bytes, std::string_view name) {
         const std::string text = plain_text(std::string(bytes), remarks);
         if (is_text(text)) {
             surface = TextReader(text, name).read();
-            surface.remarks = std::move(remarks);
+            surface.remarks.insert(surface.remarks.begin(), remarks.begin(), remarks.end());
             number_vertices(surface, name);
             return surface;
         }
-        if (looks_like_text(text))
-            throw InputError(fmt::format("{}: begins with {}, expected solid, or a binary STL", name,
-                                         in_quotes(Words(text).next())));
+        if (const std::string_view word = Words(text).next(); looks_like_text(text) && !word.empty())
+            throw InputError(
+                fmt::format("{}: begins with {}, expected solid, or a binary STL", name, in_quotes(word)));
     }
     if (bytes.size() < header_bytes)
         throw InputError(

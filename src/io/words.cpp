@@ -61,7 +61,11 @@ std::optional<double> parse_double(std::string_view word) {
 
 std::optional<double> parse_coordinate(std::string_view word) {
     if (std::optional<double> number = parse_double(word)) {
-        if (std::abs(*number) > std::numeric_limits<float>::max()) return std::nullopt;
+        // What is nearer to the largest float than to the next step above it, is that float.
+        constexpr double largest = std::numeric_limits<float>::max();
+        constexpr double beyond = largest + 0x1p103;
+        if (std::abs(*number) >= beyond) return std::nullopt;
+        if (std::abs(*number) > largest) return std::copysign(largest, *number);
         // Half-way between two floats the rounding to double may hide on which side the word is.
         const auto nearest = static_cast<float>(*number);
         const double offset = *number - double{nearest};

@@ -31,6 +31,8 @@ bool are_finite(const Weights& weights) {
 
 std::string inspected(const Family& family) {
     if (!check(family).empty()) return "unsound: " + check(family).front();
+    if (!std::isfinite(family.origin.x) || !std::isfinite(family.origin.y) || !std::isfinite(family.origin.z))
+        return "the origin is not finite";
     if (family.timeline) {
         const double begin = family.timeline->begin();
         const double end = family.timeline->end();

@@ -39,6 +39,10 @@ std::string inspected(const SurfaceFile& surface) {
     if (!std::ranges::all_of(surface.triangles, exists)) return "unsound: a vertex does not exist";
     if (!surface.colors.empty() && surface.colors.size() != surface.positions.size())
         return "unsound: number of colours";
+    const std::size_t longest = 200;
+    for (const std::string& remark : surface.remarks)
+        if (remark.empty() || remark.size() > longest || remark.find('\n') != std::string::npos)
+            return "a remark is no sentence";
     return std::ranges::all_of(surface.colors, is_color) ? "" : "unsound: a colour is not from 0 to 1";
 }
 

@@ -26,6 +26,7 @@ void check_same(const Family& a, const Family& b) {
     }
     CHECK(a.timeline == b.timeline);
     CHECK(a.domain == b.domain);
+    CHECK(a.origin == b.origin);
 }
 
 /// A family file in \p folder beside the keys a.ilh, b.ilh of one root complex, and other.ilh of another.
@@ -68,6 +69,12 @@ std::string with_members(std::string_view members) {
                      std::string(", ").append(members));
 }
 
+std::string with_origin(std::string_view origin) {
+    std::string json = with_members(std::string(R"("origin": )").append(origin));
+    json.replace(json.find("1,"), 1, "2");
+    return json;
+}
+
 std::string with_timeline(std::string_view keys) {
     return with_members(
         std::string(R"("timeline": {"interpolation": "linear", "keys": )").append(keys).append("}"));
@@ -91,10 +98,28 @@ TEST_CASE("a family file holds what was written") {
         Family family = sample_family(random);
         if (seed % 2 == 1) family.timeline.reset();
         if (seed % 3 == 1) family.domain.reset();
+        if (seed % 4 > 1) family.origin = {static_cast<double>(random() % 10'000'000), -0.5, 1e300};
         write_family(family, folder / "new/fämily");
         check_same(read_family(folder / "new/fämily"), family);
         check_same(read_family(folder / "new/fämily/family.json"), family);
     }
+}
+
+TEST_CASE("a family has an origin from version 2 on, which is written where it is not 0") {
+    std::mt19937 random(1);
+    const ScratchFolder folder;
+    Family family = sample_family(random);
+    write_family(family, folder / "f");
+    CHECK(contains(content(folder / "f/family.json"), "\"version\": 1,"));
+    CHECK_FALSE(contains(content(folder / "f/family.json"), "origin"));
+    family.origin = {500'000, 5'400'000, -0.25};
+    write_family(family, folder / "f");
+    CHECK(contains(content(folder / "f/family.json"), "\"version\": 2,"));
+    CHECK(contains(content(folder / "f/family.json"), "\"origin\": [500000.0,5400000.0,-0.25]"));
+
+    const KeyFolder keys;
+    CHECK(keys.family(with_origin("[1, -2.5, 3e6]")).origin == glm::dvec3(1, -2.5, 3e6));
+    CHECK(keys.family(with_members(R"("origin": [1, 2, 3])")).origin == glm::dvec3(0));
 }
 
 TEST_CASE("key files are called by their keys and nothing is written outside the folder") {
@@ -218,7 +243,8 @@ TEST_CASE("a hostile family file is refused with its place and what was expected
         {"{}", "family.json: document: has no \"format\""},
         {R"({"format": "other"})", R"(format: is "other", expected "interleaf-family")"},
         {R"({"format": "interleaf-family"})", "has no \"version\""},
-        {R"({"format": "interleaf-family", "version": 2})", "version: is 2, expected 1"},
+        {R"({"format": "interleaf-family", "version": 3})", "version: is 3, expected 1 or 2"},
+        {R"({"format": "interleaf-family", "version": 1.5})", "version: is 1.5, expected 1 or 2"},
         {R"({"format": "interleaf-family", "version": "1"})", "version: is \"1\", expected a number"},
         {R"({"format": "interleaf-family", "version": 1, "keys": []})", "has no \"name\""},
         {R"({"format": "interleaf-family", "version": 1, "name": "\u001b[2J", "keys": []})",
@@ -246,6 +272,11 @@ TEST_CASE("a hostile family file is refused with its place and what was expected
         {with_file("x/../a.ilh"), "expected a path relative"},
         {with_file("a.ilh\\u0000.txt"), "expected a path relative"},
         {with_file("."), "is a folder, expected a file"},
+        {with_origin("7"), "origin: is 7, expected an array"},
+        {with_origin("[1, 2]"), "origin: is an array, expected three numbers"},
+        {with_origin("[1, 2, 3, 4]"), "origin: is an array, expected three numbers"},
+        {with_origin("[1, 2, null]"), "origin[2]: is null, expected a number"},
+        {with_origin("[1, 2, 1e999]"), "1e999"},
         {with_members(R"("timeline": [])"), "timeline: is an array, expected an object"},
         {with_members(R"("timeline": null)"), "timeline: is null, expected an object"},
         {with_members(R"("timeline": {"keys": []})"), "timeline: has no \"interpolation\""},

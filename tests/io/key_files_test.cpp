@@ -1,5 +1,6 @@
 // Reading keys that are not over the same roots yet: family.json with "roots", several .ilh, series of OBJ.
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "messages.h"
@@ -13,6 +14,7 @@
 #include "io/mesh_file.h"
 #include "io/samples.h"
 #include "io/scratch_folder.h"
+#include "io/surface_file.h"
 
 namespace interleaf {
 
@@ -180,13 +182,70 @@ TEST_CASE("OBJ files with the same faces are a family over one root complex, tri
     const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 4 4 0\n";
     const std::string first = files[0].string();
     CHECK(error_with(vertices + "f 1 2 3 4\nf 5 3 4\n") ==
-          fmt::format("{}: face 2: has the vertices (5, 3, 4), expected (5, 4, 3) as in {} (counted from 1)",
+          fmt::format("{}: line 7: a face of the vertices (5, 3, 4), expected (5, 4, 3) as in line 8 of {}; "
+                      "`interleaf fit` makes keys of meshes with different faces",
                       files[1].string(), first));
-    CHECK(contains(error_with(vertices + "f 1 2 3 4\n"), "m.2.obj: has 1 faces, expected more, as " + first));
+    CHECK(contains(error_with(vertices + "f 1 2 3 4\n"), "m.2.obj: has 1 faces, expected 2, as " + first));
     CHECK(contains(error_with(vertices + "f 1 2 3 4\nf 5 4 3\nf 1 2 5\n"),
-                   "m.2.obj: face 3: expected 2 faces, as " + first));
+                   "m.2.obj: has 3 faces, expected 2, as " + first));
     CHECK(
         contains(error_with(vertices + "f 1 2 3 4\nf 5 4 9\n"), "m.2.obj: line 7: vertex 9 does not exist"));
+}
+
+TEST_CASE("meshes far from 0 share one origin, that of the first, and keep their millimeters through files") {
+    const ScratchFolder folder;
+    const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    const std::string corners =
+        "v 499990.001 5400000.002 250.003\nv 500010.004 5400000.005 250.006\nv 500000.007 5400010.008 "
+        "250.009\n";
+    put(folder / "m.1.obj", corners + "v 500000.01 5400003.011 260.012\n" + faces);
+    put(folder / "m.2.obj", corners + "v 500001.013 5400003.014 270.015\n" + faces);
+    const std::vector<fs::path> files{folder / "m.1.obj", folder / "m.2.obj"};
+    std::vector<std::string> changes;
+    const Family family = read_keys(files, &changes);
+    const glm::dvec3 origin(500'000, 5'400'005, 255);
+    CHECK(family.origin == origin);
+    CHECK(
+        mentions(changes, "Far from 0: positions count from (500000, 5400005, 255), which was subtracted."));
+
+    write_family(family, folder / "f");
+    const Family again = read_family(folder / "f");
+    CHECK(again.origin == origin);
+    const auto check_place = [&](const glm::dvec3& place, const glm::dvec3& expected) {
+        for (int axis = 0; axis < 3; ++axis) CHECK(std::abs(place[axis] - expected[axis]) < 1e-5);
+    };
+    const glm::dvec3 expected(500'001.013, 5'400'003.014, 270.015);
+    const Hierarchy& key = *again.keys[1].hierarchy;
+    check_place(glm::dvec3(key.positions[3]) + origin, expected);
+    put(folder / "out.obj", obj_text(key.roots.triangles(), key.positions, {}, again.origin));
+    put(folder / "out.ply", ply_bytes(key.roots.triangles(), key.positions, {}, again.origin));
+    for (const std::string_view name : {"out.obj", "out.ply"}) {
+        const SurfaceFile out = read_surface(folder / name);
+        check_place(out.positions[0], {499'990.001, 5'400'000.002, 250.003});
+        check_place(out.positions[3], expected);
+        CHECK(out.triangles.size() == 4);
+    }
+    // What goes out comes back over the same origin.
+    const std::vector<fs::path> written{folder / "out.obj"};
+    const Family read = read_keys(written);
+    CHECK(read.origin == glm::dvec3(500'000, 5'400'005, 260));
+
+    // A key that is not far away has the origin of the first mesh, whatever its own would be.
+    put(folder / "m.2.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + faces);
+    CHECK(read_keys(files).keys[1].hierarchy->positions[1] == glm::vec3(-499'999, -5'400'005, -255));
+    put(folder / "m.1.obj", "v 3e38 0 0\nv 3.0001e38 0 0\nv 3e38 1e34 0\nv 3e38 0 1e34\n" + faces);
+    put(folder / "m.2.obj", "v -3e38 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + faces);
+    CHECK(contains(input_error_of([&] { read_keys(files); }),
+                   "m.2.obj: vertex 1 (counted from 1): is too far"));
+}
+
+TEST_CASE("meshes near 0, or so large that 0 is not far, have no origin") {
+    const ScratchFolder folder;
+    put(folder / "m.obj", "v 100 0 0\nv 102 0 0\nv 100 2 0\nf 1 2 3\n");
+    const std::vector<fs::path> files{folder / "m.obj"};
+    std::vector<std::string> changes;
+    CHECK(read_keys(files, &changes).origin == glm::dvec3(0));
+    CHECK(changes.empty());
 }
 
 TEST_CASE("a mesh among keys is a key without bisections, and takes their marking") {
@@ -213,7 +272,8 @@ TEST_CASE("what is no key among several is named") {
     put(folder / "family.json", family_json("", ""));
     const std::vector<fs::path> files{folder / "a.ilh", folder / "family.json"};
     CHECK(input_error_of([&] { read_keys(files); }) ==
-          files[1].string() + ": expected a file that ends in .ilh or .obj");
+          files[1].string() +
+              ": expected a file that ends in .ilh or .obj; `interleaf fit` makes keys of other meshes");
 }
 
 }  // namespace interleaf
