@@ -150,6 +150,7 @@ void print_json(Kind kind, const Family& family, std::span<const Figures> keys, 
         for (std::size_t i = 0; i < keys.size(); ++i) {
             Json key = {{"name", family.keys[i].name}};
             key.update(json_of(keys[i]));
+            key.update(json_of(census_as_it_is(surface_of(*family.keys[i].hierarchy))));
             key["fields"] = json_of(fields_of(std::span(&family.keys[i], 1)));
             document["keys"].push_back(std::move(key));
         }

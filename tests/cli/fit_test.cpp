@@ -1,6 +1,7 @@
 // `interleaf fit`: keys and families from mesh files, and everything it refuses.
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 
@@ -131,6 +132,126 @@ TEST_CASE("several meshes become a family over the same roots, three of them wit
     CHECK_FALSE(two.domain);
 }
 
+/// A box as the text of an OBJ of quads, the vertices after \p before others counted from there.
+std::string box_obj(const glm::dvec3& least, const glm::dvec3& most, int before = 0, int faces = 6) {
+    std::string text;
+    for (int i = 0; i < 8; ++i)
+        text += fmt::format("v {} {} {}\n", i & 1 ? most.x : least.x, i & 2 ? most.y : least.y,
+                            i & 4 ? most.z : least.z);
+    constexpr int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                 {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (int face = 0; face < faces; ++face) {
+        text += "f";
+        for (const int corner : quads[face]) text += fmt::format(" {}", corner + 1 + before);
+        text += "\n";
+    }
+    return text;
+}
+
+nlohmann::json fit_report(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "fit");
+    arguments.insert(arguments.end(), {"--leaves", "500", "--report", "json"});
+    const Outcome outcome = run_interleaf(arguments);
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    return nlohmann::json::parse(outcome.output)["meshes"];
+}
+
+TEST_CASE("parts and holes beyond a little are refused with what they are, unless an option says so") {
+    const TemporaryFolder folder;
+    const std::string two = folder / "two.obj";
+    set_content(two, box_obj({0, 0, 0}, {2, 2, 2}) + box_obj({5, 0, 0}, {6, 1, 1}, 8));
+    Outcome refused = run_interleaf({"fit", two, "-o", folder / "key.ilh"});
+    CHECK(refused.status == 1);
+    CHECK(is_one_message(refused.errors));
+    CHECK(contains(refused.errors, "has 2 parts"));
+    CHECK(contains(refused.errors, "20 % of the area would be lost, 20 % (12 triangles)"));
+    CHECK(contains(refused.errors, "--keep-largest"));
+    const auto kept = fit_report({two, "-o", folder / "key.ilh", "--keep-largest"})[0];
+    CHECK(kept["area"]["dropped"].get<double>() == doctest::Approx(0.2));
+    CHECK(kept["area"]["made"] == 0);
+    CHECK(kept["hausdorff_as_brought"].get<double>() > 10 * kept["quality"]["hausdorff"].get<double>());
+
+    const std::string open = folder / "open.obj";
+    set_content(open, box_obj({0, 0, 0}, {2, 2, 2}, 0, 5));
+    refused = run_interleaf({"fit", open, "-o", folder / "key2.ilh"});
+    CHECK(refused.status == 1);
+    CHECK(contains(refused.errors, "has 1 hole"));
+    CHECK(contains(refused.errors, "would add 20 % to its area"));
+    CHECK(contains(refused.errors, "--fill-holes"));
+    CHECK_FALSE(std::filesystem::exists(folder / "key2.ilh"));
+    const auto filled = fit_report({open, "-o", folder / "key2.ilh", "--fill-holes"})[0];
+    CHECK(filled["area"]["made"].get<double>() == doctest::Approx(0.2));
+}
+
+TEST_CASE("bodies of other sizes and places are told of, and brought together when asked") {
+    const TemporaryFolder folder;
+    const std::string first = folder / "first.obj";
+    const std::string second = folder / "second.obj";
+    set_content(first, box_obj({0, 0, 0}, {1, 1, 1}));
+    set_content(second, box_obj({90, 0, 0}, {110, 10, 10}));
+    const Outcome apart = run_interleaf({"fit", first, second, "-o", folder / "apart", "--leaves", "500"});
+    CHECK(apart.status == 0);
+    CHECK(contains(apart.errors, "second.obj: warning: is 12.9 times as large as the first"));
+
+    const Outcome together = run_interleaf({"fit", first, second, "-o", folder / "together", "--leaves",
+                                            "500", "--same-size", "--same-center", "--up", "Y", "--up", "X"});
+    REQUIRE_MESSAGE(together.status == 0, together.errors);
+    CHECK(together.errors.empty());
+    const Family family = read_family(folder / "together");
+    const Box box = bounding_box(family.keys[1].hierarchy->positions);
+    // 6 of 10 x 10 x 20: each of the two small faces is a tenth of 1000; the area of the unit box is 6.
+    const double side = std::sqrt(6.0 / 10);
+    CHECK((box.max - box.min).y == doctest::Approx(2 * side).epsilon(0.02));
+    CHECK((box.max - box.min).x == doctest::Approx(side).epsilon(0.02));
+    CHECK(box.center().x == doctest::Approx(0.5).epsilon(0.02));
+    CHECK(run_interleaf({"fit", first, second, "-o", folder / "x", "--up", "X"}).status == 2);
+    CHECK(run_interleaf({"fit", first, "-o", folder / "x.ilh", "--up", "W"}).status == 2);
+}
+
+TEST_CASE("meshes far from 0 keep their digits, through family and export") {
+    const TemporaryFolder folder;
+    const glm::dvec3 corner(512358.286, 5412347.178, 311.5);
+    for (const char* name : {"a.obj", "b.obj"})
+        set_content(folder / name, box_obj(corner, corner + glm::dvec3(2, 3, 4)));
+    const auto report = fit_report({folder / "a.obj", folder / "b.obj", "-o", folder / "far"});
+    CHECK(contains(report[0]["remarks"][0].get<std::string>(), "which was subtracted"));
+    const Family family = read_family(folder / "far");
+    CHECK(family.origin == glm::dvec3(512359, 5412349, 314));
+    for (const char* name : {"out.obj", "out.ply"}) {
+        CAPTURE(name);
+        REQUIRE(run_interleaf({"export", folder / "far", "--time", "0.5", "-o", folder / name}).status == 0);
+        const auto info = nlohmann::json::parse(run_interleaf({"info", folder / name, "--json"}).output);
+        CHECK(info["box"][0][0].get<double>() == doctest::Approx(corner.x).epsilon(1e-8));
+        CHECK(info["box"][1][1].get<double>() == doctest::Approx(corner.y + 3).epsilon(1e-9));
+        CHECK(info["volume"].get<double>() == doctest::Approx(24).epsilon(0.03));
+    }
+    const Outcome key = run_interleaf({"export", folder / "far", "--time", "0", "-o", folder / "out.ilh"});
+    CHECK(key.status == 0);
+    CHECK(contains(key.errors, "positions count from (512359, 5412349, 314)"));
+}
+
+TEST_CASE("a message about a mesh whose digits were lost says that they were") {
+    const TemporaryFolder folder;
+    std::string stl(80, ' ');
+    const auto append = [&](const auto& value) {
+        stl.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    };
+    append(std::uint32_t{4});
+    constexpr float far = 5e6F;
+    const std::array<std::array<float, 3>, 4> points{
+        {{far, far, 0}, {far + 1, far, 0}, {far, far + 1, 0}, {far, far, 1}}};
+    for (const std::array<int, 3>& face : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}) {
+        append(std::array<float, 3>{});
+        for (const int corner : face) append(points[static_cast<std::size_t>(corner)]);
+        append(std::uint16_t{0});
+    }
+    set_content(folder / "far.stl", stl);
+    const auto info = nlohmann::json::parse(run_interleaf({"info", folder / "far.stl", "--json"}).output);
+    REQUIRE(info["remarks"].size() == 1);
+    CHECK(contains(info["remarks"][0].get<std::string>(), "digits were lost"));
+    CHECK(info["volume"].get<double>() == doctest::Approx(1.0 / 6));
+}
+
 TEST_CASE("meshes that no key can stand for are refused with exit status 1, the file and the reason") {
     const TemporaryFolder folder;
     const std::vector<std::array<double, 3>> tetrahedron = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -141,7 +262,7 @@ TEST_CASE("meshes that no key can stand for are refused with exit status 1, the 
     };
     const Case cases[] = {
         {"torus.off", torus_off(), "Euler number"},
-        {"empty.off", "", "the file ends"},
+        {"empty.off", "", "is empty"},
         {"no-faces.off", off_text(tetrahedron, {}), "no faces"},
         {"nan.off", "OFF\n3 1 0\n0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n", "finite"},
         {"one-triangle.off", off_text(tetrahedron, {{0, 1, 2}}), ""},

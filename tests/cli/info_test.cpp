@@ -174,6 +174,34 @@ TEST_CASE("check names every damaged key of a family") {
     CHECK_FALSE(contains(outcome.errors, "sphere.ilh"));
 }
 
+TEST_CASE("a mesh of any form has its area, volume, parts, openings and handles, and is checked") {
+    const TemporaryFolder folder;
+    const std::string star = INTERLEAF_FIVE_KEYS "/star.ilh";
+    REQUIRE(run_interleaf({"export", star, "-o", folder / "star.ply"}).status == 0);
+    const json key = info(star);
+    const json mesh = info(folder / "star.ply");
+    CHECK(mesh.at("kind") == "mesh");
+    CHECK(mesh.at("triangles") == key.at("leaves"));
+    CHECK(mesh.at("vertices") == key.at("vertices"));
+    for (const char* figure : {"area", "volume"})
+        CHECK(mesh.at(figure).get<double>() == doctest::Approx(key.at(figure).get<double>()).epsilon(1e-6));
+    for (const json& each : {key, mesh}) {
+        CHECK(each.at("parts") == 1);
+        CHECK(each.at("openings") == 0);
+        CHECK(each.at("handles") == 0);
+    }
+    CHECK(contains(run_interleaf({"info", folder / "star.ply"}).output, "1, closed, without handles"));
+
+    set_content(folder / "open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n");
+    const json open = info(folder / "open.off");
+    CHECK(open.at("openings") == 1);
+    CHECK(open.at("volume").is_null());
+    const Outcome checked = run_interleaf({"check", folder / "star.ply", folder / "open.off"});
+    CHECK(checked.status == 1);
+    CHECK(contains(checked.output, "star.ply: sound, a mesh to fit a key to"));
+    CHECK(contains(checked.errors, "open.off: the surface has 1 hole"));
+}
+
 TEST_CASE("the kind of a file does not depend on the case of its extension") {
     const TemporaryFolder folder;
     write_hierarchy(square(), folder / "SQUARE.ILH");
