@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string_view>
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -53,13 +54,50 @@ void Gui::begin_frame(std::span<const int> pressed) {
     follow_display();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    follow_menu();
     hold_taps(pressed);
+    give_keys_to_menu();
     ImGui::NewFrame();
+}
+
+void Gui::follow_menu() {
+    const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+    const ImGuiWindow* const front = popups.empty() ? nullptr : popups.back().Window;  // null while it opens
+    has_menu_ = !popups.empty() && (front == nullptr || (front->Flags & ImGuiWindowFlags_Modal) == 0);
+}
+
+/// Everywhere else Dear ImGui's own keyboard navigation is off.
+void Gui::give_keys_to_menu() {
+    ImGuiIO& io = ImGui::GetIO();
+    if (!has_menu_) {
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+        return;
+    }
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    // In a menu that the mouse has opened the first arrow is to mark the first entry, not the second. A list
+    // of choices begins with the present one.
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    const ImGuiWindow* const front = context.OpenPopupStack.back().Window;
+    const bool is_list = front != nullptr && std::string_view(front->Name).starts_with("##Combo");
+    if (context.NavDisableHighlight && !context.NavInitRequestFromMove && !is_list)
+        context.NavInitResultId = 0;
+    if (io.KeysDown[GLFW_KEY_ENTER] || io.KeysDown[GLFW_KEY_KP_ENTER])
+        io.NavInputs[ImGuiNavInput_Activate] = 1;
 }
 
 void Gui::end_frame() {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    release_taps();
+}
+
+void Gui::abandon_frame() {
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (context.WithinFrameScope) {
+        context.FontStack.clear();  // what follows sees to all other stacks
+        ImGui::ErrorCheckEndFrameRecover(nullptr);
+        ImGui::EndFrame();
+    }
     release_taps();
 }
 
@@ -79,6 +117,7 @@ void Gui::hold_taps(std::span<const int> pressed) {
     auto end = waiting_taps_.begin();
     for (; end != waiting_taps_.end(); ++end) {
         if (std::find(waiting_taps_.begin(), end, *end) != end) break;  // twice in one frame
+        if (has_menu_ && !taps_.empty()) break;                         // there they come one after the other
         if (io.KeysDown[*end]) continue;
         io.KeysDown[*end] = true;
         taps_.push_back(*end);

@@ -1,5 +1,6 @@
 #include "ui/text_field.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <imgui.h>
@@ -19,7 +20,7 @@ struct TextField::Edit {
 
 void TextField::set(std::string text, std::size_t selected) {
     text_ = std::move(text);
-    selected_ = selected;
+    selected_ = std::min(selected, text_.size());
     has_new_text_ = true;
     is_set_now_ = true;
 }
@@ -49,10 +50,11 @@ int TextField::edit(ImGuiInputTextCallbackData* data) {
         // The widget holds a text of its own while it is active.
         const std::string& text = edit.field.text_;
         if (text != data->Buf) replace(text);
+        // From here on the selection is the widget's, which changes the text.
+        const std::size_t selected = std::exchange(edit.field.selected_, 0);
         data->SelectionStart = 0;
-        data->SelectionEnd = data->CursorPos =
-            edit.field.selected_ > 0 ? static_cast<int>(edit.field.selected_) : data->BufTextLen;
-        if (edit.field.selected_ == 0) data->ClearSelection();
+        data->SelectionEnd = data->CursorPos = selected > 0 ? static_cast<int>(selected) : data->BufTextLen;
+        if (selected == 0) data->ClearSelection();
     }
     return 0;
 }

@@ -8,6 +8,7 @@
 
 #include "render/palette.h"
 #include "ui/keys_panel.h"
+#include "ui/number_text.h"
 #include "ui/style.h"
 
 namespace interleaf {
@@ -98,27 +99,28 @@ void draw_marks(ImDrawList& list, const Timeline& timeline, const TimeScale& sca
     }
 }
 
-/// A hundredth of what the track spans, or less: a round number of seconds.
-double readable_step(const TimeScale& scale) {
+/// Of the power of ten that is a hundredth of what the track spans, or less; seconds.
+int readable_exponent(const TimeScale& scale) {
     const double span = scale.end > scale.begin ? scale.end - scale.begin : 1;
-    return std::pow(10.0, std::floor(std::log10(span / 100)));
+    return static_cast<int>(std::floor(std::log10(span / 100)));
 }
 
 /// The time under the pointer as a round number; before and after the track, too.
 double readable_time(const TimeScale& scale, float pointer) {
-    const double step = readable_step(scale);
     const double span = scale.end > scale.begin ? scale.end - scale.begin : 1;
     const double part = static_cast<double>((pointer - scale.track.x) / scale.track.width);
-    return std::round((scale.begin + span * part) / step) * step;
+    return rounded_to_power(scale.begin + span * part, readable_exponent(scale));
 }
 
 /// The time under the pointer for the key at \p place, which stays between its neighbours.
 double dragged_time(const Timeline& timeline, std::size_t place, const TimeScale& scale, float pointer) {
     const auto keys = timeline.keys();
-    const double step = readable_step(scale);
+    const int exponent = readable_exponent(scale);
+    const double step = std::pow(10.0, exponent);
     double time = readable_time(scale, pointer);
-    if (place + 1 < keys.size()) time = std::min(time, keys[place + 1].time - step);
-    if (place > 0) time = std::max(time, keys[place - 1].time + step);
+    if (place + 1 < keys.size())
+        time = std::min(time, rounded_to_power(keys[place + 1].time - step, exponent));
+    if (place > 0) time = std::max(time, rounded_to_power(keys[place - 1].time + step, exponent));
     return time;
 }
 
@@ -222,7 +224,7 @@ TimelineResult timeline_panel(const Rect& rect, const Family& family, const Time
         shown = pointed_time(timeline, scale, ImGui::GetIO().MousePos.x);
         result.seek_to = shown;
     }
-    if (const auto key = dropped_key())
+    if (const auto key = dropped_key(family.keys.size()))
         result.added = KeyTime{*key, readable_time(scale, ImGui::GetIO().MousePos.x)};
 
     ImDrawList& list = *ImGui::GetWindowDrawList();

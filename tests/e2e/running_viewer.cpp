@@ -12,6 +12,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -75,6 +76,16 @@ RunningViewer::~RunningViewer() {
     kill();
     std::filesystem::remove(trace_);
     if (owns_home_) std::filesystem::remove_all(home_);
+}
+
+void RunningViewer::limit_memory(std::size_t more) const {
+    rlimit limit{RLIM_INFINITY, RLIM_INFINITY};
+    if (more > 0) {
+        std::size_t pages = 0;
+        std::ifstream(fmt::format("/proc/{}/statm", process_)) >> pages;
+        limit.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + more;
+    }
+    if (prlimit(process_, RLIMIT_AS, &limit, nullptr) != 0) throw std::runtime_error("no limit of memory");
 }
 
 void RunningViewer::kill() {

@@ -71,6 +71,9 @@ class RunningViewer {
     /// Of the window.
     std::string title() const { return desktop_.title(window_); }
 
+    /// Lets it take at most \p more bytes of memory beyond what it has; as many as there are for 0.
+    void limit_memory(std::size_t more) const;
+
     /// Ends it as a crash would.
     void kill();
 
