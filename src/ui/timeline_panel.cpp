@@ -21,7 +21,11 @@ bool symbol_button(const char* name, const char* tooltip, bool on, Draw draw) {
     const float side = ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::Button(name, {side * 1.25F, side});
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip);
+    if (ImGui::IsItemHovered()) {
+        // Above: beside the pointer it would lie over the start of the track.
+        ImGui::SetNextWindowPos({corner.x, corner.y - scaled(4)}, ImGuiCond_Always, {0, 1});
+        ImGui::SetTooltip("%s", tooltip);
+    }
     draw(*ImGui::GetWindowDrawList(), glm::vec2(corner.x + side * 0.625F, corner.y + side / 2), side * 0.25F,
          on ? colors::accent : colors::text);
     return pressed;
