@@ -164,11 +164,14 @@ std::optional<Rect> Gui::popup() const {
 void Gui::follow_display() {
     int window_width = 0;
     int framebuffer_width = 0;
+    int width_after = 0;
     float content_scale = 1;
     glfwGetWindowSize(window_, &window_width, nullptr);
     glfwGetFramebufferSize(window_, &framebuffer_width, nullptr);
+    glfwGetWindowSize(window_, &width_after, nullptr);
     glfwGetWindowContentScale(window_, &content_scale, nullptr);
     if (window_width == 0 || framebuffer_width == 0) return;  // minimised
+    if (window_width != width_after) return;                  // resized between the questions
     const float density = static_cast<float>(framebuffer_width) / static_cast<float>(window_width);
     // Where screen coordinates are coarser than pixels they already carry that part of the scale.
     const float scale = content_scale / density;

@@ -214,7 +214,7 @@ int RunningViewer::exit_status() {
         throw std::runtime_error("the program has not ended");
     }
     process_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
 }  // namespace interleaf

@@ -88,7 +88,7 @@ class RunningViewer {
     void kill();
 
     /// Waits for the program to end.
-    /// \return its exit status
+    /// \return its exit status; the negative number of the signal that has ended it, if one has
     int exit_status();
 
   private:
