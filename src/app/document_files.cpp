@@ -55,9 +55,9 @@ std::optional<fs::path> family_folder(const std::vector<fs::path>& sources) {
     std::error_code error;
     const fs::path source = fs::absolute(sources.front(), error).lexically_normal();
     if (error) return std::nullopt;  // relative to a folder that is gone
-    if (source.filename() == "family.json") return source.parent_path();
-    if (!is_family_folder(source)) return std::nullopt;
-    return source.has_filename() ? source : source.parent_path();
+    if (is_family_folder(source)) return source.has_filename() ? source : source.parent_path();
+    if (source.filename() == "family.json" && !fs::is_directory(source, error)) return source.parent_path();
+    return std::nullopt;
 }
 
 DocumentFiles::DocumentFiles(ViewerState& state, std::vector<fs::path> sources, bool is_alone)

@@ -37,7 +37,8 @@ std::vector<std::filesystem::path> files_ending(const std::filesystem::path& fol
 
 bool is_family_folder(const std::filesystem::path& path) {
     std::error_code ignored;
-    return std::filesystem::exists(path / "family.json", ignored);
+    const std::filesystem::file_status file = std::filesystem::status(path / "family.json", ignored);
+    return std::filesystem::exists(file) && !std::filesystem::is_directory(file);
 }
 
 std::vector<std::filesystem::path> files_in_folder(const std::filesystem::path& path) {

@@ -67,13 +67,19 @@ std::string settings_text(const Settings& settings) {
     return document.dump(2) + "\n";
 }
 
+/// A folder may be called so, too.
+bool is_family_file(const fs::path& path) {
+    std::error_code ignored;
+    return path.filename() == "family.json" && !fs::is_directory(path, ignored);
+}
+
 /// Where the document that is remembered as \p path really lies.
 fs::path place_of(const fs::path& path) {
     std::error_code error;
     fs::path place = fs::weakly_canonical(path, error);
     if (error) place = path.lexically_normal();
-    if (place.filename() == "family.json" || !place.has_filename()) place = place.parent_path();
-    return place;
+    if (!place.has_filename()) place = place.parent_path();
+    return is_family_file(place) ? place.parent_path() : place;
 }
 
 /// What to say after \p fault has been found in \p file, which is kept under another name.
@@ -103,7 +109,7 @@ void remember_document(std::vector<fs::path>& recent, const fs::path& path) {
     std::error_code error;
     const fs::path whole = fs::absolute(path, error).lexically_normal();
     if (error) return;
-    const fs::path document = whole.filename() == "family.json" ? whole.parent_path() : whole;
+    const fs::path document = is_family_file(whole) ? whole.parent_path() : whole;
     const fs::path place = place_of(document);
     std::erase_if(recent, [&](const fs::path& other) { return place_of(other) == place; });
     remember(recent, document);

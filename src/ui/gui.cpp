@@ -27,6 +27,10 @@ void follow_modifiers() {
     io.KeyAlt = io.KeysDown[GLFW_KEY_LEFT_ALT] || io.KeysDown[GLFW_KEY_RIGHT_ALT];
 }
 
+bool is_modifier(int key) {
+    return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+}
+
 }  // namespace
 
 Gui::Gui(GLFWwindow* window) : window_(window) {
@@ -102,28 +106,24 @@ void Gui::abandon_frame() {
 }
 
 /// Dear ImGui sees the keys that are down when a frame begins: one that was pressed and released since the
-/// last, as on a slow frame, would be lost. And it sees a key pressed anew only after a frame with it up.
+/// last, as on a slow frame, would be lost, and of several the order. And it sees a key pressed anew only
+/// after a frame with it up. So each frame gets one key, with the modifiers that were pressed before it.
 void Gui::hold_taps(std::span<const int> pressed) {
     ImGuiIO& io = ImGui::GetIO();
     waiting_taps_.insert(waiting_taps_.end(), pressed.begin(), pressed.end());
     std::erase_if(waiting_taps_, [](int key) { return key < 0 || key > GLFW_KEY_LAST; });
-    bool is_early = false;
-    for (const int key : waiting_taps_) {
-        if (io.KeysDownDuration[key] < 0) continue;
-        io.KeysDown[key] = false;
-        is_early = true;
+    if (waiting_taps_.empty()) return;
+    const auto key = std::ranges::find_if_not(waiting_taps_, is_modifier);
+    const auto end = key == waiting_taps_.end() ? key : key + 1;
+    const bool is_early =
+        std::any_of(waiting_taps_.begin(), end, [&](int tap) { return io.KeysDownDuration[tap] >= 0; });
+    for (const int waiting : waiting_taps_) io.KeysDown[waiting] = false;
+    if (!is_early) {
+        for (auto tap = waiting_taps_.begin(); tap != end; ++tap) io.KeysDown[*tap] = true;
+        taps_.assign(waiting_taps_.begin(), end);
+        waiting_taps_.erase(waiting_taps_.begin(), end);
     }
-    if (is_early) return follow_modifiers();
-    auto end = waiting_taps_.begin();
-    for (; end != waiting_taps_.end(); ++end) {
-        if (std::find(waiting_taps_.begin(), end, *end) != end) break;  // twice in one frame
-        if (has_menu_ && !taps_.empty()) break;                         // there they come one after the other
-        if (io.KeysDown[*end]) continue;
-        io.KeysDown[*end] = true;
-        taps_.push_back(*end);
-    }
-    waiting_taps_.erase(waiting_taps_.begin(), end);
-    if (!taps_.empty()) follow_modifiers();
+    follow_modifiers();
 }
 
 void Gui::release_taps() {
@@ -171,7 +171,7 @@ void Gui::follow_display() {
     glfwGetWindowSize(window_, &width_after, nullptr);
     glfwGetWindowContentScale(window_, &content_scale, nullptr);
     if (window_width == 0 || framebuffer_width == 0) return;  // minimised
-    if (window_width != width_after) return;                  // resized between the questions
+    if (window_width != width_after && scale_ > 0) return;    // resized between the questions
     const float density = static_cast<float>(framebuffer_width) / static_cast<float>(window_width);
     // Where screen coordinates are coarser than pixels they already carry that part of the scale.
     const float scale = content_scale / density;

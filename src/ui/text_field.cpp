@@ -11,6 +11,20 @@
 
 namespace interleaf {
 
+namespace {
+
+/// What Ctrl+Z would take back in the active widget is about the text that it had, and Dear ImGui does not see
+/// to that: in another text its places lie past the end.
+void forget_steps() {
+    ImStb::StbUndoState& steps = ImGui::GetCurrentContext()->InputTextState.Stb.undostate;
+    steps.undo_point = 0;
+    steps.undo_char_point = 0;
+    steps.redo_point = STB_TEXTEDIT_UNDOSTATECOUNT;
+    steps.redo_char_point = STB_TEXTEDIT_UNDOCHARCOUNT;
+}
+
+}  // namespace
+
 /// What the widget's callback works on.
 struct TextField::Edit {
     TextField& field;
@@ -39,6 +53,7 @@ int TextField::edit(ImGuiInputTextCallbackData* data) {
     const auto replace = [&](const std::string& text) {
         data->DeleteChars(0, data->BufTextLen);
         data->InsertChars(0, text.data(), text.data() + text.size());
+        forget_steps();
     };
     if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
         if (ImGui::GetIO().KeyShift) return 0;  // goes back to the part before

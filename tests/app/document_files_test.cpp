@@ -66,6 +66,10 @@ TEST_CASE("a document is saved where it was read from only if it is one family i
     put(folder / "torus" / "family.json", "{}");
     CHECK(family_folder({folder / "torus"}) == folder / "torus");
     CHECK(family_folder({folder / "torus" / ""}) == folder / "torus");
+    fs::create_directories(folder / "odd" / "family.json");
+    CHECK_FALSE(family_folder({folder / "odd"}));
+    put(folder / "odd" / "family.json" / "family.json", "{}");
+    CHECK(family_folder({folder / "odd" / "family.json"}) == folder / "odd" / "family.json");
     CHECK(family_folder({folder / "torus" / "family.json"}) == folder / "torus");
     CHECK_FALSE(family_folder({}));
     CHECK_FALSE(family_folder({folder / "a.obj"}));

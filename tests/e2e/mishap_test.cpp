@@ -92,6 +92,11 @@ TEST_CASE("what is typed while a button of the mouse is held beside the field is
     check_alive(viewer);
     viewer.set_button(1, false);
     viewer.type("d");
+    // The steps that can be taken back are those since the text was put together.
+    for (const KeyName key : {XK_z, XK_z, XK_z, XK_y, XK_y, XK_y}) {
+        viewer.press(key, XK_Control_L);
+        check_alive(viewer);
+    }
     viewer.press(XK_Return);
     state = viewer.wait_for("another name", [](const State& s) { return s["document"]["changed"] == true; });
     CHECK(state["document"]["keys"][1] == "abcd");

@@ -68,7 +68,8 @@ std::vector<fs::path> families_in(const fs::path& home) {
     std::error_code error;
     for (fs::recursive_directory_iterator entry(home, error), end; !error && entry != end;
          entry.increment(error))
-        if (entry->path().filename() == "family.json") families.push_back(entry->path().parent_path());
+        if (entry->path().filename() == "family.json" && entry->is_regular_file())
+            families.push_back(entry->path().parent_path());
     return families;
 }
 
