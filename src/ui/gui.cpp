@@ -65,14 +65,20 @@ void Gui::begin_frame(std::span<const int> pressed) {
 }
 
 void Gui::follow_menu() {
-    const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
-    const ImGuiWindow* const front = popups.empty() ? nullptr : popups.back().Window;  // null while it opens
-    has_menu_ = !popups.empty() && (front == nullptr || (front->Flags & ImGuiWindowFlags_Modal) == 0);
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    has_menu_ = false;
+    if (context.OpenPopupStack.empty()) return;
+    const ImGuiPopupData& front = context.OpenPopupStack.back();
+    // One that opens has no window yet; one whose panel is shown no more stays in the list, but is not seen.
+    has_menu_ = front.Window == nullptr
+                    ? front.OpenFrameCount == context.FrameCount
+                    : front.Window->Active && (front.Window->Flags & ImGuiWindowFlags_Modal) == 0;
 }
 
 /// Everywhere else Dear ImGui's own keyboard navigation is off.
 void Gui::give_keys_to_menu() {
     ImGuiIO& io = ImGui::GetIO();
+    ImGuiContext& context = *ImGui::GetCurrentContext();
     if (!has_menu_) {
         io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
         return;
@@ -80,7 +86,6 @@ void Gui::give_keys_to_menu() {
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     // In a menu that the mouse has opened the first arrow is to mark the first entry, not the second. A list
     // of choices begins with the present one.
-    ImGuiContext& context = *ImGui::GetCurrentContext();
     const ImGuiWindow* const front = context.OpenPopupStack.back().Window;
     const bool is_list = front != nullptr && std::string_view(front->Name).starts_with("##Combo");
     if (context.NavDisableHighlight && !context.NavInitRequestFromMove && !is_list)
@@ -115,8 +120,10 @@ void Gui::hold_taps(std::span<const int> pressed) {
     if (waiting_taps_.empty()) return;
     const auto key = std::ranges::find_if_not(waiting_taps_, is_modifier);
     const auto end = key == waiting_taps_.end() ? key : key + 1;
-    const bool is_early =
-        std::any_of(waiting_taps_.begin(), end, [&](int tap) { return io.KeysDownDuration[tap] >= 0; });
+    // Nor does it expect a key before a menu that opens has its window.
+    const bool is_opening = has_menu_ && ImGui::GetCurrentContext()->OpenPopupStack.back().Window == nullptr;
+    const bool is_early = is_opening || std::any_of(waiting_taps_.begin(), end,
+                                                    [&](int tap) { return io.KeysDownDuration[tap] >= 0; });
     for (const int waiting : waiting_taps_) io.KeysDown[waiting] = false;
     if (!is_early) {
         for (auto tap = waiting_taps_.begin(); tap != end; ++tap) io.KeysDown[*tap] = true;

@@ -13,8 +13,8 @@ namespace interleaf {
 
 namespace {
 
-/// What Ctrl+Z would take back in the active widget is about the text that it had, and Dear ImGui does not see
-/// to that: in another text its places lie past the end.
+/// What Ctrl+Z would take back in the active widget, or the last one that was, is about the text that it had,
+/// and Dear ImGui does not see to that: in another text its places lie past the end.
 void forget_steps() {
     ImStb::StbUndoState& steps = ImGui::GetCurrentContext()->InputTextState.Stb.undostate;
     steps.undo_point = 0;
@@ -83,6 +83,7 @@ TextFieldResult TextField::show(const char* name, const char* hint, float width,
     // What was typed in the frame that set the text has led to it.
     if (!std::exchange(is_set_now_, false) && focused && !was_active_) take_early_letters();
     Edit edit{.field = *this, .completion = completion};
+    if (has_new_text_) forget_steps();  // before a Ctrl+Z that is down already
     // The callback may set the widget's text from text_, which the widget writes to.
     ImGui::SetNextItemWidth(width);
     TextFieldResult result;

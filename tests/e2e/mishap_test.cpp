@@ -102,6 +102,28 @@ TEST_CASE("what is typed while a button of the mouse is held beside the field is
     CHECK(state["document"]["keys"][1] == "abcd");
 }
 
+TEST_CASE("what is typed in one question cannot be taken back in the next") {
+    const RunningViewer viewer;
+    State state = viewer.state();
+    viewer.click(row_pixel(state, 1));
+    viewer.wait_for("a selected key", [](const State& s) { return s["selected"] == 1; });
+    viewer.press(XK_F2);
+    viewer.type("a long name");
+    viewer.press(XK_Return);
+    viewer.wait_for("another name", [](const State& s) { return s["document"]["keys"][1] == "a long name"; });
+    viewer.press(XK_z, XK_Control_L);
+    viewer.wait_for("its own", [](const State& s) { return s["document"]["keys"][1] == "bone"; });
+    viewer.press(XK_F2);
+    wait_for_question(viewer);
+    for (const KeyName key : {XK_z, XK_y, XK_z}) {
+        viewer.press(key, XK_Control_L);
+        check_alive(viewer);
+    }
+    viewer.press(XK_Return);
+    wait_for_no_question(viewer);
+    CHECK(viewer.state()["document"]["keys"][1] == "bone");
+}
+
 #ifndef INTERLEAF_SANITIZE
 TEST_CASE("where memory runs out the window goes on with what it had, which is put aside for recovery") {
     const TemporaryFolder home;
