@@ -32,12 +32,13 @@ namespace {
 enum ExitStatus { done = 0, input_at_fault = 1, command_line_at_fault = 2, machine_at_fault = 3 };
 
 constexpr const char* family_help =
-    "A family.json, its folder, an .ilh or .obj file, or a pattern such as 'flow.*.obj' for several; the "
-    "built-in five keys if left out";
+    "A family.json, its folder, an .ilh or .obj file, or for several a pattern such as 'flow.*.obj' or the "
+    "folder they are in; the built-in five keys if left out";
 
 constexpr const char* viewed_help =
     "A family.json, its folder, or .ilh or .obj files, several making a new family; a pattern such as "
-    "'flow.*.obj' stands for the files that match; or meshes to fit, .ply, .stl, .off, or .obj of different "
+    "'flow.*.obj' stands for the files that match, a folder for the keys or meshes in it; or meshes to fit, "
+    ".ply, .stl, .off, or .obj of different "
     "faces; the built-in five keys if left out";
 
 /// Help without what its readers need not know: the types of names, and which options exclude which.
@@ -377,6 +378,27 @@ void add_fit(CLI::App& program) {
         "  interleaf fit bunny.ply cow.obj --rotate x,90 --rotate x,0 -o bunny-and-cow");
 }
 
+/// `interleaf help [COMMAND]`: what --help says, of the program or of a command.
+void add_help(CLI::App& program) {
+    const auto name = std::make_shared<std::string>();
+    CLI::App* command = program.add_subcommand("help", "Say how a command is used");
+    command->add_option("COMMAND", *name, "Which; all of them, in short, if left out");
+    command->final_callback([name, &program] {
+        if (name->empty()) {
+            // App::help() would speak of the command in use.
+            const auto text =
+                program.get_formatter()->make_help(&program, program.get_name(), CLI::AppFormatMode::Normal);
+            fmt::print("{}", text);
+            return;
+        }
+        try {
+            fmt::print("{}", program.get_subcommand(*name)->help(program.get_name()));
+        } catch (const CLI::OptionNotFound&) {
+            throw UsageError(fmt::format("help: there is no command '{}'", *name));
+        }
+    });
+}
+
 /// `interleaf [FAMILY...]`: what is not a command is a family to view.
 void add_bare_view(CLI::App& program) {
     const auto options = std::make_shared<ViewOptions>();
@@ -404,6 +426,7 @@ ExitStatus run(CLI::App& program, int argument_count, const char* const* argumen
     add_make(program);
     add_family_command(program);
     add_fit(program);
+    add_help(program);
     add_bare_view(program);
     program.parse(argument_count, arguments);
     if (checked == CheckResult::unread) return machine_at_fault;

@@ -7,9 +7,12 @@
 #include <fmt/format.h>
 
 #include "app/builtin_family.h"
+#include "app/open_family.h"
+#include "app/save_folder.h"
 #include "app/user_folders.h"
 #include "hierarchy/error.h"
 #include "io/family_file.h"
+#include "ui/typed_path.h"
 
 namespace interleaf {
 
@@ -23,6 +26,10 @@ constexpr double look_interval = 2;
 std::vector<fs::path> watched_files(const std::vector<fs::path>& sources) {
     std::vector<fs::path> files;
     for (const fs::path& source : sources) {
+        if (const auto inside = files_in_folder(source); !inside.empty()) {
+            files.insert(files.end(), inside.begin(), inside.end());
+            continue;
+        }
         std::error_code ignored;
         files.push_back(fs::is_directory(source, ignored) ? source / "family.json" : source);
         try {
@@ -45,9 +52,11 @@ std::string folder_name(std::string name) {
 
 std::optional<fs::path> family_folder(const std::vector<fs::path>& sources) {
     if (sources.size() != 1) return std::nullopt;
-    std::error_code ignored;
-    if (fs::is_directory(sources.front(), ignored)) return fs::absolute(sources.front());
-    if (sources.front().filename() == "family.json") return fs::absolute(sources.front()).parent_path();
+    std::error_code error;
+    const fs::path source = fs::absolute(sources.front(), error).lexically_normal();
+    if (error) return std::nullopt;  // relative to a folder that is gone
+    if (is_family_folder(source)) return source.has_filename() ? source : source.parent_path();
+    if (source.filename() == "family.json" && !fs::is_directory(source, error)) return source.parent_path();
     return std::nullopt;
 }
 
@@ -126,12 +135,16 @@ void DocumentFiles::look_after(double now) {
         recovery_->look_after(state_.document, state_.is_dragging, now);
         if (const auto error = recovery_->take_error()) complain(*error);
     }
-    // A message that is there is not replaced: the change is told once it has been read. What is being saved
+    // A fault that is told is not replaced: the change is told once it has been read. What is being saved
     // changes files itself.
-    if (now - looked_ < look_interval || !state_.message.empty() || saving_) return;
+    if (now - looked_ < look_interval || state_.message.is_fault() || saving_) return;
     looked_ = now;
     if (const auto file = stamps_.take_changed())
         complain(fmt::format("{} has changed on disk: Ctrl+R reads it again", file->string()));
+}
+
+void DocumentFiles::keep_unsaved() {
+    if (recovery_) recovery_->keep(state_.document);
 }
 
 void DocumentFiles::remember_window(glm::ivec2 size) {
@@ -151,7 +164,7 @@ void DocumentFiles::browse(FileRequest request, std::function<void(const FileCho
     if (browser_.is_open()) return;
     request.places.push_back({"Built-in families", builtin_family_folder().parent_path()});
     request.recent_folders = settings_.recent_folders;
-    request.folder = settings_.last_folder;
+    if (request.folder.empty()) request.folder = settings_.last_folder;
     on_choice_ = std::move(answer);
     browser_.open(std::move(request));
 }
@@ -207,6 +220,12 @@ void DocumentFiles::save_as(Action next) {
     request.purpose = FilePurpose::save_folder;
     request.types = openable_types();
     request.name = folder_name(state_.document.family().name);
+    std::error_code ignored;
+    const fs::path folder = folder_to_save_in({.document = state_.document.folder(),
+                                               .last = settings_.last_folder,
+                                               .current = fs::current_path(ignored),
+                                               .builtin = builtin_family_folder().parent_path()});
+    request.folder = folder.empty() ? home_folder() : folder;
     browse(std::move(request),
            [this, next = std::move(next)](const FileChoice& choice) { write(choice.files.front(), next); });
 }
@@ -277,7 +296,7 @@ void DocumentFiles::recover() {
 }
 
 void DocumentFiles::remember(const fs::path& path) {
-    change_settings([&](Settings& settings) { interleaf::remember(settings.recent_files, path); });
+    change_settings([&](Settings& settings) { remember_document(settings.recent_files, path); });
 }
 
 void DocumentFiles::change_settings(const std::function<void(Settings&)>& change) {
@@ -291,7 +310,7 @@ void DocumentFiles::change_settings(const std::function<void(Settings&)>& change
 }
 
 void DocumentFiles::complain(const std::string& text) {
-    state_.message = {text, nullptr};
+    state_.message = {text};
 }
 
 void DocumentFiles::complain(const std::runtime_error& error) {

@@ -65,6 +65,9 @@ class DocumentFiles {
     /// Writes the autosave and looks for changes on disk, when it is time to; call it in every frame.
     void look_after(double now);
 
+    /// Writes what is not saved into the autosave at once; without waiting for the disk.
+    void keep_unsaved();
+
     /// Of the window when the program ended last, screen coordinates.
     std::optional<glm::ivec2> window_size() const { return settings_.window_size; }
     void remember_window(glm::ivec2 size);
@@ -86,9 +89,9 @@ class DocumentFiles {
     void browse(FileRequest request, std::function<void(const FileChoice&)> answer);
     void browse_to_open();
     void browse_to_add();
-    void read_or_fit(const std::vector<std::filesystem::path>& files,
-                     const std::function<void(Family)>& receiver,
-                     const std::function<void(const std::string&)>& fit);
+    using Fit = std::function<void(const std::vector<std::filesystem::path>& meshes, const std::string& why)>;
+    void read_or_fit(const std::vector<std::filesystem::path>& paths,
+                     const std::function<void(Family)>& receiver, const Fit& fit);
     void reopen();
     void offer_to_add(const std::vector<std::filesystem::path>& meshes, const std::string& reason);
     void open_fitted(const std::vector<std::filesystem::path>& meshes, const FittedMeshes& fitted);

@@ -23,6 +23,9 @@ FileRequest request_to_open(std::string title, std::string action, std::vector<F
     request.action = std::move(action);
     request.several = true;
     request.types = std::move(types);
+    request.opens_folder = [](const fs::path& folder) {
+        return is_family_folder(folder) || !files_in_folder(folder).empty();
+    };
     return request;
 }
 
@@ -46,16 +49,17 @@ void DocumentFiles::browse_to_add() {
            [this](const FileChoice& choice) { add_keys(choice.files, now_); });
 }
 
-/// Gives \p receiver the family that \p files hold; meshes that are no keys as they are go to \p fit, with
-/// the reason where it is not their kind.
-void DocumentFiles::read_or_fit(const std::vector<fs::path>& files,
-                                const std::function<void(Family)>& receiver,
-                                const std::function<void(const std::string&)>& fit) {
-    if (are_surfaces(files)) return fit("");
+/// Gives \p receiver the family that \p paths stand for; meshes that are no keys as they are go to \p fit,
+/// with the reason where it is not their kind.
+void DocumentFiles::read_or_fit(const std::vector<fs::path>& paths,
+                                const std::function<void(Family)>& receiver, const Fit& fit) {
+    std::vector<fs::path> files;
     try {
+        files = files_of(paths);
+        if (are_surfaces(files)) return fit(files, "");
         receiver(open_family(files));
     } catch (const InputError& error) {
-        if (files.size() > 1 && are_obj_files(files)) return fit(error.what());
+        if (files.size() > 1 && are_obj_files(files)) return fit(files, error.what());
         complain(error);
     } catch (const std::runtime_error& error) {
         complain(error);
@@ -70,9 +74,9 @@ void DocumentFiles::open(std::vector<fs::path> files) {
                 replace_document(std::move(family), files);
                 remember(files.front());
             },
-            [&](const std::string& reason) {
-                fitting_.offer({files, reason, {}},
-                               [this, files](const FittedMeshes& fitted) { open_fitted(files, fitted); });
+            [&](const std::vector<fs::path>& meshes, const std::string& reason) {
+                fitting_.offer({meshes, reason, {}},
+                               [this, meshes](const FittedMeshes& fitted) { open_fitted(meshes, fitted); });
             });
     });
 }
@@ -90,16 +94,18 @@ void DocumentFiles::reopen() {
 
 /// An .obj is a key as it is, but one over the family's roots only once it has been fitted.
 void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
-    const auto offer = [&](const std::string& reason) { offer_to_add(files, reason); };
     read_or_fit(
         files,
         [&](Family family) {
             const auto before = state_.document.snapshot();
             interleaf::add_keys(state_, std::move(family.keys), family.origin, now);
-            if (state_.document.snapshot() == before && are_obj_files(files))
-                offer(std::exchange(state_.message, {}).text);
+            if (state_.document.snapshot() != before) return;
+            const std::vector<fs::path> read = files_of(files);
+            if (are_obj_files(read)) offer_to_add(read, std::exchange(state_.message, {}).text);
         },
-        offer);
+        [this](const std::vector<fs::path>& meshes, const std::string& reason) {
+            offer_to_add(meshes, reason);
+        });
 }
 
 /// Keys for the document are fitted over its roots.
@@ -149,7 +155,7 @@ void DocumentFiles::tell_fit(const FittedMeshes& fitted) {
                             in_words(each.comparison->quality));
     if (compared.size() > most_lines) text += fmt::format("\nAnd {} more.", compared.size() - most_lines);
     for (const std::string& warning : fitted.warnings) text += "\n" + warning;
-    state_.message = {std::move(text), nullptr};
+    state_.message = {.text = std::move(text), .kind = MessageKind::notice, .seen = now_};
 }
 
 }  // namespace interleaf

@@ -48,6 +48,12 @@ void DocumentRecovery::look_after(const Document& document, bool is_dragging, do
     }
 }
 
+void DocumentRecovery::keep(const Document& document) {
+    if (!document.is_changed()) return;
+    autosaved_ = document.snapshot();
+    autosave_.write(autosaved_, document.folder().value_or(std::filesystem::path()));
+}
+
 void DocumentRecovery::forget(const Document& document) {
     autosaved_ = document.snapshot();
     autosave_.clear();

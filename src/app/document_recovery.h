@@ -40,6 +40,9 @@ class DocumentRecovery {
     /// take_error(). \param is_dragging  whether its present state is about to be replaced
     void look_after(const Document& document, bool is_dragging, double now);
 
+    /// Autosaves \p document at once, if it is not saved: something has gone wrong.
+    void keep(const Document& document);
+
     /// Nothing in \p document is worth recovering any more: it has been saved, or its changes are not wanted.
     void forget(const Document& document);
 

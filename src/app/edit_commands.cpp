@@ -1,12 +1,12 @@
 #include "app/edit_commands.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "app/typed_number.h"
 #include "family/domain_edits.h"
 #include "family/key_edits.h"
 #include "family/new_family.h"
@@ -47,16 +47,18 @@ void change_document(ViewerState& state, double now, Change change) {
     state.session.replace_family(state.document.snapshot(), now);
 }
 
-std::optional<double> number_in(const std::string& text) {
-    double number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number))
-        return std::nullopt;
-    return number;
+std::optional<double> time_in(const std::string& text) {
+    const std::optional<double> time = typed_number<double>(text);
+    return time && std::isfinite(*time) ? time : std::nullopt;
+}
+
+/// Without the digits of rounding: 1.39 and not 1.3900000000000001.
+std::string time_text(double time) {
+    return fmt::format("{:.10g}", time);
 }
 
 std::string fault_of_time(const std::string& text) {
-    return number_in(text) ? "" : "a number of seconds, such as 2.5";
+    return time_in(text) ? "" : "a number of seconds, such as 2.5";
 }
 
 }  // namespace
@@ -212,11 +214,11 @@ void ask_for_new_time(ViewerState& state) {
     const auto& timeline = state.document.family().timeline;
     state.question = TextQuestion{
         .text = fmt::format("When shall {} be on the timeline, in seconds?", name_of(state, key)),
-        .entry = fmt::format("{:g}", timeline ? timeline->end() + 1 : 0),
+        .entry = time_text(timeline ? timeline->end() + 1 : 0),
         .button = "Put there",
         .fault = fault_of_time,
         .answer = [key](ViewerState& changed, const std::string& text, double now) {
-            add_time(changed, key, number_in(text).value_or(0), now);
+            add_time(changed, key, time_in(text).value_or(0), now);
         }};
 }
 
@@ -225,11 +227,12 @@ void ask_for_time(ViewerState& state, std::size_t place) {
     const std::string name = name_of(state, entry.key);
     state.question =
         TextQuestion{.text = fmt::format("When shall {} be on the timeline, in seconds?", name),
-                     .entry = fmt::format("{}", entry.time),
+                     .entry = time_text(entry.time),
                      .button = "Set",
                      .fault = fault_of_time,
                      .answer = [=](ViewerState& changed, const std::string& text, double now) {
-                         const double time = number_in(text).value_or(entry.time);
+                         if (text == time_text(entry.time)) return;  // though it may be rounded
+                         const double time = time_in(text).value_or(entry.time);
                          if (time == entry.time) return;
                          edit(
                              changed, fmt::format("Set the time of {}", name),

@@ -1,6 +1,5 @@
 #include "app/fit_choices.h"
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -8,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "app/axis_turn.h"
+#include "app/typed_number.h"
 
 namespace interleaf {
 
@@ -18,17 +18,8 @@ constexpr double least_percent = 0.001;
 constexpr double most_percent = 100;
 constexpr double most_degrees = 360;
 
-/// The whole of \p text as a number, or nothing.
-template <class Number>
-std::optional<Number> number(const std::string& text) {
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return {};
-    return value;
-}
-
 std::optional<double> degrees_of(const FitChoices::Turn& turn) {
-    const std::optional<double> degrees = number<double>(turn.degrees);
+    const std::optional<double> degrees = typed_number<double>(turn.degrees);
     if (!degrees || !(std::abs(*degrees) <= most_degrees)) return {};
     return degrees;
 }
@@ -38,12 +29,12 @@ std::optional<double> degrees_of(const FitChoices::Turn& turn) {
 std::string fault_of(const FitChoices& choices, const SphereRoots& roots,
                      const std::vector<std::string>& names) {
     if (choices.by_tolerance) {
-        const std::optional<double> percent = number<double>(choices.tolerance);
+        const std::optional<double> percent = typed_number<double>(choices.tolerance);
         if (!percent || !(*percent >= least_percent && *percent <= most_percent))
             return fmt::format("Tolerance: expected {} to {} % of the box diagonal", least_percent,
                                most_percent);
     } else {
-        const std::optional<Index> leaves = number<Index>(choices.leaves);
+        const std::optional<Index> leaves = typed_count(choices.leaves);
         const Index least = roots.complex.triangle_count();
         if (!leaves || *leaves < least || *leaves > most_leaves)
             return fmt::format("Leaves: expected {}, the number of roots, to {}", least, most_leaves);
@@ -58,9 +49,9 @@ FitOptions fit_options(const FitChoices& choices, const SphereRoots& roots) {
     FitOptions options{
         .roots = roots, .keep_largest = choices.keep_largest, .fill_holes = choices.fill_holes};
     if (choices.by_tolerance)
-        options.tolerance = *number<double>(choices.tolerance) / 100;
+        options.tolerance = *typed_number<double>(choices.tolerance) / 100;
     else
-        options.leaves = number<Index>(choices.leaves);
+        options.leaves = typed_count(choices.leaves);
     return options;
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "app/message.h"
 #include "app/tile_places.h"
 #include "ui/file_name.h"
 #include "ui/number_text.h"
@@ -185,7 +186,7 @@ std::optional<std::string> MeshFitting::show_work(const Rect& area, double now) 
         return std::nullopt;
     } catch (const std::exception& error) {
         job_.reset();
-        return error.what();
+        return cause_of(error);
     }
     job_.reset();
     receiver(std::move(fitted));

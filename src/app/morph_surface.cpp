@@ -9,6 +9,17 @@
 
 namespace interleaf {
 
+namespace {
+
+std::vector<std::string> names_of(const Family& family, const std::vector<std::size_t>& keys) {
+    std::vector<std::string> names;
+    names.reserve(keys.size());
+    for (const std::size_t key : keys) names.push_back(family.keys[key].name);
+    return names;
+}
+
+}  // namespace
+
 void MorphSurface::update(const Family& family, const Weights& weights, const FieldName* field) {
     std::vector<std::size_t> keys = active_keys(weights);
     std::vector<SharedHierarchy> hierarchies;
@@ -17,7 +28,10 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
     const bool is_same = keys == figures_.keys &&
                          std::ranges::equal(hierarchies, hierarchies_,
                                             [](const auto& a, const auto& b) { return a.is_same(b); });
-    if (is_same) return update_field(family, weights, field);
+    if (is_same) {
+        figures_.key_names = names_of(family, keys);
+        return update_field(family, weights, field);
+    }
 
     const auto start = std::chrono::steady_clock::now();
     unite(family, weights, mesh_);
@@ -26,7 +40,9 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
     const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
 
     hierarchies_ = std::move(hierarchies);
+    std::vector<std::string> names = names_of(family, keys);
     figures_ = {.keys = std::move(keys),
+                .key_names = std::move(names),
                 .leaves = mesh_.leaf_count(),
                 .vertices = mesh_.vertex_count(),
                 .levels = renderer_.levels(),
@@ -39,13 +55,15 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
 }
 
 void MorphSurface::update_field(const Family& family, const Weights& weights, const FieldName* field) {
+    figures_.key_without_field.reset();
+    if (field != nullptr)
+        if (const auto key = key_without(family, weights, *field))
+            figures_.key_without_field = family.keys[*key].name;
     if (field == nullptr ? !wanted_field_ : wanted_field_ == *field) return;
     mesh_.fields.clear();
     wanted_field_.reset();
-    figures_.key_without_field.reset();
     if (field != nullptr) {
         wanted_field_ = *field;
-        figures_.key_without_field = key_without(family, weights, *field);
         if (!figures_.key_without_field) mesh_.fields.push_back(united_field(family, weights, mesh_, *field));
     }
     renderer_.set_field(mesh_.fields.empty() ? nullptr : &mesh_.fields.front());

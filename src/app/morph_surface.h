@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -13,16 +14,18 @@
 
 namespace interleaf {
 
-/// What is known about the union that is shown.
+/// What is known about the union that is shown, all of one state of the family. Keys have their names here,
+/// since the family may have changed by the time that this is read.
 struct SurfaceFigures {
-    std::vector<std::size_t> keys;  ///< active, as indices of the family
+    std::vector<std::size_t> keys;       ///< active, as indices of the family
+    std::vector<std::string> key_names;  ///< of these, in their order
     std::size_t leaves = 0;
     std::size_t vertices = 0;
     LevelRange levels;
     std::vector<KeySet> origins;  ///< the sets of active keys that occur
     std::size_t rebuilds = 0;
     double rebuild_milliseconds = 0;               ///< of the last one: union, normal products, upload
-    std::optional<std::size_t> key_without_field;  ///< an active key that lacks the field that is shown
+    std::optional<std::string> key_without_field;  ///< an active key that lacks the field that is shown
 };
 
 class MorphSurface {

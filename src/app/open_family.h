@@ -10,10 +10,17 @@
 
 namespace interleaf {
 
+/// Whether \p path is a folder with a family.json.
+bool is_family_folder(const std::filesystem::path& path);
+
+/// The files that a folder without family.json stands for, in their natural order: its keys, .ilh, or where
+/// it has none its meshes. None for a family's folder, and for what is no folder.
+std::vector<std::filesystem::path> files_in_folder(const std::filesystem::path& path);
+
 /// The files that \p paths stand for: a pattern such as flow.*.obj for the files that match it in their
-/// natural order (file_pattern.h), another path for itself. Several that differ only in numbers are put in
-/// natural order, too; others stay in the given order. \throw InputError, MachineError as matching_files();
-/// InputError for a file that is not there
+/// natural order (file_pattern.h), a folder of keys or meshes for these, another path for itself. Several
+/// that differ only in numbers are put in natural order, too; others stay in the given order. \throw
+/// InputError, MachineError as matching_files(); InputError for a file that is not there
 std::vector<std::filesystem::path> files_of(std::span<const std::filesystem::path> paths);
 
 /// Opens the built-in family without \p paths, a family as read_family() takes it, or several .ilh and .obj

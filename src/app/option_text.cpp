@@ -1,6 +1,5 @@
 #include "app/option_text.h"
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -8,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "app/typed_number.h"
 #include "hierarchy/error.h"
 
 namespace interleaf {
@@ -25,20 +25,11 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     }
 }
 
-/// The whole of \p text as a number, or nothing.
-template <class Number>
-std::optional<Number> number(std::string_view text) {
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return {};
-    return value;
-}
-
 /// As many finite numbers as there are, separated by commas; nothing when one of them is not.
 std::optional<std::vector<double>> numbers(std::string_view text) {
     std::vector<double> values;
     for (const std::string_view part : split(text, ',')) {
-        const std::optional<double> value = number<double>(part);
+        const std::optional<double> value = typed_number<double>(part);
         if (!value || !std::isfinite(*value)) return {};
         values.push_back(*value);
     }
@@ -58,13 +49,13 @@ double parse_number(std::string_view text) {
 }
 
 Index parse_count(std::string_view text) {
-    const std::optional<Index> count = number<Index>(text);
+    const std::optional<Index> count = typed_count(text);
     if (!count) expected("a whole number", text);
     return *count;
 }
 
 unsigned parse_bits(std::string_view text) {
-    const unsigned bits = number<unsigned>(text).value_or(0);
+    const unsigned bits = typed_number<unsigned>(text).value_or(0);
     if (bits < 8 || bits > 24) expected("a whole number from 8 to 24", text);
     return bits;
 }
@@ -80,7 +71,7 @@ std::vector<NamedWeight> parse_weights(std::string_view text) {
     for (const std::string_view part : split(text, ',')) {
         const std::size_t equals = part.rfind('=');
         if (equals == std::string_view::npos) expected("NAME=WEIGHT,...", text);
-        const std::optional<double> value = number<double>(part.substr(equals + 1));
+        const std::optional<double> value = typed_number<double>(part.substr(equals + 1));
         if (!value || !std::isfinite(*value)) expected("NAME=WEIGHT,...", text);
         weights.push_back({std::string(part.substr(0, equals)), *value});
     }
@@ -89,7 +80,9 @@ std::vector<NamedWeight> parse_weights(std::string_view text) {
 
 PictureSize parse_size(std::string_view text) {
     const std::vector<std::string_view> sides = split(text, 'x');
-    const auto side = [&](std::size_t i) { return i < sides.size() ? number<int>(sides[i]).value_or(0) : 0; };
+    const auto side = [&](std::size_t i) {
+        return i < sides.size() ? typed_number<int>(sides[i]).value_or(0) : 0;
+    };
     const auto is_allowed = [](int length) { return length >= 1 && length <= largest_side; };
     if (sides.size() != 2 || !is_allowed(side(0)) || !is_allowed(side(1))) {
         expected(fmt::format("WIDTHxHEIGHT with sides from 1 to {}", largest_side), text);
@@ -113,7 +106,7 @@ AxisTurn parse_axis_turn(std::string_view text) {
     constexpr std::string_view axes = "xyz";
     const std::vector<std::string_view> parts = split(text, ',');
     const std::size_t axis = parts[0].size() == 1 ? axes.find(parts[0]) : std::string_view::npos;
-    const std::optional<double> degrees = parts.size() == 2 ? number<double>(parts[1]) : std::nullopt;
+    const std::optional<double> degrees = parts.size() == 2 ? typed_number<double>(parts[1]) : std::nullopt;
     if (axis == std::string_view::npos || !degrees || !(std::abs(*degrees) <= 360))
         expected("AXIS,DEGREES with the axis x, y or z, from -360 to 360 degrees", text);
     return {static_cast<int>(axis), *degrees};

@@ -18,7 +18,7 @@ namespace interleaf {
 /// One finite number, "-0.5".
 double parse_number(std::string_view text);
 
-/// A number of things, "20000".
+/// A number of things, "20000" or "2e4".
 Index parse_count(std::string_view text);
 
 /// Bits of a rounded coordinate, 8 to 24.

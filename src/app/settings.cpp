@@ -67,6 +67,21 @@ std::string settings_text(const Settings& settings) {
     return document.dump(2) + "\n";
 }
 
+/// A folder may be called so, too.
+bool is_family_file(const fs::path& path) {
+    std::error_code ignored;
+    return path.filename() == "family.json" && !fs::is_directory(path, ignored);
+}
+
+/// Where the document that is remembered as \p path really lies.
+fs::path place_of(const fs::path& path) {
+    std::error_code error;
+    fs::path place = fs::weakly_canonical(path, error);
+    if (error) place = path.lexically_normal();
+    if (!place.has_filename()) place = place.parent_path();
+    return is_family_file(place) ? place.parent_path() : place;
+}
+
 /// What to say after \p fault has been found in \p file, which is kept under another name.
 std::string keep_damaged(const fs::path& file, std::string_view fault) {
     fs::path kept = file;
@@ -82,11 +97,22 @@ std::string keep_damaged(const fs::path& file, std::string_view fault) {
 
 void remember(std::vector<fs::path>& recent, const fs::path& path) {
     std::error_code error;
-    const fs::path whole = fs::absolute(path, error).lexically_normal();
-    if (error) return;  // relative to a folder that is gone
+    fs::path whole = fs::absolute(path, error).lexically_normal();
+    if (error) return;                                       // relative to a folder that is gone
+    if (!whole.has_filename()) whole = whole.parent_path();  // it ends with a '/'
     std::erase(recent, whole);
     recent.insert(recent.begin(), whole);
     if (recent.size() > most_recent_paths) recent.resize(most_recent_paths);
+}
+
+void remember_document(std::vector<fs::path>& recent, const fs::path& path) {
+    std::error_code error;
+    const fs::path whole = fs::absolute(path, error).lexically_normal();
+    if (error) return;
+    const fs::path document = is_family_file(whole) ? whole.parent_path() : whole;
+    const fs::path place = place_of(document);
+    std::erase_if(recent, [&](const fs::path& other) { return place_of(other) == place; });
+    remember(recent, document);
 }
 
 Settings parse_settings(std::string_view json, std::string_view name) {

@@ -29,6 +29,10 @@ inline constexpr std::size_t most_recent_paths = 12;
 /// Puts \p path in front of \p recent, made absolute, and drops what is too old.
 void remember(std::vector<std::filesystem::path>& recent, const std::filesystem::path& path);
 
+/// The same for a document: a family.json is remembered as its folder, and of paths that lead to the same
+/// place, as through a link, only the latest is kept.
+void remember_document(std::vector<std::filesystem::path>& recent, const std::filesystem::path& path);
+
 /// The settings in \p json; \p name stands for the file in messages. Members it does not know are passed
 /// over. \throw InputError naming the place and what was expected
 Settings parse_settings(std::string_view json, std::string_view name);

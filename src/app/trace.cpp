@@ -129,6 +129,7 @@ void Trace::record(std::size_t frame, double seconds, const ViewerState& state, 
     json["compared"] = state.compared ? Json(state.compared->mesh_name) : Json();
     json["offer"] = places.offer != nullptr ? json_of(*places.offer) : Json();
     json["message"] = state.message.text;
+    json["notice"] = !state.message.empty() && !state.message.is_fault();
     json["window"] = {places.window.x, places.window.y};
     json["pointer"] = {places.pointer.x, places.pointer.y};
     json["button_down"] = places.button_down;

@@ -20,6 +20,7 @@
 #include "app/comparison_view.h"
 #include "app/document_files.h"
 #include "app/document_panels.h"
+#include "app/document_title.h"
 #include "app/edit_commands.h"
 #include "app/key_portraits.h"
 #include "app/mismatch_pictures.h"
@@ -63,13 +64,6 @@ constexpr double longest_wait = 1;
 /// How often it is shown how far work is; seconds.
 constexpr double work_interval = 0.05;
 
-std::vector<std::string> key_names(const Family& family) {
-    std::vector<std::string> names;
-    names.reserve(family.keys.size());
-    for (const Key& key : family.keys) names.push_back(key.name);
-    return names;
-}
-
 std::vector<MenuEntry> entries_of(const ViewerState& state) {
     std::vector<MenuEntry> entries;
     for (const Command& command : commands()) entries.push_back(menu_entry(command, state));
@@ -82,10 +76,6 @@ Submenu recent_menu(const DocumentFiles& files) {
     return menu;
 }
 
-std::string title_of(const Document& document) {
-    return fmt::format("{}{}", document.is_changed() ? "\u2022 " : "", document.family().name);
-}
-
 class Viewer {
   public:
     /// \param meshes  to fit, as soon as nothing else is asked
@@ -94,12 +84,16 @@ class Viewer {
     void run();
 
   private:
+    void outlive(const std::exception& error);
+    void record();
     void wait();
     void frame();
     void read_input(double now);
     void take_drop(double now);
     void follow_document();
+    void update_surface();
     void show_panels(double now);
+    void show_message(double now);
     void show_comparison(const Rect& area);
     void show_document(float menu_height, double now);
     void show_keys_and_display(double now);
@@ -118,7 +112,6 @@ class Viewer {
     DocumentFiles files_;
     std::shared_ptr<const Family> followed_;  ///< the document's state that all below is about
     std::string title_;
-    std::vector<std::string> key_names_;
     std::vector<FamilyField> fields_;
     Gui gui_;
     MorphSurface surface_;
@@ -161,15 +154,42 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
 }
 
 void Viewer::run() {
+    bool has_failed = false;  // the frame before
     while (!state_.quit_wanted) {
         wait();
-        frame();
+        try {
+            frame();
+            has_failed = false;
+        } catch (const std::exception& error) {
+            if (std::exchange(has_failed, true) || picture_file_) throw;
+            outlive(error);
+        }
+        record();
         if (glfwWindowShouldClose(window_.handle()) == GLFW_FALSE) continue;
         glfwSetWindowShouldClose(window_.handle(), GLFW_FALSE);
         files_.grant(FileWish::quit);
         settling_ = settling_frames;
     }
     files_.remember_window(places_.window);
+}
+
+/// What was asked for has failed where nothing was prepared for it. What is not saved must not be lost by
+/// that.
+void Viewer::outlive(const std::exception& error) {
+    files_.keep_unsaved();
+    gui_.abandon_frame();
+    state_.is_dragging = false;
+    const auto present = state_.document.snapshot();
+    if (&state_.session.family() != present.get()) state_.session.replace_family(present, glfwGetTime());
+    if (state_.selected_key && *state_.selected_key >= present->keys.size()) state_.selected_key.reset();
+    state_.message = message_of_mishap(error);
+    settling_ = settling_frames;
+}
+
+void Viewer::record() {
+    if (trace_ && frame_ > 0)
+        trace_->record(frame_, glfwGetTime(), state_, surface_.figures(),
+                       shows_comparison_ ? comparison_.eye() : camera_.eye(), places_);
 }
 
 void Viewer::wait() {
@@ -218,9 +238,7 @@ void Viewer::frame() {
     places_.browsed = files_.browsed();
     places_.offer = files_.fitting().offered();
     follow_document();
-    fit_display(state_.session.display, fields_);
-    const FamilyField* const field = shown();
-    surface_.update(state_.session.family(), state_.session.weights(), field ? &field->label : nullptr);
+    update_surface();
     if (state_.is_comparing != shows_comparison_) settling_ = settling_frames;
     if (shows_comparison_) {
         if (!comparison_.draw(state_.session.display, gui_, places_.window.y))
@@ -238,15 +256,12 @@ void Viewer::frame() {
     frame_milliseconds_ = 1000 * (glfwGetTime() - now);
     if (state_.session.is_playing() || gui_.has_input()) settling_ = settling_frames;
     ++frame_;
-    if (trace_)
-        trace_->record(frame_, glfwGetTime(), state_, surface_.figures(),
-                       shows_comparison_ ? comparison_.eye() : camera_.eye(), places_);
 }
 
 void Viewer::read_input(double now) {
     if (!meshes_.empty() && !files_.is_asking()) files_.open(std::exchange(meshes_, {}));
     take_drop(now);
-    if (gui_.takes_text() || files_.is_asking()) input_.pressed.clear();
+    if (gui_.takes_text() || gui_.has_menu() || files_.is_asking()) input_.pressed.clear();
     for (const Shortcut shortcut : std::exchange(input_.pressed, {}))
         run_command(*find_command(shortcut), state_, now);
     follow_document();
@@ -286,9 +301,15 @@ void Viewer::follow_document() {
     if (state_.document.snapshot() == followed_) return;
     followed_ = state_.document.snapshot();
     portraits_.update(family());
-    key_names_ = key_names(family());
     fields_ = fields_of(family().keys);
+    update_surface();
     settling_ = settling_frames;
+}
+
+void Viewer::update_surface() {
+    fit_display(state_.session.display, fields_);
+    const FamilyField* const field = shown();
+    surface_.update(state_.session.family(), state_.session.weights(), field ? &field->label : nullptr);
 }
 
 void Viewer::show_panels(double now) {
@@ -302,14 +323,26 @@ void Viewer::show_panels(double now) {
     else
         show_document(menu.height, now);
     help_overlay(entries, below_menu, state_.help_shown);
-    if (message_panel(state_.message.text, mismatch_pictures_.shown(), places_.view)) state_.message.clear();
+    show_message(now);
     if (menu.chosen) run_command(commands()[*menu.chosen], state_, now);
     if (menu.chosen_item) files_.open({files_.recent_files()[*menu.chosen_item]});
     files_.show(below_menu, gui_.density(), now);
 }
 
+void Viewer::show_message(double now) {
+    Message& message = state_.message;
+    if (is_over(message, now)) message.clear();
+    if (message.is_fault()) {
+        if (message_panel(message.text, mismatch_pictures_.shown(), places_.view)) message.clear();
+        return;
+    }
+    const NoticeResult notice = notice_panel(message.text, places_.view);
+    if (notice.pointed_at) message.seen = now;
+    if (notice.dismissed) message.clear();
+}
+
 void Viewer::show_comparison(const Rect& area) {
-    comparison_.show(state_, area, camera_, !is_asking_ && !gui_.takes_text());
+    comparison_.show(state_, area, camera_, !is_asking_ && !gui_.takes_text() && !gui_.has_menu());
     places_.view = area;
     pointed_at_view_ = false;
     keys_in_sight_ = {};
@@ -357,9 +390,9 @@ void Viewer::show_keys_and_display(double now) {
     display_panel(state_.session.display, {.levels = figures.levels,
                                            .origins = figures.origins,
                                            .active_keys = figures.keys,
+                                           .active_names = figures.key_names,
                                            .fields = fields_,
-                                           .key_without_field = figures.key_without_field,
-                                           .key_names = key_names_});
+                                           .key_without_field = figures.key_without_field});
 }
 
 void Viewer::move_camera(const ViewInput& input) {

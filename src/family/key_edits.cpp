@@ -21,8 +21,8 @@ void set_times(Family& family, std::vector<TimelineKey> keys) {
     std::ranges::stable_sort(keys, {}, &TimelineKey::time);
     const auto same = std::ranges::adjacent_find(keys, {}, &TimelineKey::time);
     if (same != keys.end())
-        throw InputError(
-            fmt::format("at {} s there is the key \"{}\" already", same->time, family.keys[same->key].name));
+        throw InputError(fmt::format("at {:.10g} s there is the key \"{}\" already", same->time,
+                                     family.keys[same->key].name));
     family.timeline.reset();
     if (!keys.empty()) family.timeline.emplace(std::move(keys));
 }

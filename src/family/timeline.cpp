@@ -23,7 +23,7 @@ Timeline::Timeline(std::vector<TimelineKey> keys) : keys_(std::move(keys)) {
     }
     if (!std::isfinite(end() - begin())) {
         throw InputError(
-            fmt::format("the times of the timeline, {} to {}, are too far apart", begin(), end()));
+            fmt::format("the times of the timeline, {:.10g} to {:.10g}, are too far apart", begin(), end()));
     }
 }
 

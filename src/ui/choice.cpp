@@ -6,6 +6,12 @@
 
 namespace interleaf {
 
+namespace {
+
+constexpr ImU32 chosen_hovered = IM_COL32(66, 118, 184, 255);
+
+}  // namespace
+
 std::size_t choice(const char* name, std::span<const char* const> labels, std::size_t chosen, float width) {
     ImGui::PushID(name);
     ImGui::BeginGroup();
@@ -15,10 +21,13 @@ std::size_t choice(const char* name, std::span<const char* const> labels, std::s
     std::size_t now = chosen;
     for (std::size_t i = 0; i < labels.size(); ++i) {
         if (i > 0) ImGui::SameLine(0, gap);
-        if (i == chosen)
+        if (i == chosen) {
+            // Under the pointer, too: it must not look like one that is not chosen.
             ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+            ImGui::PushStyleColor(ImGuiCol_ButtonHovered, chosen_hovered);
+        }
         if (ImGui::Button(labels[i], {button, 0})) now = i;
-        if (i == chosen) ImGui::PopStyleColor();
+        if (i == chosen) ImGui::PopStyleColor(2);
     }
     ImGui::EndGroup();
     ImGui::PopID();

@@ -46,10 +46,10 @@ void level_legend(LevelRange levels) {
 
 std::string origin_name(KeySet origin, const Legend& legend) {
     std::string name;
-    for (std::size_t i = 0; i < legend.active_keys.size(); ++i) {
+    for (std::size_t i = 0; i < legend.active_names.size(); ++i) {
         if ((origin & key_bit(i)) == 0) continue;
         if (!name.empty()) name += " + ";
-        name += legend.key_names[legend.active_keys[i]];
+        name += legend.active_names[i];
     }
     return name;
 }
@@ -95,8 +95,7 @@ void display_panel(Display& display, const Legend& legend) {
     if (display.coloring == Coloring::level) level_legend(legend.levels);
     if (display.coloring == Coloring::origin) origin_legend(legend);
     if (display.coloring == Coloring::field)
-        field_panel(display, legend.fields,
-                    legend.key_without_field ? legend.key_names[*legend.key_without_field] : "");
+        field_panel(display, legend.fields, legend.key_without_field.value_or(""));
 }
 
 }  // namespace interleaf

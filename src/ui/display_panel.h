@@ -18,9 +18,9 @@ struct Legend {
     std::span<const KeySet> origins;  ///< that occur
     std::span<const std::size_t>
         active_keys;  ///< the keys that the bits of origins mean, as indices of the family
+    std::span<const std::string> active_names;     ///< of these, in their order
     std::span<const FamilyField> fields;           ///< of the family
-    std::optional<std::size_t> key_without_field;  ///< an active key that lacks the one that is shown
-    std::span<const std::string> key_names;        ///< of the whole family
+    std::optional<std::string> key_without_field;  ///< an active key that lacks the one that is shown
 };
 
 void display_panel(Display& display, const Legend& legend);

@@ -52,6 +52,7 @@ void FileBrowser::open(FileRequest request) {
     choice_.reset();
     asked_ = Asked::nothing;
     type_ = 0;
+    types_unfolded_ = false;
     part_ = is_saving() ? Part::field : Part::list;
     place_ = 0;
     column_ = order_.column;
@@ -66,6 +67,10 @@ bool FileBrowser::is_saving() const {
 
 bool FileBrowser::wants_folder() const {
     return request_.purpose == FilePurpose::open_folder || request_.purpose == FilePurpose::save_folder;
+}
+
+bool FileBrowser::opens(const fs::path& folder) const {
+    return request_.purpose == FilePurpose::open && request_.opens_folder && request_.opens_folder(folder);
 }
 
 FileType FileBrowser::type() const {
@@ -156,7 +161,9 @@ void FileBrowser::accept_selection() {
         return choose(std::move(folders));
     }
     if (!files.empty()) return choose(std::move(files));
-    if (folders.size() == 1) return go_to(folders.front());
+    if (folders.empty()) folders.push_back(folder_);
+    if (folders.size() == 1 && opens(folders.front())) return choose(std::move(folders));
+    if (folders.size() == 1 && folders.front() != folder_) return go_to(folders.front());
     complain(request_.several ? "Choose one or more files." : "Choose a file.");
 }
 
@@ -167,6 +174,7 @@ void FileBrowser::accept_text() {
     const fs::path path = typed_path(text, folder_, home_folder());
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status) && opens(path)) return choose({path});
     if (fs::is_directory(status) && request_.purpose != FilePurpose::save_folder) {
         field_.set("");
         suggest_name();

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,8 @@ struct FileRequest {
     FilePurpose purpose = FilePurpose::open;
     bool several = false;         ///< more than one file may be opened
     std::vector<FileType> types;  ///< the first is shown at first; all files can always be shown
+    /// Whether a folder can be opened as a whole, like a file; null for none.
+    std::function<bool(const std::filesystem::path& folder)> opens_folder;
     std::vector<FilePlace> places;
     std::vector<std::filesystem::path> recent_folders;
     std::filesystem::path folder;  ///< shown first; if it is not there, its nearest parent, or home if empty
@@ -95,6 +98,7 @@ class FileBrowser {
     void complain(std::string text);
     bool is_saving() const;
     bool wants_folder() const;
+    bool opens(const std::filesystem::path& folder) const;
     FileType type() const;
     const FolderEntry* cursor_entry() const;
     std::filesystem::path path_of(std::size_t row) const;
@@ -137,6 +141,7 @@ class FileBrowser {
     SortOrder order_;
     std::size_t type_ = 0;  ///< of the request's; behind them, all files
     bool hidden_ = false;
+    bool types_unfolded_ = false;  ///< so that their list has the keyboard
     TypeAhead type_ahead_;
     std::size_t rows_in_sight_ = 1;
 

@@ -26,6 +26,7 @@ std::vector<FilePlace> FileBrowser::all_places() const {
 }
 
 void FileBrowser::read_keys() {
+    if (types_unfolded_) return;
     const ImGuiIO& io = ImGui::GetIO();
     if (is_key_pressed(GLFW_KEY_ESCAPE)) open_ = false;
     if (is_key_pressed(GLFW_KEY_F5)) read_again();

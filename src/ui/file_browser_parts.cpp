@@ -261,8 +261,8 @@ void FileBrowser::show_types(float width) {
         return i < request_.types.size() ? request_.types[i].name.c_str() : all_files;
     };
     ImGui::SetNextItemWidth(width);
-    const bool is_down = ImGui::BeginCombo("##type", name(type_));
-    if (is_down) {
+    types_unfolded_ = ImGui::BeginCombo("##type", name(type_));
+    if (types_unfolded_) {
         for (std::size_t i = 0; i <= request_.types.size(); ++i)
             if (ImGui::Selectable(name(i), i == type_)) set_type(i);
         ImGui::EndCombo();

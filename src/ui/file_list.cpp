@@ -8,6 +8,7 @@
 
 #include <imgui.h>
 
+#include "ui/row_clipper.h"
 #include "ui/style.h"
 
 namespace interleaf {
@@ -181,8 +182,7 @@ void scroll_to(std::size_t row, float sight) {
 }
 
 void show_rows(float width, const FileListState& state, FileListResult& result) {
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(state.shown.size()), row_height());
+    RowClipper clipper(state.shown.size(), row_height());
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const auto row = static_cast<std::size_t>(i);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string_view>
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -24,6 +25,10 @@ void follow_modifiers() {
     io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
     io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
     io.KeyAlt = io.KeysDown[GLFW_KEY_LEFT_ALT] || io.KeysDown[GLFW_KEY_RIGHT_ALT];
+}
+
+bool is_modifier(int key) {
+    return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
 }
 
 }  // namespace
@@ -53,8 +58,40 @@ void Gui::begin_frame(std::span<const int> pressed) {
     follow_display();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    follow_menu();
     hold_taps(pressed);
+    give_keys_to_menu();
     ImGui::NewFrame();
+}
+
+void Gui::follow_menu() {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    has_menu_ = false;
+    if (context.OpenPopupStack.empty()) return;
+    const ImGuiPopupData& front = context.OpenPopupStack.back();
+    // One that opens has no window yet; one whose panel is shown no more stays in the list, but is not seen.
+    has_menu_ = front.Window == nullptr
+                    ? front.OpenFrameCount == context.FrameCount
+                    : front.Window->Active && (front.Window->Flags & ImGuiWindowFlags_Modal) == 0;
+}
+
+/// Everywhere else Dear ImGui's own keyboard navigation is off.
+void Gui::give_keys_to_menu() {
+    ImGuiIO& io = ImGui::GetIO();
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (!has_menu_) {
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+        return;
+    }
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    // In a menu that the mouse has opened the first arrow is to mark the first entry, not the second. A list
+    // of choices begins with the present one.
+    const ImGuiWindow* const front = context.OpenPopupStack.back().Window;
+    const bool is_list = front != nullptr && std::string_view(front->Name).starts_with("##Combo");
+    if (context.NavDisableHighlight && !context.NavInitRequestFromMove && !is_list)
+        context.NavInitResultId = 0;
+    if (io.KeysDown[GLFW_KEY_ENTER] || io.KeysDown[GLFW_KEY_KP_ENTER])
+        io.NavInputs[ImGuiNavInput_Activate] = 1;
 }
 
 void Gui::end_frame() {
@@ -63,28 +100,37 @@ void Gui::end_frame() {
     release_taps();
 }
 
+void Gui::abandon_frame() {
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (context.WithinFrameScope) {
+        context.FontStack.clear();  // what follows sees to all other stacks
+        ImGui::ErrorCheckEndFrameRecover(nullptr);
+        ImGui::EndFrame();
+    }
+    release_taps();
+}
+
 /// Dear ImGui sees the keys that are down when a frame begins: one that was pressed and released since the
-/// last, as on a slow frame, would be lost. And it sees a key pressed anew only after a frame with it up.
+/// last, as on a slow frame, would be lost, and of several the order. And it sees a key pressed anew only
+/// after a frame with it up. So each frame gets one key, with the modifiers that were pressed before it.
 void Gui::hold_taps(std::span<const int> pressed) {
     ImGuiIO& io = ImGui::GetIO();
     waiting_taps_.insert(waiting_taps_.end(), pressed.begin(), pressed.end());
     std::erase_if(waiting_taps_, [](int key) { return key < 0 || key > GLFW_KEY_LAST; });
-    bool is_early = false;
-    for (const int key : waiting_taps_) {
-        if (io.KeysDownDuration[key] < 0) continue;
-        io.KeysDown[key] = false;
-        is_early = true;
+    if (waiting_taps_.empty()) return;
+    const auto key = std::ranges::find_if_not(waiting_taps_, is_modifier);
+    const auto end = key == waiting_taps_.end() ? key : key + 1;
+    // Nor does it expect a key before a menu that opens has its window.
+    const bool is_opening = has_menu_ && ImGui::GetCurrentContext()->OpenPopupStack.back().Window == nullptr;
+    const bool is_early = is_opening || std::any_of(waiting_taps_.begin(), end,
+                                                    [&](int tap) { return io.KeysDownDuration[tap] >= 0; });
+    for (const int waiting : waiting_taps_) io.KeysDown[waiting] = false;
+    if (!is_early) {
+        for (auto tap = waiting_taps_.begin(); tap != end; ++tap) io.KeysDown[*tap] = true;
+        taps_.assign(waiting_taps_.begin(), end);
+        waiting_taps_.erase(waiting_taps_.begin(), end);
     }
-    if (is_early) return follow_modifiers();
-    auto end = waiting_taps_.begin();
-    for (; end != waiting_taps_.end(); ++end) {
-        if (std::find(waiting_taps_.begin(), end, *end) != end) break;  // twice in one frame
-        if (io.KeysDown[*end]) continue;
-        io.KeysDown[*end] = true;
-        taps_.push_back(*end);
-    }
-    waiting_taps_.erase(waiting_taps_.begin(), end);
-    if (!taps_.empty()) follow_modifiers();
+    follow_modifiers();
 }
 
 void Gui::release_taps() {
@@ -125,11 +171,14 @@ std::optional<Rect> Gui::popup() const {
 void Gui::follow_display() {
     int window_width = 0;
     int framebuffer_width = 0;
+    int width_after = 0;
     float content_scale = 1;
     glfwGetWindowSize(window_, &window_width, nullptr);
     glfwGetFramebufferSize(window_, &framebuffer_width, nullptr);
+    glfwGetWindowSize(window_, &width_after, nullptr);
     glfwGetWindowContentScale(window_, &content_scale, nullptr);
     if (window_width == 0 || framebuffer_width == 0) return;  // minimised
+    if (window_width != width_after && scale_ > 0) return;    // resized between the questions
     const float density = static_cast<float>(framebuffer_width) / static_cast<float>(window_width);
     // Where screen coordinates are coarser than pixels they already carry that part of the scale.
     const float scale = content_scale / density;

@@ -30,6 +30,10 @@ class Gui {
     /// Draws the frame over what the window shows.
     void end_frame();
 
+    /// Ends a frame in which an exception was thrown, wherever that was: nothing is drawn of it, and the next
+    /// one can begin. After end_frame(), and before begin_frame(), it does nothing.
+    void abandon_frame();
+
     /// Whether this frame has seen the mouse do something, or has keys left for the next, so that this one
     /// may look different.
     bool has_input() const;
@@ -43,6 +47,10 @@ class Gui {
     /// Whether what is typed goes into a field.
     bool takes_text() const;
 
+    /// Whether a menu, or the list of a box of choices, is or was open in this frame: it has the keyboard.
+    /// Arrows move in it, Enter and Space choose, Esc closes it.
+    bool has_menu() const { return has_menu_; }
+
     /// The menu or question in front of all others, in screen coordinates; none unless it is shown.
     std::optional<Rect> popup() const;
 
@@ -53,12 +61,15 @@ class Gui {
 
   private:
     void follow_display();
+    void follow_menu();
+    void give_keys_to_menu();
     void hold_taps(std::span<const int> pressed);
     void release_taps();
 
     GLFWwindow* window_;
     float scale_ = 0;  ///< of the user interface, in screen coordinates
     float density_ = 0;
+    bool has_menu_ = false;
     std::vector<int> taps_;          ///< keys that are held down for this frame
     std::vector<int> waiting_taps_;  ///< those for the next ones, in order
 };

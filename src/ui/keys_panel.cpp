@@ -9,6 +9,7 @@
 
 #include "render/palette.h"
 #include "ui/number_text.h"
+#include "ui/row_clipper.h"
 #include "ui/style.h"
 
 namespace interleaf {
@@ -56,13 +57,13 @@ void draw_row(const KeyRow& row, std::size_t key, glm::vec2 corner, float width,
     ImGui::PopFont();
 }
 
-void drag_row(const KeyRow& row, std::size_t key, KeysPanelResult& result) {
+void drag_row(const KeysPanel& panel, std::size_t key, KeysPanelResult& result) {
     if (ImGui::BeginDragDropSource()) {
         ImGui::SetDragDropPayload(payload_type, &key, sizeof key);
-        ImGui::TextUnformatted(row.name.c_str());
+        ImGui::TextUnformatted(panel.keys[key].name.c_str());
         ImGui::EndDragDropSource();
     }
-    if (const auto dropped = dropped_key()) {
+    if (const auto dropped = dropped_key(panel.keys.size())) {
         result.dragged = dropped;
         result.dropped_on = key;
     }
@@ -82,8 +83,7 @@ void show_rows(const KeysPanel& panel, KeysPanelResult& result) {
     const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     const float width = ImGui::GetContentRegionAvail().x;
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(panel.keys.size()), key_row_height());
+    RowClipper clipper(panel.keys.size(), key_row_height());
     bool is_first = true;
     while (clipper.Step()) {
         const auto begin = static_cast<std::size_t>(clipper.DisplayStart);
@@ -95,13 +95,19 @@ void show_rows(const KeysPanel& panel, KeysPanelResult& result) {
             const bool is_active = std::ranges::find(panel.weights, key, &Weight::key) != panel.weights.end();
             ImGui::PushID(static_cast<int>(key));
             const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
-            if (ImGui::Selectable("##row", panel.selected == key, ImGuiSelectableFlags_AllowDoubleClick,
-                                  {width, key_row_height()})) {
+            // Under the pointer, one that is not selected must not look as if it were.
+            const ImGuiCol hovered = panel.selected == key ? ImGuiCol_HeaderHovered : ImGuiCol_FrameBg;
+            ImGui::PushStyleColor(ImGuiCol_HeaderHovered, ImGui::GetStyleColorVec4(hovered));
+            const bool is_clicked =
+                ImGui::Selectable("##row", panel.selected == key, ImGuiSelectableFlags_AllowDoubleClick,
+                                  {width, key_row_height()});
+            ImGui::PopStyleColor();
+            if (is_clicked) {
                 result.chosen = key;
                 if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) result.renamed = key;
             }
             if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) result.chosen = key;
-            drag_row(panel.keys[key], key, result);
+            drag_row(panel, key, result);
             show_row_menu(panel, spacing, result);
             draw_row(panel.keys[key], key, corner, width, is_active, panel.selected == key);
             ImGui::PopID();
@@ -116,7 +122,7 @@ float key_picture_side() {
     return scaled(40);
 }
 
-std::optional<std::size_t> dropped_key() {
+std::optional<std::size_t> dropped_key(std::size_t key_count) {
     if (!ImGui::BeginDragDropTarget()) return std::nullopt;
     std::optional<std::size_t> key;
     if (const ImGuiPayload* const payload = ImGui::AcceptDragDropPayload(payload_type)) {
@@ -124,6 +130,7 @@ std::optional<std::size_t> dropped_key() {
         std::memcpy(&*key, payload->Data, sizeof *key);
     }
     ImGui::EndDragDropTarget();
+    if (key && *key >= key_count) key.reset();  // the family has changed since it was taken
     return key;
 }
 

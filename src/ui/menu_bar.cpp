@@ -1,6 +1,7 @@
 #include "ui/menu_bar.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "ui/style.h"
 
@@ -24,6 +25,19 @@ std::optional<std::size_t> show_submenu(const Submenu& submenu) {
     return chosen;
 }
 
+/// An arrow to the side that leads nowhere in the open menu opens the one beside it.
+void move_to_menu_beside(const std::vector<std::string>& menus, std::size_t open) {
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    const ImGuiDir direction = context.NavMoveDir;
+    const bool is_aside = direction == ImGuiDir_Left || direction == ImGuiDir_Right;
+    if (!is_aside || !ImGui::NavMoveRequestButNoResultYet()) return;
+    ImGui::NavMoveRequestCancel();
+    context.NavDisableMouseHover = true;  // or the menu under the pointer would open again
+    context.NavDisableHighlight = false;
+    const std::size_t step = direction == ImGuiDir_Right ? 1 : menus.size() - 1;
+    ImGui::OpenPopup(menus[(open + step) % menus.size()].c_str());
+}
+
 }  // namespace
 
 std::optional<std::size_t> menu_entries(std::span<const MenuEntry> entries) {
@@ -36,9 +50,13 @@ std::optional<std::size_t> menu_entries(std::span<const MenuEntry> entries) {
 MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submenu, std::string_view title) {
     MenuBarResult result;
     if (!ImGui::BeginMainMenuBar()) return result;
+    std::vector<std::string> menus;
+    std::optional<std::size_t> open_menu;
     for (std::size_t begin = 0; begin < entries.size();) {
         const std::string menu(entries[begin].menu);
         const bool open = ImGui::BeginMenu(menu.c_str());
+        if (open) open_menu = menus.size();
+        menus.push_back(menu);
         std::size_t entry = begin;
         for (; entry < entries.size() && entries[entry].menu == entries[begin].menu; ++entry) {
             if (!open) continue;
@@ -49,6 +67,7 @@ MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submen
         if (open) ImGui::EndMenu();
         begin = entry;
     }
+    if (open_menu) move_to_menu_beside(menus, *open_menu);
     const float left = ImGui::GetCursorPosX() + scaled(16);
     const float right = ImGui::GetWindowWidth() - scaled(12);
     const float width = std::min(text_size(title).x, right - left);

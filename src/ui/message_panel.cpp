@@ -71,4 +71,32 @@ bool message_panel(const std::string& message, std::span<const MessagePicture> p
     return dismissed;
 }
 
+NoticeResult notice_panel(const std::string& text, const Rect& area) {
+    if (text.empty()) return {};
+    const float margin = scaled(12);
+    const float widest = std::min(scaled(360), area.width - 2 * margin);
+    ImGui::PushFont(small_font());
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    const float width = std::min(text_size(text).x + 2 * padding.x + 1, widest);
+    ImGui::SetNextWindowPos({area.x + margin, area.bottom() - margin}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, area.height - 2 * margin});
+    ImGui::SetNextWindowBgAlpha(0.9F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(6));
+    ImGui::PushStyleColor(ImGuiCol_Border, ImGui::GetStyleColorVec4(ImGuiCol_Separator));
+    ImGui::Begin("notice", nullptr,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    wrapped_text(text, colors::text);
+    NoticeResult result;
+    result.pointed_at = ImGui::IsWindowHovered();
+    result.dismissed = result.pointed_at && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    return result;
+}
+
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-// A message, over the view until it is dismissed.
+// Messages over the view: what is wrong, until it is dismissed, and notices, in a corner.
 #pragma once
 
 #include <span>
@@ -19,6 +19,14 @@ struct MessagePicture {
 /// Shows \p message, if any, at the top of \p area, and at most two \p pictures side by side, as large as
 /// there is room. It can be copied. \return whether it was dismissed
 bool message_panel(const std::string& message, std::span<const MessagePicture> pictures, const Rect& area);
+
+struct NoticeResult {
+    bool pointed_at = false;
+    bool dismissed = false;  ///< it was clicked
+};
+
+/// Shows the notice \p text, if any, small and calm in a lower corner of \p area.
+NoticeResult notice_panel(const std::string& text, const Rect& area);
 
 /// The largest size of a picture, in screen coordinates.
 glm::vec2 message_picture_size();

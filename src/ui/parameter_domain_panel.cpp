@@ -160,7 +160,7 @@ void read_mouse(const Family& family, const DomainPanel& panel, const PlotFrame&
             result.moved_vertex = MovedVertex{vertex, frame.point(pointer)};
         }
     }
-    if (const auto key = dropped_key()) {
+    if (const auto key = dropped_key(family.keys.size())) {
         if (const auto vertex = vertex_near(domain, frame, pointer)) {
             result.assigned = VertexKey{*vertex, *key};
         } else {

@@ -61,7 +61,6 @@ void set_sizes(ImGuiStyle& style) {
     style.GrabRounding = 4;
     style.WindowBorderSize = 1;
     style.FrameBorderSize = 0;
-    style.WindowMinSize = {1, 1};
 }
 
 void make_fonts(float scale, float density) {
@@ -91,6 +90,7 @@ void apply_style(float scale, float density) {
     set_colors(style);
     set_sizes(style);
     style.ScaleAllSizes(scale);
+    style.WindowMinSize = {1, 1};  // rounded down it could be too small for Dear ImGui
     make_fonts(scale, density);
 }
 

@@ -1,5 +1,6 @@
 #include "ui/text_field.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <imgui.h>
@@ -10,6 +11,20 @@
 
 namespace interleaf {
 
+namespace {
+
+/// What Ctrl+Z would take back in the active widget, or the last one that was, is about the text that it had,
+/// and Dear ImGui does not see to that: in another text its places lie past the end.
+void forget_steps() {
+    ImStb::StbUndoState& steps = ImGui::GetCurrentContext()->InputTextState.Stb.undostate;
+    steps.undo_point = 0;
+    steps.undo_char_point = 0;
+    steps.redo_point = STB_TEXTEDIT_UNDOSTATECOUNT;
+    steps.redo_char_point = STB_TEXTEDIT_UNDOCHARCOUNT;
+}
+
+}  // namespace
+
 /// What the widget's callback works on.
 struct TextField::Edit {
     TextField& field;
@@ -19,7 +34,7 @@ struct TextField::Edit {
 
 void TextField::set(std::string text, std::size_t selected) {
     text_ = std::move(text);
-    selected_ = selected;
+    selected_ = std::min(selected, text_.size());
     has_new_text_ = true;
     is_set_now_ = true;
 }
@@ -38,6 +53,7 @@ int TextField::edit(ImGuiInputTextCallbackData* data) {
     const auto replace = [&](const std::string& text) {
         data->DeleteChars(0, data->BufTextLen);
         data->InsertChars(0, text.data(), text.data() + text.size());
+        forget_steps();
     };
     if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
         if (ImGui::GetIO().KeyShift) return 0;  // goes back to the part before
@@ -49,10 +65,11 @@ int TextField::edit(ImGuiInputTextCallbackData* data) {
         // The widget holds a text of its own while it is active.
         const std::string& text = edit.field.text_;
         if (text != data->Buf) replace(text);
+        // From here on the selection is the widget's, which changes the text.
+        const std::size_t selected = std::exchange(edit.field.selected_, 0);
         data->SelectionStart = 0;
-        data->SelectionEnd = data->CursorPos =
-            edit.field.selected_ > 0 ? static_cast<int>(edit.field.selected_) : data->BufTextLen;
-        if (edit.field.selected_ == 0) data->ClearSelection();
+        data->SelectionEnd = data->CursorPos = selected > 0 ? static_cast<int>(selected) : data->BufTextLen;
+        if (selected == 0) data->ClearSelection();
     }
     return 0;
 }
@@ -66,6 +83,7 @@ TextFieldResult TextField::show(const char* name, const char* hint, float width,
     // What was typed in the frame that set the text has led to it.
     if (!std::exchange(is_set_now_, false) && focused && !was_active_) take_early_letters();
     Edit edit{.field = *this, .completion = completion};
+    if (has_new_text_) forget_steps();  // before a Ctrl+Z that is down already
     // The callback may set the widget's text from text_, which the widget writes to.
     ImGui::SetNextItemWidth(width);
     TextFieldResult result;

@@ -39,7 +39,7 @@ class TextField {
     void take_early_letters();
 
     std::string text_;
-    std::size_t selected_ = 0;
+    std::size_t selected_ = 0;   ///< what the widget does not know yet; at most the text's size
     bool is_set_now_ = false;    ///< in this frame
     bool was_active_ = false;    ///< in the frame before
     bool has_new_text_ = false;  ///< that the widget does not know yet

@@ -8,6 +8,7 @@
 
 #include "render/palette.h"
 #include "ui/keys_panel.h"
+#include "ui/number_text.h"
 #include "ui/style.h"
 
 namespace interleaf {
@@ -20,7 +21,11 @@ bool symbol_button(const char* name, const char* tooltip, bool on, Draw draw) {
     const float side = ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::Button(name, {side * 1.25F, side});
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip);
+    if (ImGui::IsItemHovered()) {
+        // Above: beside the pointer it would lie over the start of the track.
+        ImGui::SetNextWindowPos({corner.x, corner.y - scaled(4)}, ImGuiCond_Always, {0, 1});
+        ImGui::SetTooltip("%s", tooltip);
+    }
     draw(*ImGui::GetWindowDrawList(), glm::vec2(corner.x + side * 0.625F, corner.y + side / 2), side * 0.25F,
          on ? colors::accent : colors::text);
     return pressed;
@@ -98,27 +103,28 @@ void draw_marks(ImDrawList& list, const Timeline& timeline, const TimeScale& sca
     }
 }
 
-/// A hundredth of what the track spans, or less: a round number of seconds.
-double readable_step(const TimeScale& scale) {
+/// Of the power of ten that is a hundredth of what the track spans, or less; seconds.
+int readable_exponent(const TimeScale& scale) {
     const double span = scale.end > scale.begin ? scale.end - scale.begin : 1;
-    return std::pow(10.0, std::floor(std::log10(span / 100)));
+    return static_cast<int>(std::floor(std::log10(span / 100)));
 }
 
 /// The time under the pointer as a round number; before and after the track, too.
 double readable_time(const TimeScale& scale, float pointer) {
-    const double step = readable_step(scale);
     const double span = scale.end > scale.begin ? scale.end - scale.begin : 1;
     const double part = static_cast<double>((pointer - scale.track.x) / scale.track.width);
-    return std::round((scale.begin + span * part) / step) * step;
+    return rounded_to_power(scale.begin + span * part, readable_exponent(scale));
 }
 
 /// The time under the pointer for the key at \p place, which stays between its neighbours.
 double dragged_time(const Timeline& timeline, std::size_t place, const TimeScale& scale, float pointer) {
     const auto keys = timeline.keys();
-    const double step = readable_step(scale);
+    const int exponent = readable_exponent(scale);
+    const double step = std::pow(10.0, exponent);
     double time = readable_time(scale, pointer);
-    if (place + 1 < keys.size()) time = std::min(time, keys[place + 1].time - step);
-    if (place > 0) time = std::max(time, keys[place - 1].time + step);
+    if (place + 1 < keys.size())
+        time = std::min(time, rounded_to_power(keys[place + 1].time - step, exponent));
+    if (place > 0) time = std::max(time, rounded_to_power(keys[place - 1].time + step, exponent));
     return time;
 }
 
@@ -222,7 +228,7 @@ TimelineResult timeline_panel(const Rect& rect, const Family& family, const Time
         shown = pointed_time(timeline, scale, ImGui::GetIO().MousePos.x);
         result.seek_to = shown;
     }
-    if (const auto key = dropped_key())
+    if (const auto key = dropped_key(family.keys.size()))
         result.added = KeyTime{*key, readable_time(scale, ImGui::GetIO().MousePos.x)};
 
     ImDrawList& list = *ImGui::GetWindowDrawList();

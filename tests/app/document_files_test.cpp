@@ -62,7 +62,14 @@ void change(ViewerState& state) {
 TEST_CASE("a document is saved where it was read from only if it is one family in a folder") {
     const ScratchFolder folder;
     fs::create_directory(folder / "torus");
+    CHECK_FALSE(family_folder({folder / "torus"}));  // a folder of keys or meshes is no place of a family
+    put(folder / "torus" / "family.json", "{}");
     CHECK(family_folder({folder / "torus"}) == folder / "torus");
+    CHECK(family_folder({folder / "torus" / ""}) == folder / "torus");
+    fs::create_directories(folder / "odd" / "family.json");
+    CHECK_FALSE(family_folder({folder / "odd"}));
+    put(folder / "odd" / "family.json" / "family.json", "{}");
+    CHECK(family_folder({folder / "odd" / "family.json"}) == folder / "odd" / "family.json");
     CHECK(family_folder({folder / "torus" / "family.json"}) == folder / "torus");
     CHECK_FALSE(family_folder({}));
     CHECK_FALSE(family_folder({folder / "a.obj"}));
@@ -88,6 +95,38 @@ TEST_CASE("opening replaces a document without changes, and what the window show
     CHECK(state.session.display == display);
     CHECK(state.help_shown);
     CHECK(files.recent_files().front() == folder / "second");
+}
+
+TEST_CASE("a folder of keys is opened and added as if they had been chosen together, and read again") {
+    const ScratchFolder folder;
+    write_family(named("second"), folder / "second");
+    fs::remove(folder / "second" / "family.json");
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, true);
+    files.open({folder / "second"});
+    CHECK(state.message.empty());
+    CHECK(state.document.family().keys.size() == 5);
+    CHECK_FALSE(state.document.folder());
+    CHECK(files.recent_files().front() == folder / "second");
+    files.add_keys({folder / "second"}, 0);
+    CHECK(state.document.family().keys.size() == 10);
+    undo(state, 0);
+    files.grant(FileWish::reopen);
+    CHECK(state.document.family().keys.size() == 5);
+    CHECK(state.document.undo_step() == nullptr);
+}
+
+TEST_CASE("a folder of meshes is offered to be fitted") {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "meshes");
+    for (const char* name : {"meshes/m2.off", "meshes/m10.off", "meshes/note.txt"})
+        put(folder / name, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, true);
+    files.open({folder / "meshes"});
+    REQUIRE(files.fitting().offered() != nullptr);
+    CHECK(files.fitting().offered()->choices().turns.size() == 2);
+    CHECK(state.document.family().name == "first");
 }
 
 TEST_CASE("before changes are lost by opening, reading again or quitting, it asks, and nothing happens yet") {

@@ -319,6 +319,23 @@ TEST_CASE("the family is renamed by its question, times are set by theirs") {
     CHECK(state.document.family().timeline == sample_family().timeline);
 }
 
+TEST_CASE("a time is asked for without digits of rounding, and answered as it was asked it is no step") {
+    ViewerState state(sample_family());
+    add_time(state, 3, 139 * 0.01, 0);  // 1.3900000000000001
+    const std::string* const step = state.document.undo_step();
+    ask_for_time(state, 2);
+    CHECK(state.question->entry == "1.39");
+    TextQuestion(*state.question).answer(state, "1.39", 0);
+    CHECK(state.document.undo_step() == step);
+
+    state.selected_key = 3;
+    add_time(state, 3, 801 * 0.1 - 70, 0);  // 10.100000000000009 or so, the last
+    ask_for_new_time(state);
+    CHECK(state.question->entry == "11.1");
+    add_time(state, 3, 139 * 0.01, 0);
+    CHECK(state.message.text.starts_with("at 1.39 s there is"));
+}
+
 TEST_CASE("time, point, shown key and display are no steps") {
     ViewerState state(sample_family());
     state.session.seek(1.5, 0);

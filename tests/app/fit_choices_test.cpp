@@ -38,7 +38,8 @@ std::string fault_with(const std::string& leaves, const std::string& degrees = "
 TEST_CASE("what cannot be fitted is named with what was expected") {
     CHECK(fault_with("12").empty());
     CHECK(fault_with("20000", "-90.5").empty());
-    for (const char* leaves : {"", "11", "-20", "1e4", "20000 ", "10000001", "many"})
+    CHECK(fault_with("1e6").empty());
+    for (const char* leaves : {"", "11", "-20", "1e-4", "1.5", "1e8", "20000 ", "10000001", "many"})
         CHECK(fault_with(leaves) == "Leaves: expected 12, the number of roots, to 10000000");
     for (const char* degrees : {"", "x", "361", "nan", "-360.5", "90,"})
         CHECK(fault_with("20000", degrees) == "Turn: expected -360 to 360 degrees for cow.off");
@@ -56,6 +57,8 @@ TEST_CASE("what cannot be fitted is named with what was expected") {
 
 TEST_CASE("choices become the options of the fit, the tolerance as a part instead of percent") {
     FitChoices choices;
+    choices.leaves = "1.5e5";
+    CHECK(fit_options(choices, roots_called("octahedron")).leaves == 150'000);
     choices.leaves = "321";
     const FitOptions by_leaves = fit_options(choices, roots_called("octahedron"));
     CHECK(by_leaves.leaves == Index{321});

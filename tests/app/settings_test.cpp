@@ -72,6 +72,30 @@ TEST_CASE("what is remembered comes first, once, and the oldest goes") {
     CHECK(recent.size() == most_recent_paths);
 }
 
+TEST_CASE("however its path is written, a document is remembered once, as it was written last") {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "torus");
+    put(folder / "torus" / "family.json", "{}");
+    fs::create_directory_symlink(folder / "torus", folder / "link");
+    std::vector<fs::path> recent;
+    const fs::path slash = folder / "torus" / "";
+    for (const fs::path& path : {folder / "torus" / "family.json", slash, folder / "link",
+                                 folder / "link" / "family.json", folder / "x" / ".." / "torus"}) {
+        CAPTURE(path);
+        remember_document(recent, path);
+        CHECK(recent.size() == 1);
+    }
+    CHECK(recent.front() == folder / "torus");
+    remember_document(recent, folder / "link" / "family.json");
+    CHECK(recent == std::vector<fs::path>{folder / "link"});
+    remember_document(recent, folder / "key.ilh");
+    CHECK(recent.size() == 2);
+    // One that an older version has put in the list as it was.
+    recent.push_back(folder / "torus" / "family.json");
+    remember_document(recent, folder / "torus");
+    CHECK(recent == std::vector<fs::path>{folder / "torus", folder / "key.ilh"});
+}
+
 TEST_CASE("a relative path is remembered as an absolute one") {
     std::vector<fs::path> recent;
     remember(recent, "file");

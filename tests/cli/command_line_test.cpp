@@ -29,6 +29,16 @@ TEST_CASE("--help names every command, and every command has its own help with a
     }
 }
 
+TEST_CASE("help says what --help says, of the program and of each command") {
+    CHECK(run_interleaf({"help"}).output == run_interleaf({"--help"}).output);
+    for (const std::string& command : commands) {
+        CAPTURE(command);
+        const Outcome outcome = run_interleaf({"help", command});
+        CHECK(outcome.status == 0);
+        CHECK(outcome.output == run_interleaf({command, "--help"}).output);
+    }
+}
+
 TEST_CASE("a faulty command line exits with 2 and one message that names the word at fault") {
     struct Fault {
         std::vector<std::string> arguments;
@@ -36,6 +46,9 @@ TEST_CASE("a faulty command line exits with 2 and one message that names the wor
     };
     const std::vector<Fault> faults = {
         {{"rendr"}, "rendr"},
+        {{"help", "rendr"}, "rendr"},
+        {{"make", "star", "-o", "a.ilh", "--leaves", "1.5e0"}, "--leaves"},
+        {{"make", "star", "-o", "a.ilh", "--leaves", "1e10"}, "--leaves"},
         {{"--no-such-option"}, "--no-such-option"},
         {{"render", "--no-such-option", "-o", "a.png"}, "--no-such-option"},
         {{"render"}, "--output"},

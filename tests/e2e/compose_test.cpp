@@ -194,7 +194,7 @@ TEST_CASE("a composed family undone, done again, saved and opened is the same fa
         const State saved =
             viewer.wait_for("it saved", [](const State& s) { return s["document"]["changed"] == false; });
         CHECK(saved["document"]["folder"] == (home.path() / "composed").string());
-        CHECK(viewer.title() == "Five keys \u2013 Interleaf");
+        CHECK(viewer.title() == "Five keys (composed) \u2013 Interleaf");
         viewer.press(XK_q, XK_Control_L);
         CHECK(viewer.exit_status() == 0);
     }

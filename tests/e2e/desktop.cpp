@@ -100,6 +100,11 @@ void Desktop::type(const std::string& text) const {
     }
 }
 
+void Desktop::resize(WindowName window, glm::ivec2 size) const {
+    XResizeWindow(display_.get(), window, static_cast<unsigned>(size.x), static_cast<unsigned>(size.y));
+    XSync(display_.get(), False);
+}
+
 std::string Desktop::title(WindowName window) const {
     Atom type = None;
     int format = 0;

@@ -46,6 +46,8 @@ class Desktop {
     /// Types \p text, of ASCII, as the keyboard in use has its letters.
     void type(const std::string& text) const;
 
+    void resize(WindowName window, glm::ivec2 size) const;
+
     /// What a window manager shows above \p window; UTF-8.
     std::string title(WindowName window) const;
 

@@ -130,13 +130,60 @@ TEST_CASE("files dropped on the view are a new family; dropped on the list, they
 }
 
 TEST_CASE(
+    "a folder that is a family is opened by its typed path, and by Ctrl+Enter in the list; Enter goes into "
+    "it") {
+    const TemporaryFolder home;
+    const fs::path folder = family_copy(home.path() / "mine");
+    fs::create_directories(home.path() / "other" / "inner");
+    const RunningViewer viewer(home.path());
+    const auto has_opened = [&](const State& s) { return s["document"]["folder"] == folder.string(); };
+    const auto browse = [&] {
+        viewer.press(XK_o, XK_Control_L);
+        wait_for_question(viewer);
+        viewer.wait_for("the folders", [&](const State& s) { return s["browsed"].is_string(); });
+    };
+    viewer.point_at(view_middle(viewer.state()));
+    browse();
+    viewer.type_keys("oth");
+    viewer.wait_for("the cursor on it",
+                    [&](const State& s) { return s["browsed"] == (home.path() / "other").string(); });
+    viewer.press(XK_Return);
+    viewer.wait_for("the folder", [&](const State& s) {
+        return s["browsed"] == (home.path() / "other" / "inner").string();
+    });
+    viewer.type_keys("/");
+    viewer.type(folder.string().substr(1));
+    viewer.press(XK_Return);
+    wait_for_no_question(viewer);
+    viewer.wait_for("the family", has_opened);
+
+    viewer.drop(std::vector{builtin_file("star.ilh")}, view_middle(viewer.state()));
+    wait_for_keys(viewer, 1);
+    browse();
+    // It begins in the folder of the choice before.
+    viewer.wait_for("the folder", [&](const State& s) {
+        return s["browsed"] == (home.path() / "other" / "inner").string();
+    });
+    viewer.press(XK_BackSpace);
+    viewer.wait_for("the folder above",
+                    [&](const State& s) { return s["browsed"] == (home.path() / "other").string(); });
+    viewer.type_keys("mi");
+    viewer.wait_for("the cursor on it", [&](const State& s) { return s["browsed"] == folder.string(); });
+    viewer.press(XK_Return, XK_Control_L);
+    wait_for_no_question(viewer);
+    viewer.wait_for("the family", has_opened);
+    CHECK(viewer.state()["document"]["keys"].size() == 5);
+    CHECK(viewer.state()["message"] == "");
+}
+
+TEST_CASE(
     "leaving unsaved changes asks: cancelled it goes on, declined they are gone, saved they are there") {
     const TemporaryFolder home;
     const fs::path folder = family_copy(home.path() / "family");
     {
         RunningViewer viewer(home.path(), {folder});
         keep_blend(viewer);
-        CHECK(viewer.title() == "\u2022 Five keys \u2013 Interleaf");
+        CHECK(viewer.title() == "\u2022 Five keys (family) \u2013 Interleaf");
         viewer.press(XK_q, XK_Control_L);
         wait_for_question(viewer);
         viewer.press(XK_Escape);

@@ -1,5 +1,7 @@
 #include "e2e/running_viewer.h"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -7,11 +9,13 @@
 #include <stdexcept>
 #include <thread>
 
+#include "e2e/confinement.h"
 #include "e2e/file_drag.h"
 #include <fmt/core.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -31,15 +35,20 @@ bool comes(const std::function<bool()>& attempt) {
 }
 
 pid_t start(const std::filesystem::path& trace, const std::filesystem::path& home,
-            const std::vector<std::filesystem::path>& files) {
+            const std::vector<std::filesystem::path>& files, Confined confined) {
     std::vector<std::string> arguments{INTERLEAF_PROGRAM, "view", "--trace", trace.string()};
     for (const std::filesystem::path& file : files) arguments.push_back(file.string());
     std::vector<char*> pointers;
     pointers.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
+    std::filesystem::create_directories(home);
     const pid_t process = fork();
     if (process == 0) {
+        // Where it begins to save, too.
+        if (chdir(home.c_str()) != 0) _exit(127);
+        const std::array<std::filesystem::path, 2> written{trace, "/dev/null"};
+        if (confined == Confined::yes && !confine_writes(std::span(&home, 1), written)) _exit(126);
         // Settings and recoveries of the person who runs the tests are none of theirs.
         for (const char* variable : {"HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
             setenv(variable, home.c_str(), 1);
@@ -55,7 +64,8 @@ glm::vec2 vector_of(const nlohmann::json& json) {
 
 }  // namespace
 
-RunningViewer::RunningViewer(std::filesystem::path home, const std::vector<std::filesystem::path>& files)
+RunningViewer::RunningViewer(std::filesystem::path home, const std::vector<std::filesystem::path>& files,
+                             Confined confined)
     : home_(std::move(home)),
       owns_home_(home_.empty()),
       trace_(std::filesystem::temp_directory_path() / fmt::format("interleaf-e2e-{}.trace", getpid())) {
@@ -63,8 +73,8 @@ RunningViewer::RunningViewer(std::filesystem::path home, const std::vector<std::
         home_ = trace_.string() + "-home";
         std::filesystem::remove_all(home_);
     }
-    std::filesystem::remove(trace_);
-    process_ = start(trace_, home_, files);
+    std::ofstream(trace_).close();
+    process_ = start(trace_, home_, files, confined);
     if (!comes([&] { return (window_ = desktop_.window_of(process_)) != 0; })) {
         throw std::runtime_error("no window has come");
     }
@@ -77,6 +87,23 @@ RunningViewer::~RunningViewer() {
     if (owns_home_) std::filesystem::remove_all(home_);
 }
 
+bool RunningViewer::has_ended() const {
+    siginfo_t info{};
+    return process_ == 0 ||
+           (waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+            info.si_pid == process_);
+}
+
+void RunningViewer::limit_memory(std::size_t more) const {
+    rlimit limit{RLIM_INFINITY, RLIM_INFINITY};
+    if (more > 0) {
+        std::size_t pages = 0;
+        std::ifstream(fmt::format("/proc/{}/statm", process_)) >> pages;
+        limit.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + more;
+    }
+    if (prlimit(process_, RLIMIT_AS, &limit, nullptr) != 0) throw std::runtime_error("no limit of memory");
+}
+
 void RunningViewer::kill() {
     if (process_ == 0) return;
     ::kill(process_, SIGKILL);
@@ -85,7 +112,10 @@ void RunningViewer::kill() {
 }
 
 RunningViewer::State RunningViewer::state() const {
-    std::ifstream file(trace_);
+    // Of a long trace, the end.
+    constexpr std::streamoff most = 1 << 20;
+    std::ifstream file(trace_, std::ios::ate);
+    file.seekg(std::max<std::streamoff>(file.tellg() - most, 0));
     std::string lines{std::istreambuf_iterator<char>(file), {}};
     // The line that is being written has no end yet.
     const std::size_t end = lines.rfind('\n');
@@ -184,7 +214,7 @@ int RunningViewer::exit_status() {
         throw std::runtime_error("the program has not ended");
     }
     process_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
 }  // namespace interleaf

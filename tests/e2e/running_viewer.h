@@ -13,13 +13,17 @@
 
 namespace interleaf {
 
+/// Whether the program can change no files but those in its user's home.
+enum class Confined { no, yes };
+
 class RunningViewer {
   public:
     /// Starts it and waits for the first frame.
     /// \param home   its user's home with settings and recoveries; if empty, one that goes with it
     /// \param files  to open; none for the built-in family
     explicit RunningViewer(std::filesystem::path home = {},
-                           const std::vector<std::filesystem::path>& files = {});
+                           const std::vector<std::filesystem::path>& files = {},
+                           Confined confined = Confined::no);
     ~RunningViewer();
     RunningViewer(const RunningViewer&) = delete;
     RunningViewer& operator=(const RunningViewer&) = delete;
@@ -68,14 +72,23 @@ class RunningViewer {
     /// Drags files from another program and drops them at \p at.
     void drop(std::span<const std::filesystem::path> files, glm::vec2 at) const;
 
+    const Desktop& desktop() const { return desktop_; }
+    WindowName window() const { return window_; }
+
+    /// Whether it has ended by itself; exit_status() says how.
+    bool has_ended() const;
+
     /// Of the window.
     std::string title() const { return desktop_.title(window_); }
+
+    /// Lets it take at most \p more bytes of memory beyond what it has; as many as there are for 0.
+    void limit_memory(std::size_t more) const;
 
     /// Ends it as a crash would.
     void kill();
 
     /// Waits for the program to end.
-    /// \return its exit status
+    /// \return its exit status; the negative number of the signal that has ended it, if one has
     int exit_status();
 
   private:

@@ -1,0 +1,87 @@
+// End-to-end tests of menus and the keyboard: an open menu has it alone.
+#include <chrono>
+#include <thread>
+
+#include "e2e/person.h"
+#include <X11/keysym.h>
+#include <doctest/doctest.h>
+
+using namespace interleaf;
+using State = RunningViewer::State;
+
+namespace {
+
+State wait_for_menu(const RunningViewer& viewer) {
+    return viewer.wait_for("a menu", [](const State& s) { return !s["rects"]["popup"].is_null(); });
+}
+
+State wait_for_no_menu(const RunningViewer& viewer) {
+    return viewer.wait_for("no menu", [](const State& s) { return s["rects"]["popup"].is_null(); });
+}
+
+/// A key pressed again at once is taken for one that is held.
+void wait_as_between_keys() {
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+}
+
+}  // namespace
+
+TEST_CASE("Esc closes a menu and nothing else") {
+    const RunningViewer viewer;
+    viewer.press(XK_h);
+    viewer.wait_for("the help", [](const State& s) { return s["help"] == true; });
+    viewer.click({20, 10});
+    wait_for_menu(viewer);
+    viewer.press(XK_Escape);
+    State state = wait_for_no_menu(viewer);
+    CHECK(state["help"] == true);
+    viewer.press(XK_Escape);
+    viewer.wait_for("no help", [](const State& s) { return s["help"] == false; });
+
+    viewer.click(row_pixel(state, 1), 3);
+    wait_for_menu(viewer);
+    viewer.press(XK_Escape);
+    state = wait_for_no_menu(viewer);
+    CHECK(state["selected"] == 1);
+    CHECK(state["document"]["changed"] == false);
+}
+
+TEST_CASE("arrows move in an open menu and Enter chooses, while time and camera stand still") {
+    const RunningViewer viewer;
+    const State start = viewer.state();
+    const auto nothing_has_moved = [&](const State& s) {
+        return s["time"] == start["time"] && s["eye"] == start["eye"] && s["document"] == start["document"];
+    };
+    // To the last menu but one of them that can be chosen in: over the end of the bar it goes on at the
+    // other.
+    viewer.click({20, 10});
+    const State file = wait_for_menu(viewer);
+    viewer.press(XK_Right);
+    const State edit = viewer.wait_for("the next menu", [&](const State& s) {
+        return !s["rects"]["popup"].is_null() && s["rects"]["popup"] != file["rects"]["popup"];
+    });
+    CHECK(nothing_has_moved(edit));
+    viewer.press(XK_Left);
+    viewer.wait_for("the first menu again",
+                    [&](const State& s) { return s["rects"]["popup"] == file["rects"]["popup"]; });
+    viewer.press(XK_Escape);
+    CHECK(nothing_has_moved(wait_for_no_menu(viewer)));
+
+    // Of the key's menu the second: duplicate.
+    viewer.click(row_pixel(start, 2), 3);
+    wait_for_menu(viewer);
+    viewer.press(XK_Down);
+    wait_as_between_keys();
+    viewer.press(XK_Down);
+    wait_as_between_keys();
+    viewer.press(XK_Return);
+    const State state = wait_for_keys(viewer, 6);
+    CHECK(state["document"]["undo"] == "Duplicate cushion");
+    CHECK(state["document"]["changed"] == true);
+    CHECK(state["time"] == start["time"]);
+    wait_for_no_menu(viewer);
+
+    // Afterwards they are the timeline's again.
+    viewer.press(XK_Right);
+    viewer.wait_for("another time", [&](const State& s) { return s["time"] != start["time"]; });
+}

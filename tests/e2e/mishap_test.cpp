@@ -1,0 +1,162 @@
+// End-to-end tests of what has ended the program once, and of what happens where something goes wrong that
+// nothing was prepared for.
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "e2e/person.h"
+#include <X11/keysym.h>
+#include <doctest/doctest.h>
+
+using namespace interleaf;
+using State = RunningViewer::State;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void color_by(const RunningViewer& viewer, const char* coloring) {
+    viewer.point_at(view_middle(viewer.state()));
+    while (viewer.state()["display"]["coloring"] != coloring) {
+        const State before = viewer.state();
+        viewer.press(XK_c);
+        viewer.wait_for("the next coloring",
+                        [&](const State& s) { return s["display"] != before["display"]; });
+    }
+}
+
+/// Waits until the program has seen the pointer somewhere else: it answers.
+void check_alive(const RunningViewer& viewer) {
+    viewer.point_at(view_middle(viewer.state()) + glm::vec2(7, 9));
+    viewer.point_at(view_middle(viewer.state()));
+}
+
+}  // namespace
+
+TEST_CASE("colored by origin, the key that is shown may be undone, and done again") {
+    const RunningViewer viewer;
+    color_by(viewer, "origin");
+    viewer.press(XK_k, XK_Control_L);
+    const State kept = wait_for_keys(viewer, 6);
+    viewer.click(row_pixel(kept, 5));
+    viewer.wait_for("the blend alone", [](const State& s) { return s["active"] == State({"blend"}); });
+    viewer.press(XK_z, XK_Control_L);
+    const State undone = wait_for_keys(viewer, 5);
+    CHECK(undone["active"].size() == 1);
+    check_alive(viewer);
+    viewer.press(XK_y, XK_Control_L);
+    wait_for_keys(viewer, 6);
+    check_alive(viewer);
+}
+
+TEST_CASE("a document of fewer keys may replace one that is shown by origin, or by a field that it lacks") {
+    const TemporaryFolder home;
+    const RunningViewer viewer(home.path());
+    color_by(viewer, "origin");
+    State state = viewer.state();
+    viewer.click(domain_pixel(state, {0.5F, 0.1F}));
+    viewer.wait_for("three keys", [](const State& s) { return s["active"].size() == 3; });
+    viewer.drop(std::vector{builtin_file("star.ilh")}, view_middle(state));
+    wait_for_keys(viewer, 1);
+    check_alive(viewer);
+
+    // The last of three keys lacks the field: only its name says so, and then there is one key.
+    std::vector<fs::path> files;
+    for (const char* name : {"1", "2", "3"}) {
+        files.push_back(home.path() / (std::string("flow.") + name + ".obj"));
+        const char* const color = name[0] == '3' ? "" : " 1 0 0";
+        std::ofstream(files.back()) << "v 1 1 1" << color << "\nv -1 -1 1" << color << "\nv -1 1 -1" << color
+                                    << "\nv 1 -1 -1" << color << "\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    }
+    viewer.drop(files, view_middle(state));
+    state = wait_for_keys(viewer, 3);
+    color_by(viewer, "field");
+    viewer.press(XK_End);
+    viewer.wait_for("the key without colors", [](const State& s) { return s["active"].back() == "flow.3"; });
+    viewer.drop(std::vector{files.front()}, view_middle(state));
+    wait_for_keys(viewer, 1);
+    check_alive(viewer);
+}
+
+TEST_CASE("what is typed while a button of the mouse is held beside the field is kept") {
+    const RunningViewer viewer;
+    State state = viewer.state();
+    viewer.click(row_pixel(state, 1));
+    viewer.wait_for("a selected key", [](const State& s) { return s["selected"] == 1; });
+    viewer.press(XK_F2);
+    viewer.type("a");
+    viewer.point_at({30, 400});
+    viewer.set_button(1, true);
+    viewer.wait_for("no field", [](const State& s) { return s["takes_text"] == false; });
+    viewer.type_keys("bc");
+    check_alive(viewer);
+    viewer.set_button(1, false);
+    viewer.type("d");
+    // The steps that can be taken back are those since the text was put together.
+    for (const KeyName key : {XK_z, XK_z, XK_z, XK_y, XK_y, XK_y}) {
+        viewer.press(key, XK_Control_L);
+        check_alive(viewer);
+    }
+    viewer.press(XK_Return);
+    state = viewer.wait_for("another name", [](const State& s) { return s["document"]["changed"] == true; });
+    CHECK(state["document"]["keys"][1] == "abcd");
+}
+
+TEST_CASE("what is typed in one question cannot be taken back in the next") {
+    const RunningViewer viewer;
+    State state = viewer.state();
+    viewer.click(row_pixel(state, 1));
+    viewer.wait_for("a selected key", [](const State& s) { return s["selected"] == 1; });
+    viewer.press(XK_F2);
+    viewer.type("a long name");
+    viewer.press(XK_Return);
+    viewer.wait_for("another name", [](const State& s) { return s["document"]["keys"][1] == "a long name"; });
+    viewer.press(XK_z, XK_Control_L);
+    viewer.wait_for("its own", [](const State& s) { return s["document"]["keys"][1] == "bone"; });
+    viewer.press(XK_F2);
+    wait_for_question(viewer);
+    for (const KeyName key : {XK_z, XK_y, XK_z}) {
+        viewer.press(key, XK_Control_L);
+        check_alive(viewer);
+    }
+    viewer.press(XK_Return);
+    wait_for_no_question(viewer);
+    CHECK(viewer.state()["document"]["keys"][1] == "bone");
+}
+
+#ifndef INTERLEAF_SANITIZE
+TEST_CASE("where memory runs out the window goes on with what it had, which is put aside for recovery") {
+    const TemporaryFolder home;
+    RunningViewer viewer(home.path());
+    viewer.point_at(view_middle(viewer.state()));
+    viewer.press(XK_k, XK_Control_L);
+    const State kept = wait_for_keys(viewer, 6);
+    viewer.settled_picture();
+    const fs::path large = home.path() / "large.ilh";
+    const std::string command =
+        std::string(INTERLEAF_PROGRAM " make sphere --leaves 2e6 -o ") + large.string();
+    REQUIRE(std::system(command.c_str()) == 0);
+    viewer.limit_memory(4 << 20);
+    viewer.drop(std::vector{large}, row_pixel(kept, 1));
+    const State failed = viewer.wait_for("a message", [](const State& s) {
+        return s["message"].get<std::string>().find("not enough memory") != std::string::npos;
+    });
+    viewer.limit_memory(0);
+    CHECK(failed["notice"] == false);
+    CHECK(family_of(failed) == family_of(kept));
+    CHECK(failed["document"]["undo"] == "Keep blend");
+    viewer.wait_for("the recovery", [&](const State&) {
+        std::error_code ignored;
+        for (const auto& entry : fs::directory_iterator(home.path() / "interleaf" / "recovery", ignored))
+            if (fs::exists(entry.path() / "recovery.json")) return true;
+        return false;
+    });
+
+    // And what failed can be done now.
+    viewer.press(XK_Escape);
+    viewer.wait_for("no message", [](const State& s) { return s["message"] == ""; });
+    viewer.drop(std::vector{large}, row_pixel(kept, 1));
+    wait_for_keys(viewer, 7);
+    check_alive(viewer);
+}
+#endif
