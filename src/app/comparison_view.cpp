@@ -124,7 +124,7 @@ void ComparisonView::show(ViewerState& state, const Rect& area, const Camera& fr
     pointer_.reset();
     (*sides_)[0].view = {area.x, area.y, half, height};
     (*sides_)[1].view = {area.x + half, area.y, area.width - half, height};
-    if (std::exchange(state.frame_wanted, false)) frame_wanted_ = true;
+    if (std::exchange(state.framing, Framing::none) != Framing::none) frame_wanted_ = true;
     show_side((*sides_)[0], "mesh");
     show_side((*sides_)[1], "key");
     if (std::exchange(frame_wanted_, false)) camera_.frame(extent_, aspect_of((*sides_)[0].view));

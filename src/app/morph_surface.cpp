@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "family/family_fields.h"
 #include "hierarchy/morph.h"
 
@@ -67,6 +69,15 @@ void MorphSurface::update_field(const Family& family, const Weights& weights, co
         if (!figures_.key_without_field) mesh_.fields.push_back(united_field(family, weights, mesh_, *field));
     }
     renderer_.set_field(mesh_.fields.empty() ? nullptr : &mesh_.fields.front());
+}
+
+Extent MorphSurface::extent(const Weights& weights) const {
+    const Buffer<glm::vec3> positions = morph(mesh_, weight_values(weights));
+    Extent extent{bounding_box(positions), 0};
+    const glm::vec3 center = extent.box.center();
+    for (const glm::vec3& position : positions)
+        extent.radius = std::max(extent.radius, glm::distance(position, center));
+    return extent;
 }
 
 std::optional<glm::vec3> MorphSurface::field_at(const Ray& ray, const Weights& weights) {

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "family/family.h"
+#include "hierarchy/measure.h"
 #include "render/palette.h"
 #include "render/pick.h"
 #include "render/renderer.h"
@@ -40,6 +41,9 @@ class MorphSurface {
     /// The field of the surface with \p weights where \p ray first meets it: one number, or the linear light
     /// of a colour. None where it does not, and without a field.
     std::optional<glm::vec3> field_at(const Ray& ray, const Weights& weights);
+
+    /// The extent of the surface with \p weights.
+    Extent extent(const Weights& weights) const;
 
     const SurfaceFigures& figures() const { return figures_; }
     Renderer& renderer() { return renderer_; }

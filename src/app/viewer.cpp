@@ -397,7 +397,10 @@ void Viewer::show_keys_and_display(double now) {
 
 void Viewer::move_camera(const ViewInput& input) {
     interleaf::move_camera(camera_, input, layout_.view, picture_.target());
-    if (input.frame || std::exchange(state_.frame_wanted, false))
+    const Framing framing = std::exchange(state_.framing, Framing::none);
+    if (input.frame || framing == Framing::surface)
+        camera_.frame(surface_.extent(state_.session.weights()), aspect_of(layout_.view));
+    else if (framing == Framing::all_keys)
         camera_.frame(portraits_.extent(), aspect_of(layout_.view));
 }
 

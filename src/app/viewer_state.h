@@ -20,6 +20,13 @@ namespace interleaf {
 /// What a command asks of the files of the document.
 enum class FileWish : std::uint8_t { none, open, reopen, save, save_as, add_keys, quit };
 
+/// What the camera shall see the whole of from the next frame on.
+enum class Framing {
+    none,      ///< it stays where it is
+    surface,   ///< what is shown now
+    all_keys,  ///< so that it need not move while they morph
+};
+
 struct ViewerState;
 
 /// A question with one line of text for an answer.
@@ -49,7 +56,7 @@ struct ViewerState {
     FileWish file_wish = FileWish::none;
     std::optional<TextQuestion> question;
     bool help_shown = false;
-    bool frame_wanted = true;  ///< the camera shall see the whole of the model
+    Framing framing = Framing::all_keys;
     bool reload_wanted = false;
     bool quit_wanted = false;
     Message message{};  ///< empty for none

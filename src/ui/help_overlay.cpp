@@ -15,7 +15,7 @@ constexpr std::pair<std::string_view, std::string_view> mouse[] = {
     {"Drag", "Turn the surface"},
     {"Right drag, Shift+drag", "Shift the surface"},
     {"Wheel", "Nearer or farther, towards the pointer"},
-    {"Double click", "See the whole model"},
+    {"Double click", "See the whole of what is shown"},
     {"Drag in the domain", "Move the point; a click jumps"},
     {"Drag on the timeline", "Move in time"},
 };

@@ -168,9 +168,9 @@ TEST_CASE("Escape closes a message before it closes the help") {
 
 TEST_CASE("quitting, framing and reloading are wishes") {
     ViewerState state = sample_state();
-    state.frame_wanted = false;
+    state.framing = Framing::none;
     press(state, {GLFW_KEY_F});
-    CHECK(state.frame_wanted);
+    CHECK(state.framing == Framing::surface);
     press(state, {GLFW_KEY_F5});
     CHECK(state.reload_wanted);
     press(state, {GLFW_KEY_Q, GLFW_MOD_CONTROL});
