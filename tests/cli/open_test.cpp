@@ -154,8 +154,8 @@ TEST_CASE("meshes with other faces are no family, and the viewer offers to fit t
     const Outcome family = run_interleaf({"family", folder / "flow.*.obj", "-o", folder / "f"});
     CHECK(family.status == 1);
     CHECK(is_one_message(family.errors));
-    CHECK(
-        contains(family.errors, "flow.2.obj: face 1: has the vertices (2, 3, 1), expected (1, 2, 3) as in "));
+    CHECK(contains(family.errors,
+                   "flow.2.obj: line 4: a face of the vertices (2, 3, 1), expected (1, 2, 3) as in "));
     CHECK_FALSE(std::filesystem::exists(folder / "f"));
     for (const std::vector<std::string>& line :
          {std::vector<std::string>{"view", folder / "flow.*.obj"}, {folder / "flow.*.obj"}}) {
