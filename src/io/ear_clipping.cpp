@@ -39,7 +39,7 @@ class Ring {
     }
 
   private:
-    /// Whether ears may have no area, and a diagonal that other corners lie on.
+    /// Whether ears may have no area, and sides that other corners lie on.
     enum class Touching { forbidden, allowed };
 
     struct Link {
@@ -94,8 +94,9 @@ class Ring {
 
     bool is_ear(Index corner, Touching touching) const {
         const Link& link = links_[corner];
-        return !reflex_.has_inside(points_[link.previous], points_[corner], points_[link.next],
-                                   touching == Touching::forbidden);
+        return !reflex_.has_inside(
+            points_[link.previous], points_[corner], points_[link.next],
+            touching == Touching::forbidden ? ReflexTree::Border::inside : ReflexTree::Border::outside);
     }
 
     /// Clips ears until there are none. An ear that is none stays none until a neighbour of it is clipped:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 
 namespace interleaf {
@@ -10,10 +11,11 @@ namespace {
 /// Corners in the lowest nodes, at most.
 constexpr std::size_t leaf_size = 8;
 
-/// Whether all of a box lies right of the line from \p a to \p b.
-bool is_right_of(const PlanePoint& least, const PlanePoint& most, const PlanePoint& a, const PlanePoint& b) {
+/// How far left of the line from \p a to \p b a box goes: an area, below 0 where all of it lies right.
+std::int64_t reach_left(const PlanePoint& least, const PlanePoint& most, const PlanePoint& a,
+                        const PlanePoint& b) {
     const PlanePoint farthest_left{b.y > a.y ? least.x : most.x, b.x > a.x ? most.y : least.y};
-    return orientation(a, b, farthest_left) < 0;
+    return orientation(a, b, farthest_left);
 }
 
 }  // namespace
@@ -62,19 +64,30 @@ void ReflexTree::remove(Index corner) {
 }
 
 bool ReflexTree::has_inside(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
-                            bool counts_across) const {
+                            Border border) const {
     if (corners_.empty()) return false;
+    // What lies on a side, but for rounding, counts as inside or not.
+    const auto least_reach = [&](const PlanePoint& from, const PlanePoint& to) {
+        constexpr double max_rounding = 4;
+        return border == Border::outside ? std::int64_t{1}
+                                         : -static_cast<std::int64_t>(max_rounding * distance(from, to));
+    };
+    const std::int64_t beside_ab = least_reach(a, b);
+    const std::int64_t beside_bc = least_reach(b, c);
+    const std::int64_t beside_ca = least_reach(c, a);
+    const auto is_corner = [&](const PlanePoint& point) { return point == a || point == b || point == c; };
     const auto is_inside = [&](Index corner) {
         if (place_[corner] == corners_.size()) return false;
         const PlanePoint& point = points_[corner];
-        if (point == a || point == c) return false;
-        const std::int64_t across = orientation(c, a, point);
-        return orientation(a, b, point) > 0 && orientation(b, c, point) > 0 &&
-               (across > 0 || (across == 0 && counts_across));
+        return orientation(a, b, point) >= beside_ab && orientation(b, c, point) >= beside_bc &&
+               orientation(c, a, point) >= beside_ca && !is_corner(point);
     };
     const auto is_apart = [&](const Node& node) {
-        return node.count == 0 || is_right_of(node.least, node.most, a, b) ||
-               is_right_of(node.least, node.most, b, c) || is_right_of(node.least, node.most, c, a) ||
+        // Thousands of corners may be at one place.
+        return node.count == 0 || (node.least == node.most && is_corner(node.least)) ||
+               reach_left(node.least, node.most, a, b) < beside_ab ||
+               reach_left(node.least, node.most, b, c) < beside_bc ||
+               reach_left(node.least, node.most, c, a) < beside_ca ||
                std::min({a.x, b.x, c.x}) > node.most.x || std::max({a.x, b.x, c.x}) < node.least.x ||
                std::min({a.y, b.y, c.y}) > node.most.y || std::max({a.y, b.y, c.y}) < node.least.y;
     };

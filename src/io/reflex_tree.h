@@ -20,9 +20,12 @@ class ReflexTree {
     /// Takes a corner out, where the tree holds it.
     void remove(Index corner);
 
-    /// Whether a corner lies inside the triangle \p a, \p b, \p c, which turns left: not at one of its
-    /// corners, nor on the sides at \p b; on the side across from it only if that \p counts_across.
-    bool has_inside(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, bool counts_across) const;
+    /// Whether what lies on a triangle's sides, or may but for rounding, counts as inside.
+    enum class Border { inside, outside };
+
+    /// Whether a corner lies inside the triangle \p a, \p b, \p c, which turns left, but not at one of its
+    /// corners.
+    bool has_inside(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, Border border) const;
 
   private:
     /// The corners from begin to end; the middle one parts them into the two nodes below.

@@ -262,8 +262,8 @@ TEST_CASE("meshes that no key can stand for are refused with exit status 1, the 
     };
     const Case cases[] = {
         {"torus.off", torus_off(), "Euler number"},
-        {"empty.off", "", "is empty"},
-        {"no-faces.off", off_text(tetrahedron, {}), "no faces"},
+        {"empty.off", "", "is empty, expected OFF"},
+        {"no-faces.off", off_text(tetrahedron, {}), "is a point cloud: it has 4 vertices, but no faces"},
         {"nan.off", "OFF\n3 1 0\n0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n", "finite"},
         {"one-triangle.off", off_text(tetrahedron, {{0, 1, 2}}), ""},
         {"flat.off",

@@ -39,7 +39,7 @@ std::string inspected(const SurfaceFile& surface) {
     if (!std::ranges::all_of(surface.triangles, exists)) return "unsound: a vertex does not exist";
     if (!surface.colors.empty() && surface.colors.size() != surface.positions.size())
         return "unsound: number of colours";
-    const std::size_t longest = 200;
+    constexpr std::size_t longest = 600;  // 80 bytes are quoted, six characters each
     for (const std::string& remark : surface.remarks)
         if (remark.empty() || remark.size() > longest || remark.find('\n') != std::string::npos)
             return "a remark is no sentence";

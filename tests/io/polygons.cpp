@@ -173,6 +173,30 @@ Polygon zigzag(std::size_t count) {
     return polygon;
 }
 
+Polygon flower(std::size_t petals) {
+    Polygon polygon;
+    const auto count = static_cast<double>(petals);
+    for (std::size_t petal = 0; petal < petals; ++petal) {
+        const auto at = [&](double part) {
+            const double angle = 2 * pi * (static_cast<double>(petal) + part) / count;
+            return glm::dvec2(std::cos(angle), std::sin(angle));
+        };
+        polygon.insert(polygon.end(), {glm::dvec2(0), at(0), at(0.5)});
+    }
+    return polygon;
+}
+
+Polygon curtain(std::size_t slits) {
+    const auto width = static_cast<double>(slits + 1);
+    Polygon polygon{{0, 0}, {width, 0}, {width, 10}};
+    for (std::size_t slit = slits; slit > 0; --slit) {
+        const auto x = static_cast<double>(slit);
+        polygon.insert(polygon.end(), {{x + 0.5, 10}, {x, 0}, {x + 0.25, 10}});
+    }
+    polygon.emplace_back(0, 10);
+    return polygon;
+}
+
 Polygon keyholes(unsigned holes) {
     const double size = 4 * holes + 1;
     Polygon polygon{{0, 0}, {size, 0}, {size, size}, {0, size}};

@@ -48,6 +48,12 @@ Polygon spiral(std::size_t count);
 /// A band whose sides go up and down, rising by 45 degrees.
 Polygon zigzag(std::size_t count);
 
+/// Petals that all begin and end at one place.
+Polygon flower(std::size_t petals);
+
+/// A box with slits from above, whose ends lie on its lower side.
+Polygon curtain(std::size_t slits);
+
 /// A square with as many square holes, each with a seam to its left; of whole numbers.
 Polygon keyholes(unsigned holes);
 
