@@ -301,9 +301,9 @@ Attempt better_attempt(const SurfaceMesh& mesh, Keeps keeps, const FitOptions& o
     if (shapes.large < large_part) return attempt(mesh, {}, keeps, options, stopwatch, progress);
 
     std::string fault;
-    const auto try_to_map = [&](const SurfaceMesh& fine, double begin, double end) -> std::optional<Attempt> {
+    const auto try_to_map = [&](SurfaceMesh fine, double begin, double end) -> std::optional<Attempt> {
         try {
-            return attempt(mesh, fine, keeps, options, stopwatch, part_of(progress, begin, end));
+            return attempt(mesh, std::move(fine), keeps, options, stopwatch, part_of(progress, begin, end));
         } catch (const InputError& error) {
             fault = error.what();
             return std::nullopt;
@@ -316,11 +316,18 @@ Attempt better_attempt(const SurfaceMesh& mesh, Keeps keeps, const FitOptions& o
         as_it_is = try_to_map({}, 0, 0.25);
         if (as_it_is && as_it_is->faulty_part() < few_faulty) return *std::move(as_it_is);
     }
-    ProgressMeter meter(progress);
-    meter.enter("refining the mesh", 0.25);
-    const SurfaceMesh fine = refine(mesh, {}, meter);
-    stopwatch.lap("refining");
-    std::optional<Attempt> refined = try_to_map(fine, 0.25, 0.7);
+    std::optional<Attempt> refined;
+    // A finer mesh makes better leaves, but on a long thin body its map may be the one that shrinks a limb.
+    for (const auto& [triangles, begin, end] :
+         {std::array{3000.0, 0.25, 0.55}, std::array{1000.0, 0.55, 0.7}}) {
+        ProgressMeter meter(progress);
+        meter.enter("refining the mesh", begin);
+        SurfaceMesh fine = refine(mesh, {.triangles = triangles}, meter);
+        stopwatch.lap("refining");
+        std::optional<Attempt> made = try_to_map(std::move(fine), begin, end);
+        if (made && (!refined || made->faulty < refined->faulty)) refined = std::move(made);
+        if (refined && refined->faulty_part() <= many_faulty) break;
+    }
     if (refined_first && (!refined || refined->faulty_part() > many_faulty))
         as_it_is = try_to_map({}, 0.7, 0.9);
     if (!as_it_is && !refined) throw InputError(fault);
