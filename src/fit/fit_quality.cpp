@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
@@ -86,16 +87,25 @@ double hausdorff_distance(const MeshView& a, const MeshView& b, const Progress& 
 
 FitQuality measure_quality(const MappedSurface& mapped, const SampledSurface& surface,
                            const Progress& progress) {
+    return measure_quality(mapped, mapped.mesh, surface, progress);
+}
+
+FitQuality measure_quality(const MappedSurface& mapped, const SurfaceMesh& original,
+                           const SampledSurface& surface, const Progress& progress) {
     std::vector<Triangle> triangles;
     triangles.reserve(surface.leaves.size());
     for (const Leaf& leaf : surface.leaves) triangles.push_back(leaf.vertices);
     const std::vector<glm::dvec3> positions(surface.positions.begin(), surface.positions.end());
     const MeshView key{triangles, positions};
-    const MeshView original{mapped.mesh.triangles, mapped.mesh.positions};
+    const MeshView flat_original{original.triangles, original.positions};
 
-    const double diagonal = box_diagonal(mapped.mesh);
-    const Distances to_key = distances(original, SurfaceDistance(triangles, positions), progress, 0);
-    const Distances to_surface = distances(key, mapped.distance, progress, 0.5);
+    std::optional<SurfaceDistance> from_original;
+    if (&original != &mapped.mesh) from_original.emplace(original.triangles, original.positions);
+
+    const double diagonal = box_diagonal(original);
+    const Distances to_key = distances(flat_original, SurfaceDistance(triangles, positions), progress, 0);
+    const Distances to_surface =
+        distances(key, from_original ? *from_original : mapped.distance, progress, 0.5);
     FitQuality quality;
     quality.hausdorff = std::max(to_key.largest, to_surface.largest) / diagonal;
     quality.root_mean_square = std::sqrt((to_key.mean_square + to_surface.mean_square) / 2) / diagonal;

@@ -39,6 +39,10 @@ struct FitQuality {
 FitQuality measure_quality(const MappedSurface& mapped, const SampledSurface& surface,
                            const Progress& progress);
 
+/// The same, with distances from \p original, of which \p mapped has another mesh (surface_refinement.h).
+FitQuality measure_quality(const MappedSurface& mapped, const SurfaceMesh& original,
+                           const SampledSurface& surface, const Progress& progress);
+
 /// The acceptance of a fit, judged at 20,000 leaves.
 struct FitLimits {
     double hausdorff = 0.005;     ///< part of the box diagonal

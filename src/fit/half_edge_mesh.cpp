@@ -139,4 +139,81 @@ void HalfEdgeMesh::undo_collapse(Index half_edge) {
     has_triangle_[opposite / 3] = 1;
 }
 
+bool HalfEdgeMesh::are_joined(Index a, Index b) const {
+    if (degree_[a] > degree_[b]) std::swap(a, b);
+    Index half_edge = outgoing_[a];
+    do {
+        if (target(half_edge) == b) return true;
+        half_edge = rotated(half_edge);
+    } while (half_edge != outgoing_[a]);
+    return false;
+}
+
+void HalfEdgeMesh::flip(Index half_edge) {
+    const Index opposite = twin_[half_edge];
+    const Index b_to_c = next(half_edge);
+    const Index c_to_a = previous(half_edge);
+    const Index a_to_d = next(opposite);
+    const Index d_to_b = previous(opposite);
+    const Index a = origin_[half_edge];
+    const Index b = origin_[opposite];
+    const Index c = origin_[c_to_a];
+    const Index d = origin_[d_to_b];
+    const Index before_bc = twin_[b_to_c];
+    const Index before_ca = twin_[c_to_a];
+    const Index before_ad = twin_[a_to_d];
+    const Index before_db = twin_[d_to_b];
+
+    // The triangles become d c a and c d b; their half-edges keep the order in their triangles.
+    origin_[half_edge] = d;
+    origin_[b_to_c] = c;
+    origin_[c_to_a] = a;
+    origin_[opposite] = c;
+    origin_[a_to_d] = d;
+    origin_[d_to_b] = b;
+    join(b_to_c, before_ca);
+    join(c_to_a, before_ad);
+    join(a_to_d, before_db);
+    join(d_to_b, before_bc);
+    outgoing_[a] = c_to_a;
+    outgoing_[b] = d_to_b;
+    outgoing_[c] = opposite;
+    outgoing_[d] = half_edge;
+    --degree_[a];
+    --degree_[b];
+    ++degree_[c];
+    ++degree_[d];
+}
+
+Index HalfEdgeMesh::split(Index half_edge) {
+    const Index opposite = twin_[half_edge];
+    const Index b_to_c = next(half_edge);
+    const Index d_to_b = previous(opposite);
+    const Index b = origin_[opposite];
+    const Index c = origin_[previous(half_edge)];
+    const Index d = origin_[d_to_b];
+    const Index before_bc = twin_[b_to_c];
+    const Index before_db = twin_[d_to_b];
+    const Index middle = vertex_capacity();
+    const Index first = 3 * triangle_capacity();  // of the triangle middle b c
+    const Index second = first + 3;               // of the triangle b middle d
+
+    origin_.insert(origin_.end(), {middle, b, c, b, middle, d});
+    twin_.resize(twin_.size() + 6);
+    has_triangle_.resize(has_triangle_.size() + 2, 1);
+    origin_[b_to_c] = middle;
+    origin_[opposite] = middle;
+    join(first, second);
+    join(first + 1, before_bc);
+    join(first + 2, b_to_c);
+    join(second + 1, d_to_b);
+    join(second + 2, before_db);
+    outgoing_.push_back(first);
+    outgoing_[b] = second;
+    degree_.push_back(4);
+    ++degree_[c];
+    ++degree_[d];
+    return middle;
+}
+
 }  // namespace interleaf

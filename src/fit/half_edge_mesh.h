@@ -1,4 +1,5 @@
-// A closed triangle mesh as half-edges, with edge collapses that can be undone in reverse order.
+// A closed triangle mesh as half-edges, with edge collapses that can be undone in reverse order, edge flips
+// and edge splits.
 //
 // Half-edge 3 t + k runs from corner k of triangle t to its next corner. A half-edge collapse (v to w) takes
 // v and two triangles away; what those two held stays in place, so that undoing needs nothing but the
@@ -53,8 +54,24 @@ class HalfEdgeMesh {
     /// Undoes the last collapse that has not been undone, which was of \p half_edge.
     void undo_collapse(Index half_edge);
 
+    /// Whether an edge joins the two vertices. Takes time in proportion to the smaller degree.
+    bool are_joined(Index a, Index b) const;
+
+    /// Turns the edge a b of \p half_edge, of the triangles a b c and b a d, into the edge d c: \p half_edge
+    /// then runs from d to c, its twin back.
+    /// \pre c and d are not joined. No collapse made before may be undone after it.
+    void flip(Index half_edge);
+
+    /// Puts a new vertex, the next number, onto the edge a b of \p half_edge, and halves both triangles at
+    /// it: \p half_edge then runs from a to the new vertex. Gives the new vertex.
+    Index split(Index half_edge);
+
   private:
     void check_fan(Index vertex) const;
+    void join(Index half_edge, Index twin) {
+        twin_[half_edge] = twin;
+        twin_[twin] = half_edge;
+    }
 
     std::vector<Index> origin_;
     std::vector<Index> twin_;

@@ -48,6 +48,20 @@ double largest_cosine(const TriangleCorners& corners) {
     return largest;
 }
 
+double cosine_of_wanted_angle() {
+    return std::cos(wanted_angle * std::numbers::pi / 180);
+}
+
+TriangleCorners corners_of(const Triangle& leaf, const SampledSurface& surface) {
+    const auto& [a, b, c] = leaf;
+    return {surface.positions[a], surface.positions[b], surface.positions[c]};
+}
+
+bool is_faulty(const Triangle& leaf, const SampledSurface& surface, const MappedSurface& mapped,
+               double good_cosine) {
+    return largest_cosine(corners_of(leaf, surface)) > good_cosine || is_turned_over(leaf, surface, mapped);
+}
+
 /// What is wrong with some leaves.
 struct Fault {
     int turned_over = 0;
@@ -76,15 +90,17 @@ class Smoothing {
         allowed_distance_ = near_enough * largest_distance(meter);
     }
 
-    void run(std::size_t fixed_vertices, ProgressMeter& meter) {
+    void run(std::size_t fixed_vertices, std::size_t most_tries, ProgressMeter& meter) {
         bool moved = true;
-        for (int round = 0; round < most_rounds && moved; ++round) {
+        std::size_t tries = 0;
+        for (int round = 0; round < most_rounds && moved && tries < most_tries; ++round) {
             moved = false;
             meter.set_part(double(round) / most_rounds);
             for (const Index leaf : faulty_leaves(meter))
                 for (const Index vertex : leaves_[leaf]) {
                     if (vertex < fixed_vertices || at_rest_[vertex] || !is_faulty(leaf)) continue;
                     moved = improve(vertex) || moved;
+                    ++tries;
                     meter.step(5000);
                 }
         }
@@ -113,10 +129,7 @@ class Smoothing {
     double largest_distance(ProgressMeter& meter) const;
     bool is_near(std::span<const Index> star, std::span<const glm::dvec3> grid) const;
 
-    TriangleCorners corners(Index leaf) const {
-        const auto& [a, b, c] = leaves_[leaf];
-        return {surface_.positions[a], surface_.positions[b], surface_.positions[c]};
-    }
+    TriangleCorners corners(Index leaf) const { return corners_of(leaves_[leaf], surface_); }
     std::array<glm::dvec3, 3> directions(Index leaf) const {
         const auto& [a, b, c] = leaves_[leaf];
         return {surface_.sphere_points[a], surface_.sphere_points[b], surface_.sphere_points[c]};
@@ -136,8 +149,7 @@ class Smoothing {
         return found;
     }
     bool is_faulty(Index leaf) const {
-        return largest_cosine(corners(leaf)) > good_cosine_ ||
-               is_turned_over(leaves_[leaf], surface_, mapped_);
+        return interleaf::is_faulty(leaves_[leaf], surface_, mapped_, good_cosine_);
     }
     Place place_of(Index vertex) const {
         return {surface_.sphere_points[vertex], surface_.mesh_points[vertex], surface_.positions[vertex]};
@@ -152,7 +164,7 @@ class Smoothing {
         surface_.positions[vertex] = place.position;
     }
 
-    const double good_cosine_ = std::cos(wanted_angle * std::numbers::pi / 180);
+    const double good_cosine_ = cosine_of_wanted_angle();
     const MappedSurface& mapped_;
     SampledSurface& surface_;
     std::vector<Triangle> leaves_;
@@ -266,9 +278,11 @@ std::vector<Place> Smoothing::better_places(Index vertex, const Fault& before) {
         const std::size_t corner = leaf_vertices[0] == vertex ? 0 : leaf_vertices[1] == vertex ? 1 : 2;
         const glm::dvec3 way = surface_.sphere_points[leaf_vertices[(corner + 1) % 3]] - here.direction;
         for (const double part : way_parts) {
-            const Place place = place_at(glm::normalize(here.direction + part * way), here.point.triangle);
-            put(vertex, place);
+            const glm::dvec3 direction = glm::normalize(here.direction + part * way);
+            surface_.sphere_points[vertex] = direction;
             if (!is_one_to_one(star(vertex))) continue;
+            const Place place = place_at(direction, here.point.triangle);
+            put(vertex, place);
             double cosine = -1;
             for (const Index other : star(vertex)) {
                 cosine = std::max(cosine, largest_cosine(corners(other)));
@@ -309,10 +323,17 @@ bool Smoothing::improve(Index vertex) {
 }  // namespace
 
 void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, SampledSurface& surface,
-                   const Progress& progress) {
+                   const Progress& progress, std::size_t most_tries) {
     ProgressMeter meter(progress);
     meter.enter("smoothing", 0);
-    Smoothing(mapped, surface, meter).run(fixed_vertices, meter);
+    Smoothing(mapped, surface, meter).run(fixed_vertices, most_tries, meter);
+}
+
+std::size_t count_faulty_leaves(const MappedSurface& mapped, const SampledSurface& surface) {
+    const double good_cosine = cosine_of_wanted_angle();
+    return static_cast<std::size_t>(std::ranges::count_if(surface.leaves, [&](const Leaf& leaf) {
+        return is_faulty(leaf.vertices, surface, mapped, good_cosine);
+    }));
 }
 
 }  // namespace interleaf

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "fit/mapped_surface.h"
 #include "fit/progress.h"
@@ -20,8 +21,13 @@ namespace interleaf {
 /// mesh was, at its vertices and on a grid over the leaves; between these it may be a little farther.
 /// \param surface         sampled from \p mapped
 /// \param fixed_vertices  the first so many stay where they are: those of the roots
+/// \param most_tries      no further round begins when so many vertices have looked for better places
 /// \throw Cancelled
 void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, SampledSurface& surface,
-                   const Progress& progress);
+                   const Progress& progress,
+                   std::size_t most_tries = std::numeric_limits<std::size_t>::max());
+
+/// The leaves that smooth_leaves() tries to mend: of a small angle, or turned over.
+std::size_t count_faulty_leaves(const MappedSurface& mapped, const SampledSurface& surface);
 
 }  // namespace interleaf

@@ -94,6 +94,8 @@ class ProgressiveMapping {
             return false;
         }
         relaxation_.relax_star(vertex);
+        if (options_.crowded > 0 && relaxation_.least_share(vertex) < options_.crowded)
+            relaxation_.relax_around(vertex, options_.moves_where_crowded, meter_);
         collapses_.pop_back();
         other_area_.pop_back();
         ++restored_;

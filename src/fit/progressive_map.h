@@ -20,6 +20,11 @@ struct ProgressiveOptions {
     double blend = 0.05;  ///< rest shapes go this far towards equilateral, 0 to 1
     int sweeps = 100;     ///< at most, each time
     Keeps keeps = Keeps::areas;
+
+    /// Where a new vertex has a triangle of less than this part of the area that it is to take, its
+    /// surroundings are relaxed at once. 0 for nowhere.
+    double crowded = 0;
+    int moves_where_crowded = 500;  ///< at most
 };
 
 /// For when the default fails: slower, and the shapes are kept less exactly.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -9,6 +10,12 @@
 #include "fit/rest_shape.h"
 
 namespace interleaf {
+namespace {
+
+/// A vertex rests when less of its star's energy goes; steps are no measure in stars much longer than wide.
+constexpr double still = 1e-3;
+
+}  // namespace
 
 Relaxation::Relaxation(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
                        std::span<const double> vertex_area, std::span<glm::dvec3> points, Keeps keeps)
@@ -81,6 +88,43 @@ void Relaxation::relax_star(Index vertex) {
     relax(vertex);
 }
 
+double Relaxation::least_share(Index vertex) const {
+    double least = std::numeric_limits<double>::infinity();
+    Index half_edge = mesh_.outgoing(vertex);
+    do {
+        const glm::dvec3& a = points_[vertex];
+        const glm::dvec3& b = points_[mesh_.target(half_edge)];
+        const glm::dvec3& c = points_[mesh_.origin(HalfEdgeMesh::previous(half_edge))];
+        const double area = glm::dot(a, glm::cross(b - a, c - a)) / 2;
+        least = std::min(least, area / area_[half_edge / 3]);
+        half_edge = mesh_.rotated(half_edge);
+    } while (half_edge != mesh_.outgoing(vertex));
+    return least;
+}
+
+void Relaxation::relax_around(Index vertex, int steps, ProgressMeter& meter) {
+    waiting_.clear();
+    const auto add = [&](Index other) {
+        if (!std::exchange(is_active_[other], char{1})) waiting_.push_back(other);
+    };
+    const auto add_star = [&](Index middle) {
+        add(middle);
+        Index half_edge = mesh_.outgoing(middle);
+        do {
+            add(mesh_.target(half_edge));
+            half_edge = mesh_.rotated(half_edge);
+        } while (half_edge != mesh_.outgoing(middle));
+    };
+    is_active_.assign(mesh_.vertex_capacity(), 0);
+    add_star(vertex);
+    for (std::size_t i = 0; i < waiting_.size() && steps > 0; ++i, --steps) {
+        const Index next = waiting_[i];
+        is_active_[next] = 0;
+        meter.step();
+        if (relax(next) >= still) add_star(next);
+    }
+}
+
 bool Relaxation::put_into_kernel(Index vertex, const glm::dvec3& seed) {
     gather(vertex, seed);
     const auto middle = star_.middle_of_kernel();
@@ -90,7 +134,6 @@ bool Relaxation::put_into_kernel(Index vertex, const glm::dvec3& seed) {
 }
 
 void Relaxation::sweep(int sweeps, ProgressMeter& meter) {
-    constexpr double still = 1e-3;  // of its energy; steps are no measure in stars much longer than wide
     is_active_.assign(mesh_.vertex_capacity(), 1);
     bool moved = true;
     for (int i = 0; i < sweeps && moved; ++i) {

@@ -34,6 +34,13 @@ class Relaxation {
     /// Moves \p vertex and its neighbours, but for those of very many edges, by a few steps.
     void relax_star(Index vertex);
 
+    /// The least ratio of the spherical area of a triangle at \p vertex to the one that it is to take.
+    double least_share(Index vertex) const;
+
+    /// Relaxes \p vertex and its neighbours, then those that moved and their neighbours, and so on, in at
+    /// most \p steps moves. One step of \p meter a move.
+    void relax_around(Index vertex, int steps, ProgressMeter& meter);
+
     /// Puts \p vertex into the middle of its star's kernel, seen from the point \p seed of the kernel's
     /// closure; false when doubles do not resolve the kernel.
     bool put_into_kernel(Index vertex, const glm::dvec3& seed);
@@ -58,6 +65,7 @@ class Relaxation {
     std::vector<double> cotangent_;  // per half-edge, of the rest angle opposite it
     std::vector<double> area_;       // per triangle, of 4 pi
     std::vector<char> is_active_;
+    std::vector<Index> waiting_;  // active vertices in the order of their turns
     SphericalStar star_;
 };
 

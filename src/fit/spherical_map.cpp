@@ -27,7 +27,7 @@ void check_sphere(const SurfaceMesh& mesh, const HalfEdgeMesh& half_edges) {
 
 }  // namespace
 
-SphericalMap map_to_sphere(const SurfaceMesh& mesh, const Progress& progress, Keeps keeps) {
+SphericalMap map_to_sphere(const SurfaceMesh& mesh, const Progress& progress, Keeps keeps, double crowded) {
     ProgressMeter meter(progress);
     meter.enter("mapping to the sphere", 0);
     HalfEdgeMesh half_edges(static_cast<Index>(mesh.positions.size()), mesh.triangles);
@@ -40,11 +40,13 @@ SphericalMap map_to_sphere(const SurfaceMesh& mesh, const Progress& progress, Ke
         if (!fault.empty()) faults += fmt::format("{}{}: {}", faults.empty() ? "" : "; ", method, fault);
         return fault.empty();
     };
-    ProgressiveMap map = map_progressively(half_edges, positions, {.keeps = keeps}, meter);
+    ProgressiveMap map =
+        map_progressively(half_edges, positions, {.keeps = keeps, .crowded = crowded}, meter);
     if (is_good("progressive", map.points, map.failure))
         return {std::move(map.points), MapMethod::progressive};
     ProgressiveOptions careful = careful_options;
     careful.keeps = keeps;
+    careful.crowded = crowded;
     map = map_progressively(half_edges, positions, careful, meter);
     if (is_good("careful progressive", map.points, map.failure))
         return {std::move(map.points), MapMethod::careful_progressive};

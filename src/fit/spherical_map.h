@@ -23,7 +23,12 @@ struct SphericalMap {
 /// same bits. Time grows about linearly with the vertices; memory is about 400 bytes a vertex.
 /// \throw InputError when the mesh is not clean, or when every way fails, with the reason
 /// \throw Cancelled  when \p progress says so
-SphericalMap map_to_sphere(const SurfaceMesh& mesh, const Progress& progress, Keeps keeps = Keeps::areas);
+/// \param crowded  where surroundings of new vertices are relaxed at once (progressive_map.h). On fine meshes
+/// of
+///                 long thin bodies vertices come back along the body, each into the star of the last, and
+///                 without it shrink by a factor each. 0 for meshes that are as coarse as the body allows.
+SphericalMap map_to_sphere(const SurfaceMesh& mesh, const Progress& progress, Keeps keeps = Keeps::areas,
+                           double crowded = 0);
 
 /// Empty when every spherical triangle is positive and the solid angles add up to exactly one 4 pi, that is,
 /// when the map is one to one; else the reason in words. The signs are those of exact arithmetic.

@@ -38,6 +38,45 @@ glm::dvec3 bent_bone(const glm::dvec3& p) {
 
 }  // namespace
 
+SurfaceMesh cylinder(unsigned sides, double height, Cap cap) {
+    SurfaceMesh mesh;
+    for (const double z : {0.0, height})
+        for (unsigned i = 0; i < sides; ++i) {
+            const double angle = 2 * std::numbers::pi * i / sides;
+            mesh.positions.emplace_back(std::cos(angle), std::sin(angle), z);
+        }
+    const auto add = [&](Index a, Index b, Index c) {  // of the top, and the same of the bottom
+        mesh.triangles.push_back({sides + a, sides + b, sides + c});
+        mesh.triangles.push_back({c, b, a});
+    };
+    for (Index i = 0; i < sides; ++i) {
+        const Index after = i + 1 == sides ? 0 : i + 1;
+        mesh.triangles.push_back({i, after, sides + after});
+        mesh.triangles.push_back({i, sides + after, sides + i});
+        if (cap == Cap::center_fan) {
+            mesh.triangles.push_back({sides + i, sides + after, 2 * sides});
+            mesh.triangles.push_back({after, i, 2 * sides + 1});
+        }
+    }
+    if (cap == Cap::center_fan) {
+        mesh.positions.emplace_back(0, 0, height);
+        mesh.positions.emplace_back(0, 0, 0);
+    }
+    if (cap == Cap::corner_fan)
+        for (Index i = 1; i + 1 < sides; ++i) add(0, i, i + 1);
+    if (cap == Cap::zigzag)
+        for (Index low = 0, high = sides - 1; low + 1 < high;) {
+            if ((low + high) % 2 == (sides - 1) % 2) {
+                add(low, low + 1, high);
+                ++low;
+            } else {
+                add(low, high - 1, high);
+                --high;
+            }
+        }
+    return mesh;
+}
+
 SurfaceMesh tetrahedron() {
     return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}, {}};
 }

@@ -23,6 +23,12 @@ SurfaceMesh globe(unsigned meridians, unsigned parallels);
 
 SurfaceMesh tetrahedron();
 
+/// How the polygon at the end of a cylinder is cut into triangles.
+enum class Cap { corner_fan, center_fan, zigzag };
+
+/// Upright, of radius 1, over a regular polygon of so many sides.
+SurfaceMesh cylinder(unsigned sides, double height, Cap cap);
+
 /// Closed: a tube bent to a ring. Not of genus 0.
 SurfaceMesh torus(unsigned around, unsigned across);
 
