@@ -96,10 +96,20 @@ Json json_of(const Document& document) {
 
 Json json_of(const FitDialog& offer) {
     const FitChoices& choices = offer.choices();
-    Json json{
-        {"row", offer.row()},       {"mesh", offer.selected_mesh()},  {"by_tolerance", choices.by_tolerance},
-        {"leaves", choices.leaves}, {"tolerance", choices.tolerance}, {"roots", choices.roots},
-        {"turns", Json::array()}};
+    Json json{{"row", offer.row()},
+              {"mesh", offer.selected_mesh()},
+              {"by_tolerance", choices.by_tolerance},
+              {"leaves", choices.leaves},
+              {"tolerance", choices.tolerance},
+              {"roots", choices.roots},
+              {"turns", Json::array()},
+              {"ups", Json::array()},
+              {"same_size", choices.same_size},
+              {"same_center", choices.same_center},
+              {"keep_largest", choices.keep_largest},
+              {"fill_holes", choices.fill_holes},
+              {"fault", offer.fault()}};
+    for (const std::size_t up : choices.ups) json["ups"].push_back(std::string(1, "XYZ"[up]));
     for (const FitChoices::Turn& turn : choices.turns)
         json["turns"].push_back({std::string(1, "xyz"[turn.axis]), turn.degrees});
     return json;

@@ -73,6 +73,7 @@ void FitDialog::open(std::size_t mesh_count, bool can_be_placed) {
 
 std::optional<bool> FitDialog::show(const Rect& area, const FitOfferShown& shown) {
     if (!is_open_) return std::nullopt;
+    fault_ = shown.fault;
     const float room = area.width - 2 * scaled(12);
     const float width = std::min(scaled(shown.meshes.size() > 2 ? 780 : 560), room);
     const float inner = width - 2 * scaled(16);

@@ -62,6 +62,10 @@ class FitDialog {
     /// "degrees", "parts", "holes", "fit" or "cancel".
     std::string_view row() const;
 
+    /// What was wrong with the choices when they were shown last, so that "Fit" could not be pressed; "" for
+    /// nothing.
+    const std::string& fault() const { return fault_; }
+
     /// The mesh whose turn is shown.
     std::size_t selected_mesh() const { return mesh_; }
 
@@ -116,6 +120,7 @@ class FitDialog {
     FitChoices choices_;
     Place focus_ = Place::number;
     bool has_focus_moved_ = false;  ///< so that its row must be scrolled into sight
+    std::string fault_;
     std::size_t mesh_ = 0;
     std::size_t first_tile_ = 0;
     float tile_side_ = 1;

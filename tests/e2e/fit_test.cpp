@@ -163,9 +163,19 @@ TEST_CASE("in the offer, leaves, roots and the turn of each mesh are chosen by t
     wait_for_offered(viewer, "leaves", "2000");
 
     go_to_row(viewer, "roots");
+    go_to_row(viewer, "size");
+    viewer.press(XK_space);
+    wait_for_offered(viewer, "same_size", false);
+    viewer.press(XK_space);
+    wait_for_offered(viewer, "same_size", true);
+    go_to_row(viewer, "center");
+    CHECK(viewer.state()["offer"]["same_center"] == true);
     go_to_row(viewer, "meshes");
     viewer.press(XK_Right);
     wait_for_offered(viewer, "mesh", 1);
+    go_to_row(viewer, "up");
+    viewer.press(XK_Right);
+    wait_for_offered(viewer, "ups", State({"Y", "Z"}));
     go_to_row(viewer, "axis");
     viewer.press(XK_Right);
     wait_for_offered(viewer, "turns", turns("0"));
@@ -197,8 +207,8 @@ TEST_CASE("a mesh dropped on the list is fitted over the family's roots, a refus
 
     viewer.drop(std::vector{bone}, row_pixel(before, 1));
     wait_for_offer(viewer);
-    // There are no roots to choose: behind the number comes the turn.
-    go_to_row(viewer, "axis");
+    // There are no roots and no meshes to choose: behind the number comes what the keys there decide.
+    for (const char* row : {"size", "center", "up", "axis"}) go_to_row(viewer, row);
     viewer.press(XK_Return);
     State state = wait_for_keys(viewer, 6);
     CHECK(state["document"]["keys"][5] == "bone 2");
@@ -224,6 +234,42 @@ TEST_CASE("a mesh dropped on the list is fitted over the family's roots, a refus
     });
     CHECK(family_of(refused) == family_of(before));
     CHECK(refused["document"]["changed"] == false);
+}
+
+TEST_CASE("what would be lost and made is shown, and Fit waits until that is allowed") {
+    const TemporaryFolder home;
+    // A box without a lid, and a small one beside it.
+    const fs::path mesh = home.path() / "boxes.obj";
+    std::ofstream file(mesh);
+    for (const double size : {2.0, 1.0})
+        for (int i = 0; i < 8; ++i)
+            file << fmt::format("v {} {} {}\n", (i & 1) * size + 4 * size, (i >> 1 & 1) * size,
+                                (i >> 2) * size);
+    file << "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\n"
+            "f 9 11 12 10\nf 13 14 16 15\nf 9 10 14 13\nf 11 15 16 12\nf 9 13 15 11\nf 10 12 16 14\n";
+    file.close();
+    const fs::path copy = home.path() / "copy.off";
+    std::ofstream(copy) << "OFF 4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+    const RunningViewer viewer(home.path(), {mesh, copy});
+    wait_for_offer(viewer);
+    const auto fault_with = [](const char* words) {
+        return [words](const State& s) {
+            return s["offer"].is_object() &&
+                   s["offer"]["fault"].get<std::string>().find(words) != std::string::npos;
+        };
+    };
+    viewer.wait_for("parts are told of", fault_with("A key is made of one part"));
+    for (const char* row : {"roots", "size", "center", "meshes", "up", "axis", "degrees", "parts"})
+        go_to_row(viewer, row);
+    viewer.press(XK_Return);
+    CHECK(viewer.state()["offer"].is_object());
+    viewer.press(XK_space);
+    viewer.wait_for("holes are told of", fault_with("A key is closed"));
+    go_to_row(viewer, "holes");
+    viewer.press(XK_space);
+    wait_for_offered(viewer, "fault", "");
+    viewer.press(XK_Return);
+    CHECK(wait_for_keys(viewer, 2)["document"]["keys"] == State({"boxes", "copy"}));
 }
 
 TEST_CASE(
