@@ -10,18 +10,28 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "family/origin.h"
 #include "hierarchy/error.h"
 #include "io/family_file.h"
 #include "io/input_file.h"
 #include "io/obj_lines.h"
+#include "io/words.h"
 
 namespace interleaf {
 namespace {
 
 constexpr std::uint64_t largest_surface = std::uint64_t{1} << 30;
 
+glm::dvec3 as_floats(const glm::dvec3& p) {
+    return {rounded_to_float(p.x), rounded_to_float(p.y), rounded_to_float(p.z)};
+}
+
 SurfaceFile parse_obj(std::string_view text, std::string_view name) {
-    return surface_of(read_obj_lines(std::string(text), name), name);
+    SurfaceFile surface = surface_of(read_obj_lines(std::string(text), name), name);
+    // The numbers of the key that the same file is (mesh_file.h): floats, unless it is far from 0.
+    if (origin_for(surface.positions, surface.triangles) == glm::dvec3(0))
+        for (glm::dvec3& position : surface.positions) position = as_floats(position);
+    return surface;
 }
 
 /// A sentence where 32-bit floats have left no detail: far from 0 they are coarse. "" otherwise.
@@ -30,7 +40,7 @@ std::string lost_digits(const SurfaceFile& surface) {
     glm::dvec3 least = surface.positions.front();
     glm::dvec3 most = least;
     for (const glm::dvec3& p : surface.positions) {
-        if (p != glm::dvec3(glm::vec3(p))) return {};
+        if (p != as_floats(p)) return {};
         least = glm::min(least, p);
         most = glm::max(most, p);
     }

@@ -59,6 +59,10 @@ std::optional<double> parse_double(std::string_view word) {
     return number;
 }
 
+double rounded_to_float(double number) {
+    return static_cast<float>(number);
+}
+
 std::optional<double> parse_coordinate(std::string_view word) {
     if (std::optional<double> number = parse_double(word)) {
         // What is nearer to the largest float than to the next step above it, is that float.

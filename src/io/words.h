@@ -49,9 +49,13 @@ std::errc parse_word(std::string_view word, Number& number) {
 /// small is 0.
 std::optional<double> parse_double(std::string_view word);
 
-/// The same for a coordinate or a part of a color: within the range of floats, and such that the nearest
-/// float is the one nearest to the word, too. A word that stands for no number, or for an infinite one, as
-/// programs print them ("nan", "-inf", "1.#QNAN"), is given as NaN.
+/// The float nearest to \p number. A function of its own, for g++ 12 takes a vector of doubles that goes to
+/// floats and back for unchanged when it optimises both in one place.
+double rounded_to_float(double number);
+
+/// The same as parse_double() for a coordinate or a part of a color: within the range of floats, and such
+/// that the nearest float is the one nearest to the word, too. A word that stands for no number, or for an
+/// infinite one, as programs print them ("nan", "-inf", "1.#QNAN"), is given as NaN.
 std::optional<double> parse_coordinate(std::string_view word);
 
 }  // namespace interleaf

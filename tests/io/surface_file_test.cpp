@@ -15,6 +15,7 @@
 #include <glm/geometric.hpp>
 
 #include "hierarchy/error.h"
+#include "io/mesh_file.h"
 #include "io/polygons.h"
 #include "io/scratch_folder.h"
 
@@ -205,6 +206,17 @@ TEST_CASE("the same surface is read from every form") {
     check_loose_pyramid(parse_stl(text_stl(pyramid()), "p"));
     check_pyramid(parse_ply(binary_ply(pyramid(), false), "p"));
     check_pyramid(parse_ply(binary_ply(pyramid(), true), "p"));
+}
+
+TEST_CASE("an OBJ near 0 gives a surface the floats that it gives a key") {
+    const ScratchFolder folder;
+    put(folder / "p.obj", "v 0.1 0.2 0.3\nv 1.1 0.7 -0.3\nv 0.123456789 1.3 0.9\nf 1 2 3\n");
+    const SurfaceFile surface = read_surface(folder / "p.obj");
+    const Hierarchy key = read_obj(folder / "p.obj");
+    REQUIRE(surface.positions.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i)
+        for (int axis = 0; axis < 3; ++axis)
+            CHECK(surface.positions[i][axis] == double{key.positions[i][axis]});
 }
 
 TEST_CASE("colours are read; in an OBJ a vertex without one is white") {
