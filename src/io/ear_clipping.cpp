@@ -16,6 +16,9 @@
 namespace interleaf {
 namespace {
 
+/// A polygon that bulges less than this (PlanePolygon::bulge) is flat, but for rounding.
+constexpr double max_bulge = 1e-3;
+
 /// A polygon of which ears have been clipped: a ring of the corners that are left.
 class Ring {
   public:
@@ -211,20 +214,25 @@ std::array<std::array<Triangle, 2>, 2> ways_to_halve(std::span<const glm::dvec3>
 std::vector<Triangle> divide_polygon(std::span<const glm::dvec3> corners) {
     assert(corners.size() >= 3 && corners.size() <= max_polygon_corners);
     if (corners.size() == 3) return {{0, 1, 2}};
-    const std::vector<PlanePoint> points = in_plane(corners);
+    const auto [points, bulge] = in_plane(corners);
     if (points.empty()) {
         std::vector<Triangle> fan;
         for (Index i = 2; i < corners.size(); ++i) fan.push_back({0, i - 1, i});
         return fan;
     }
+    // A polygon far from flat may cross itself in the plane, but not in space.
+    const bool is_flat = bulge < max_bulge;
     if (corners.size() == 4) {
-        for (const std::array<Triangle, 2>& halves : ways_to_halve(corners))
-            if (std::ranges::all_of(halves, [&](const Triangle& half) {
-                    return orientation(points[half[0]], points[half[1]], points[half[2]]) > 0;
-                }))
-                return {halves.begin(), halves.end()};
+        const auto ways = ways_to_halve(corners);
+        const auto* const way = std::ranges::find_if(ways, [&](const std::array<Triangle, 2>& halves) {
+            return std::ranges::all_of(halves, [&](const Triangle& half) {
+                return orientation(points[half[0]], points[half[1]], points[half[2]]) > 0;
+            });
+        });
+        if (way != ways.end()) return {way->begin(), way->end()};
+        if (!is_flat) return {ways.front().begin(), ways.front().end()};
     }
-    const bool may_cross = !is_convex(points);
+    const bool may_cross = is_flat && !is_convex(points);
     if (may_cross && has_crossing(edges_of(points), RunningTogether::allowed)) return {};
     std::vector<Triangle> triangles = Ring(points, corners).clip();
     // A polygon may also cross itself at a corner, which only its triangles tell: they overlap.

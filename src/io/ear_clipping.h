@@ -17,11 +17,10 @@ namespace interleaf {
 inline constexpr std::size_t max_polygon_corners = 100'000;
 
 /// The triangles of a polygon in the plane that fits it best, as numbers of its corners, two triangles fewer
-/// than corners; none where it crosses itself. It may be concave, and touch itself at corners or along edges,
-/// as where a seam leads to a hole. A polygon without area becomes triangles without area. Whether it crosses
-/// itself is sure where edges cross; where it only passes through itself at corners on its edges, rounding
-/// may hide it.
-/// \pre 3 to max_polygon_corners corners, finite
+/// than corners; none where it is flat and crosses itself. It may be concave, and touch itself at corners or
+/// along edges, as where a seam leads to a hole. A polygon without area becomes triangles without area.
+/// Whether it crosses itself is sure where edges cross; where it only passes through itself at corners on its
+/// edges, rounding may hide it. \pre 3 to max_polygon_corners corners, finite
 std::vector<Triangle> divide_polygon(std::span<const glm::dvec3> corners);
 
 }  // namespace interleaf

@@ -68,7 +68,7 @@ std::array<glm::dvec3, 2> axes_across(const glm::dvec3& normal) {
 
 }  // namespace
 
-std::vector<PlanePoint> in_plane(std::span<const glm::dvec3> corners) {
+PlanePolygon in_plane(std::span<const glm::dvec3> corners) {
     const std::vector<glm::dvec3> scaled = scaled_to_one(corners);
     if (scaled.empty()) return {};
     const glm::dvec3 normal = normal_of(scaled);
@@ -77,8 +77,11 @@ std::vector<PlanePoint> in_plane(std::span<const glm::dvec3> corners) {
 
     std::vector<glm::dvec2> flat;
     flat.reserve(scaled.size());
-    for (const glm::dvec3& corner : scaled)
+    glm::dvec3 middle(0);
+    for (const glm::dvec3& corner : scaled) {
         flat.emplace_back(glm::dot(corner, x_axis), glm::dot(corner, y_axis));
+        middle += corner / static_cast<double>(scaled.size());
+    }
     glm::dvec2 least = flat.front();
     glm::dvec2 most = flat.front();
     for (const glm::dvec2& point : flat) {
@@ -86,14 +89,18 @@ std::vector<PlanePoint> in_plane(std::span<const glm::dvec3> corners) {
         most = glm::max(most, point);
     }
     const glm::dvec2 sides = most - least;
-    const double steps_per_unit = static_cast<double>(plane_steps) / std::max(sides.x, sides.y);
-    std::vector<PlanePoint> points;
-    points.reserve(flat.size());
+    const double side = std::max(sides.x, sides.y);
+
+    PlanePolygon polygon;
+    polygon.points.reserve(flat.size());
     for (const glm::dvec2& point : flat) {
-        const glm::dvec2 place = (point - least) * steps_per_unit;
-        points.push_back({std::llround(place.x), std::llround(place.y)});
+        const glm::dvec2 place = (point - least) * (static_cast<double>(plane_steps) / side);
+        polygon.points.push_back({std::llround(place.x), std::llround(place.y)});
     }
-    return points;
+    const glm::dvec3 unit = glm::normalize(normal);
+    for (const glm::dvec3& corner : scaled)
+        polygon.bulge = std::max(polygon.bulge, std::abs(glm::dot(corner - middle, unit)) / side);
+    return polygon;
 }
 
 }  // namespace interleaf

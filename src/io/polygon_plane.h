@@ -32,10 +32,17 @@ inline double distance(const PlanePoint& a, const PlanePoint& b) {
     return std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y));
 }
 
-/// The corners of a polygon in the plane of its area vector (Newell's method), around which it turns left.
-/// Equal corners give equal places. Empty where all corners lie on one line, or are as good as that: no plane
-/// fits better than others.
+struct PlanePolygon {
+    std::vector<PlanePoint> points;  ///< one per corner; equal corners give equal points
+
+    /// The largest distance of a corner from the plane through the middle of the corners, as a part of the
+    /// longer side of their box in the plane.
+    double bulge = 0;
+};
+
+/// The corners of a polygon in the plane of its area vector (Newell's method), around which it turns left. No
+/// points where all corners lie on one line, or are as good as that: no plane fits better than others.
 /// \pre at least three corners, finite
-std::vector<PlanePoint> in_plane(std::span<const glm::dvec3> corners);
+PlanePolygon in_plane(std::span<const glm::dvec3> corners);
 
 }  // namespace interleaf

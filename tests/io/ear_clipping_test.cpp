@@ -242,4 +242,14 @@ TEST_CASE("polygons of the most corners take no more than a moment") {
     CHECK(is_refused(crossed));
 }
 
+TEST_CASE("a quadrilateral that crosses itself in the plane alone, for it is far from flat, is halved") {
+    // One of a public model: its opposite edges are far apart in space.
+    const std::vector<glm::dvec3> skew{{12.880048, 236.295380, 43.735176},
+                                       {12.819249, 236.278671, 43.792137},
+                                       {12.944972, 236.356552, 42.972511},
+                                       {12.883921, 236.197540, 42.910332}};
+    CHECK(divide_polygon(skew).size() == 2);
+    CHECK(divide_polygon(std::vector<glm::dvec3>{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}).empty());
+}
+
 }  // namespace interleaf
