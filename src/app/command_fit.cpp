@@ -16,6 +16,7 @@
 #include "fit/fit.h"
 #include "hierarchy/error.h"
 #include "io/family_file.h"
+#include "io/file_pattern.h"
 #include "io/mesh_file.h"
 
 namespace interleaf {

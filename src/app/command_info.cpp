@@ -17,6 +17,7 @@
 #include "family/family_fields.h"
 #include "hierarchy/error.h"
 #include "io/family_file.h"
+#include "io/file_pattern.h"
 #include "io/hierarchy_file.h"
 #include "io/mesh_file.h"
 #include "ui/number_text.h"

@@ -7,7 +7,7 @@
 
 #include "family/origin.h"
 #include "hierarchy/error.h"
-#include "io/family_file.h"
+#include "io/file_pattern.h"
 
 namespace interleaf {
 

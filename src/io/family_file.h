@@ -31,9 +31,6 @@ Family read_keys(std::span<const std::filesystem::path> files, std::vector<std::
 /// \throw InputError, MachineError as read_family(), for what names them
 std::vector<std::filesystem::path> key_files(const std::filesystem::path& path);
 
-/// The extension of \p file as read_family() takes it: ".ILH" as ".ilh".
-std::string lower_case_extension(const std::filesystem::path& file);
-
 /// Writes family.json and the keys as NAME.ilh of this form into \p folder, which is made if missing. Key
 /// files that the family.json found there names stay until the new one is in place; then those it does not
 /// name are removed. \throw InputError   if check() finds fault with the family, or a name is not UTF-8

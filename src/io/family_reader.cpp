@@ -13,6 +13,7 @@
 #include "hierarchy/error.h"
 #include "io/family_file.h"
 #include "io/family_format.h"
+#include "io/file_pattern.h"
 #include "io/hierarchy_file.h"
 #include "io/input_file.h"
 #include "io/joined_text.h"
@@ -267,13 +268,6 @@ MeshKeys read_all(std::span<const fs::path> files) {
 }
 
 }  // namespace
-
-std::string lower_case_extension(const fs::path& file) {
-    std::string extension = file.extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return extension;
-}
 
 std::vector<fs::path> key_files(const fs::path& path) {
     std::error_code ignored;

@@ -121,4 +121,11 @@ std::vector<fs::path> matching_files(const fs::path& path) {
     return files;
 }
 
+std::string lower_case_extension(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return extension;
+}
+
 }  // namespace interleaf

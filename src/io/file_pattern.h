@@ -1,8 +1,9 @@
-// Several files in one word: a pattern such as flow.*.obj, and the order in which numbered files follow each
-// other.
+// Names of files: a pattern such as flow.*.obj for several, the order in which numbered files follow each other,
+// and the extension.
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,5 +25,8 @@ void sort_naturally(std::vector<std::filesystem::path>& files);
 /// \throw InputError   if nothing matches a pattern, or there is an asterisk in another component
 /// \throw MachineError if the folder cannot be read
 std::vector<std::filesystem::path> matching_files(const std::filesystem::path& path);
+
+/// The extension of \p file in small letters: ".ILH" as ".ilh".
+std::string lower_case_extension(const std::filesystem::path& file);
 
 }  // namespace interleaf

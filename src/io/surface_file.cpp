@@ -12,7 +12,7 @@
 
 #include "family/origin.h"
 #include "hierarchy/error.h"
-#include "io/family_file.h"
+#include "io/file_pattern.h"
 #include "io/input_file.h"
 #include "io/obj_lines.h"
 #include "io/words.h"
