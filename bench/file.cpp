@@ -14,8 +14,8 @@
 #include <unistd.h>
 
 #include "hierarchy/checker.h"
-#include "io/hierarchy_file.h"
-#include "io/input_file.h"
+#include "io/file/input_file.h"
+#include "io/hierarchy/hierarchy_file.h"
 
 namespace {
 

@@ -11,10 +11,10 @@
 
 #include "json_line.h"
 
-#include "fit/alignment.h"
-#include "fit/clean_up.h"
-#include "fit/spherical_map.h"
-#include "fit/surface_sampling.h"
+#include "fit/clean_up/clean_up.h"
+#include "fit/sampling/surface_sampling.h"
+#include "fit/sphere_map/alignment.h"
+#include "fit/sphere_map/spherical_map.h"
 #include "hierarchy/hierarchy.h"
 #include "shapes/shapes.h"
 

@@ -15,7 +15,7 @@
 #include "hierarchy/adaptive_mesh.h"
 #include "hierarchy/morph.h"
 #include "hierarchy/union_mesh.h"
-#include "io/hierarchy_file.h"
+#include "io/hierarchy/hierarchy_file.h"
 #include "shapes/icosahedron.h"
 
 namespace {

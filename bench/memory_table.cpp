@@ -20,7 +20,7 @@
 #include "hierarchy/marking.h"
 #include "hierarchy/union_mesh.h"
 #include "hierarchy/vertex_normals.h"
-#include "io/hierarchy_file.h"
+#include "io/hierarchy/hierarchy_file.h"
 #include "shapes/brezel.h"
 #include "shapes/shapes.h"
 

@@ -17,7 +17,7 @@
 
 #include "hierarchy/morph.h"
 #include "hierarchy/union_mesh.h"
-#include "io/family_file.h"
+#include "io/family/family_file.h"
 
 namespace {
 

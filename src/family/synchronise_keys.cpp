@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "hierarchy/synchronise.h"
+#include "hierarchy/matching/synchronise.h"
 
 namespace interleaf {
 

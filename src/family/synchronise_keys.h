@@ -10,7 +10,7 @@
 
 #include "family/family.h"
 #include "hierarchy/error.h"
-#include "hierarchy/root_match.h"
+#include "hierarchy/matching/root_match.h"
 
 namespace interleaf {
 

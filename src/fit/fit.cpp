@@ -13,12 +13,12 @@
 #include <fmt/core.h>
 #include <glm/common.hpp>
 
-#include "fit/alignment.h"
-#include "fit/leaf_smoothing.h"
-#include "fit/progress_meter.h"
-#include "fit/spherical_map.h"
-#include "fit/surface_refinement.h"
-#include "fit/surface_sampling.h"
+#include "fit/mesh/progress_meter.h"
+#include "fit/sampling/leaf_smoothing.h"
+#include "fit/sampling/surface_sampling.h"
+#include "fit/sphere_map/alignment.h"
+#include "fit/sphere_map/spherical_map.h"
+#include "fit/sphere_map/surface_refinement.h"
 #include "hierarchy/error.h"
 
 namespace interleaf {

@@ -10,12 +10,12 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "fit/clean_up.h"
+#include "fit/clean_up/clean_up.h"
 #include "fit/fit_quality.h"
-#include "fit/progress.h"
-#include "fit/sphere_roots.h"
-#include "fit/spherical_map.h"
-#include "fit/surface_mesh.h"
+#include "fit/mesh/progress.h"
+#include "fit/mesh/surface_mesh.h"
+#include "fit/sphere_map/sphere_roots.h"
+#include "fit/sphere_map/spherical_map.h"
 #include "hierarchy/hierarchy.h"
 
 namespace interleaf {

@@ -8,8 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "fit/progress_meter.h"
-#include "fit/surface_distance.h"
+#include "fit/mesh/progress_meter.h"
+#include "fit/mesh/surface_distance.h"
 #include "hierarchy/measure.h"
 
 namespace interleaf {

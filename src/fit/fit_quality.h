@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
-#include "fit/progress.h"
-#include "fit/surface_mesh.h"
-#include "fit/surface_sampling.h"
+#include "fit/mesh/progress.h"
+#include "fit/mesh/surface_mesh.h"
+#include "fit/sampling/surface_sampling.h"
 
 namespace interleaf {
 

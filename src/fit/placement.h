@@ -7,8 +7,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "fit/clean_up.h"
-#include "fit/surface_mesh.h"
+#include "fit/clean_up/clean_up.h"
+#include "fit/mesh/surface_mesh.h"
 
 namespace interleaf {
 

@@ -14,7 +14,7 @@
 #include <imgui_internal.h>
 
 #include "hierarchy/error.h"
-#include "ui/style.h"
+#include "ui/widgets/style.h"
 
 namespace interleaf {
 

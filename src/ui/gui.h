@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "ui/rect.h"
+#include "ui/widgets/rect.h"
 
 struct GLFWwindow;
 

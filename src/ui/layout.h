@@ -5,7 +5,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "ui/rect.h"
+#include "ui/widgets/rect.h"
 
 namespace interleaf {
 

@@ -7,9 +7,9 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
-#include "io/family_file.h"
-#include "io/hierarchy_file.h"
-#include "io/mesh_file.h"
+#include "io/family/family_file.h"
+#include "io/hierarchy/hierarchy_file.h"
+#include "io/mesh/mesh_file.h"
 
 namespace interleaf {
 namespace {

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "hierarchy/measure.h"
-#include "io/family_file.h"
-#include "io/hierarchy_file.h"
+#include "io/family/family_file.h"
+#include "io/hierarchy/hierarchy_file.h"
 
 namespace interleaf {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/surface_mesh.h"
+#include "fit/mesh/surface_mesh.h"
 
 namespace interleaf::testing {
 

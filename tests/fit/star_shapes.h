@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "fit/surface_mesh.h"
+#include "fit/mesh/surface_mesh.h"
 
 namespace interleaf::testing {
 

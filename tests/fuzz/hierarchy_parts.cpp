@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "hierarchy/checker.h"
-#include "io/hierarchy_file.h"
+#include "io/hierarchy/hierarchy_file.h"
 
 namespace interleaf::fuzz {
 

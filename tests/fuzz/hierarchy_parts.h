@@ -3,7 +3,7 @@
 
 #include "fuzz/target.h"
 
-#include "io/hierarchy_format.h"
+#include "io/hierarchy/hierarchy_format.h"
 
 namespace interleaf::fuzz {
 

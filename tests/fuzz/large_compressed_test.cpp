@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "hierarchy/adaptive_mesh.h"
-#include "io/hierarchy_file.h"
+#include "io/hierarchy/hierarchy_file.h"
 
 namespace interleaf::fuzz {
 

@@ -14,7 +14,7 @@
 #include <fmt/core.h>
 
 #include "hierarchy/adaptive_mesh.h"
-#include "io/hierarchy_file.h"
+#include "io/hierarchy/hierarchy_file.h"
 #include "io/samples.h"
 #include "shapes/brezel.h"
 #include "shapes/shapes.h"

@@ -12,7 +12,7 @@
 #include <zstd.h>
 
 #include "hierarchy/error.h"
-#include "io/hierarchy_file.h"
+#include "io/hierarchy/hierarchy_file.h"
 
 namespace interleaf::fuzz {
 

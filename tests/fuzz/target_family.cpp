@@ -6,8 +6,8 @@
 #include "fuzz/scratch_file.h"
 #include "fuzz/target.h"
 
-#include "io/family_file.h"
-#include "io/hierarchy_file.h"
+#include "io/family/family_file.h"
+#include "io/hierarchy/hierarchy_file.h"
 
 namespace interleaf::fuzz {
 

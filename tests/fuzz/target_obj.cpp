@@ -6,7 +6,7 @@
 #include "fuzz/target.h"
 
 #include "hierarchy/checker.h"
-#include "io/mesh_file.h"
+#include "io/mesh/mesh_file.h"
 
 namespace interleaf::fuzz {
 

@@ -3,8 +3,8 @@
 
 #include "fuzz/target.h"
 
-#include "app/recovery.h"
-#include "io/family_format.h"
+#include "app/storage/recovery.h"
+#include "io/family/family_format.h"
 
 namespace interleaf::fuzz {
 

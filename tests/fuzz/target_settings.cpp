@@ -7,7 +7,7 @@
 #include "fuzz/scratch_file.h"
 #include "fuzz/target.h"
 
-#include "app/settings.h"
+#include "app/storage/settings.h"
 #include "hierarchy/error.h"
 
 namespace interleaf::fuzz {

@@ -11,7 +11,7 @@
 #include "fuzz/target.h"
 
 #include "hierarchy/error.h"
-#include "io/surface_file.h"
+#include "io/mesh/surface_file.h"
 
 namespace interleaf::fuzz {
 

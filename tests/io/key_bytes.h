@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/hierarchy_file.h"
+#include "io/hierarchy/hierarchy_file.h"
 
 namespace interleaf {
 

@@ -1,7 +1,8 @@
-"""Reads the includes of every file of src/ and names each one that crosses the layers.
+"""Reads the includes of every file of src/ and names each one that crosses the layers or their rooms.
 
-The table below is the project's: a folder of src/ is a layer, and includes go one way only. OpenGL, windows
-and Dear ImGui stay in the layers that draw; CLI11 and Boost, which are slow to compile, in one place each.
+The tables below are the project's: a folder of src/ is a layer, a folder in it a room, and includes go one way
+only. OpenGL, windows and Dear ImGui stay in the layers that draw; CLI11 and Boost, which are slow to compile, in
+one place each.
 """
 
 import re
@@ -19,6 +20,41 @@ LAYERS = {
     "render": {"hierarchy", "family"},
     "ui": {"hierarchy", "family", "render"},
     "app": {"hierarchy", "family", "shapes", "fit", "sequence", "io", "render", "ui"},
+}
+# What other rooms of its layer each room may include; "" are the files beside the rooms. Layers that are not named
+# have no rooms.
+ROOMS = {
+    "hierarchy": {"": set(), "matching": {""}},
+    "fit": {
+        "mesh": set(),
+        "clean_up": {"mesh"},
+        "sphere_map": {"mesh"},
+        "sampling": {"mesh", "sphere_map"},
+        "": {"mesh", "clean_up", "sphere_map", "sampling"},
+    },
+    "io": {
+        "text": set(),
+        "file": {"text"},
+        "hierarchy": {"text", "file"},
+        "mesh": {"text", "file"},
+        "family": {"text", "file", "hierarchy", "mesh"},
+    },
+    "ui": {
+        "widgets": set(),
+        "dialogs": {"widgets"},
+        "browser": {"widgets", "dialogs"},
+        "panels": {"widgets"},
+        "": {"widgets"},
+    },
+    "app": {
+        "document": set(),
+        "fitting": {"document"},
+        "storage": {"document", "fitting"},
+        "pictures": {"document"},
+        "window": {"document", "fitting", "storage", "pictures"},
+        "cli": {"document", "fitting", "storage", "pictures", "window"},
+        "": {"cli"},
+    },
 }
 DRAWING_LAYERS = {"render", "ui", "app"}
 DRAWING_HEADER = re.compile(r"(GL|GLES\d?|GLFW|EGL|KHR|X11|glad)/|imgui")
@@ -39,8 +75,17 @@ def includes(path):
             yield (number, operand[1] == '"', operand[2]) if operand else (number, False, None)
 
 
-def fault(layer, quoted, header):
-    """What is wrong with this include in this layer, or None."""
+def rooms_of(layer):
+    return ROOMS.get(layer, {"": set()})
+
+
+def room_of(parts):
+    """The room of a file: the folder between its layer and its name, "" for none."""
+    return "/".join(parts[1:-1])
+
+
+def fault(layer, room, quoted, header):
+    """What is wrong with this include in this room of this layer, or None."""
     if header is None:
         return "an include is spelled out, not made by a macro"
     folder = header.split("/")[0]
@@ -49,6 +94,9 @@ def fault(layer, quoted, header):
             return f"<{header}> is ours: include it in quotes"
         if folder != layer and folder not in LAYERS[layer]:
             return f'{layer} may not include "{header}"'
+        other = room_of(header.split("/"))
+        if folder == layer and other != room and other not in rooms_of(layer)[room]:
+            return f'the room {layer}/{room} may not include "{header}"'
     elif quoted:
         return f'"{header}" does not begin with a layer; what is not ours goes in angle brackets'
     elif DRAWING_HEADER.match(header) and layer not in DRAWING_LAYERS:
@@ -66,8 +114,12 @@ def violations(src):
         if layer not in LAYERS:
             found.append(f"{name}: {layer} is not in the table of layers")
             continue
+        room = room_of(name.parts)
+        if room not in rooms_of(layer):
+            found.append(f"{name}: {layer}/{room} is not in the table of rooms")
+            continue
         for number, quoted, header in includes(path):
-            wrong = fault(layer, quoted, header)
+            wrong = fault(layer, room, quoted, header)
             if wrong:
                 found.append(f"{name}:{number}: {wrong}")
             for library, pattern in IN_ONE_PLACE.items():

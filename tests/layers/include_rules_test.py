@@ -4,7 +4,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from include_rules import LAYERS, violations
+from include_rules import LAYERS, ROOMS, rooms_of, violations
 
 
 def violations_in(files):
@@ -15,6 +15,10 @@ def violations_in(files):
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(content, encoding="utf-8")
         return violations(Path(folder))
+
+
+def a_file(layer, room):
+    return f"{layer}/{room}/a.cpp" if room else f"{layer}/a.cpp"
 
 
 class IncludeRules(unittest.TestCase):
@@ -29,8 +33,8 @@ class IncludeRules(unittest.TestCase):
             "hierarchy/marking.cpp": '#include <boost/version.hpp>\n#include "hierarchy/triangle.h"\n',
             "family/family.cpp": '#include "hierarchy/triangle.h"\n// #include "app/main.h"\n',
             "render/renderer.cpp": '#include <glad/gl.h>\n#include "family/family.h"\n',
-            "ui/panel.cpp": '#include <imgui.h>\n#include "render/renderer.h"\n',
-            "app/main.cpp": '#include "ui/panel.h"\n#include <CLI/CLI.hpp>\n#include <GLFW/glfw3.h>\n',
+            "ui/panels/panel.cpp": '#include <imgui.h>\n#include "render/renderer.h"\n#include "ui/widgets/style.h"\n',
+            "app/main.cpp": '#include "ui/panels/panel.h"\n#include <CLI/CLI.hpp>\n#include <GLFW/glfw3.h>\n',
         })
         self.assertEqual(found, [])
 
@@ -38,8 +42,34 @@ class IncludeRules(unittest.TestCase):
         for layer, allowed in LAYERS.items():
             for other in LAYERS.keys() - allowed - {layer}:
                 with self.subTest(layer=layer, includes=other):
-                    tree = {f"{layer}/a.cpp": f'\n  #  include "{other}/b.h"\n'}
-                    self.assert_only_violation(tree, f"{layer}/a.cpp:2: ")
+                    file = a_file(layer, sorted(rooms_of(layer))[0])
+                    tree = {file: f'\n  #  include "{other}/b.h"\n'}
+                    self.assert_only_violation(tree, f"{file}:2: ")
+
+    def test_every_forbidden_pair_of_rooms_is_found_and_no_other(self):
+        for layer, rooms in ROOMS.items():
+            for room, allowed in rooms.items():
+                for other in rooms:
+                    with self.subTest(layer=layer, room=room, includes=other):
+                        file = a_file(layer, room)
+                        tree = {file: f'#include "{a_file(layer, other)}"\n'}
+                        if other == room or other in allowed:
+                            self.assertEqual(violations_in(tree), [])
+                        else:
+                            self.assert_only_violation(tree, f"{file}:1: the room {layer}/{room} may not")
+
+    def test_tables_of_rooms_have_no_cycle(self):
+        for layer, rooms in ROOMS.items():
+            reached = set()
+            while reached != rooms.keys():
+                free = {room for room in rooms.keys() - reached if rooms[room] <= reached}
+                self.assertTrue(free, f"a cycle among {rooms.keys() - reached} of {layer}")
+                reached |= free
+
+    def test_room_outside_the_table_is_found(self):
+        for file in ["io/attic/a.h", "io/a.h", "io/text/deep/a.h", "family/attic/a.h"]:
+            with self.subTest(file=file):
+                self.assert_only_violation({file: "#pragma once\n"}, "is not in the table of rooms")
 
     def test_table_has_no_cycle(self):
         reached = set()
@@ -51,7 +81,7 @@ class IncludeRules(unittest.TestCase):
     def test_layer_that_does_not_draw_may_not_include_graphics(self):
         headers = ["GL/gl.h", "GLFW/glfw3.h", "EGL/egl.h", "glad/gl.h", "imgui.h", "X11/Xlib.h"]
         for header in headers:
-            for layer in ["hierarchy", "family", "shapes", "io"]:
+            for layer in ["hierarchy", "family", "shapes", "io/text"]:
                 with self.subTest(layer=layer, header=header):
                     self.assert_only_violation({f"{layer}/a.h": f"#include <{header}>\n"}, header)
 

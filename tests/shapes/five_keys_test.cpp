@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "family/family.h"
-#include "io/family_file.h"
+#include "io/family/family_file.h"
 #include "shapes/shapes.h"
 
 using namespace interleaf;

@@ -12,7 +12,7 @@
 #include "hierarchy/checker.h"
 #include "hierarchy/error.h"
 #include "hierarchy/measure.h"
-#include "io/hierarchy_file.h"
+#include "io/hierarchy/hierarchy_file.h"
 #include "shapes/bisection_of_sphere.h"
 #include "shapes/icosahedron.h"
 #include "shapes/leaf_fit.h"

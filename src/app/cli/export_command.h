@@ -1,0 +1,19 @@
+// `interleaf export`: the morphed union as a flat mesh, or as a key like any other (paper, section 3.3).
+#pragma once
+
+#include "app/cli/morph_selection.h"
+#include "app/cli/output.h"
+#include "io/hierarchy/hierarchy_file.h"
+
+namespace interleaf {
+
+struct ExportOptions {
+    MorphSelection morph;
+    Output output;              ///< obj, ply or ilh
+    HierarchyFileOptions form;  ///< of an ilh
+};
+
+/// \throw InputError, UsageError, MachineError
+void run_export(const ExportOptions& options);
+
+}  // namespace interleaf

@@ -1,0 +1,21 @@
+// `interleaf family`: a family folder from key files.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "io/hierarchy/hierarchy_file.h"
+
+namespace interleaf {
+
+struct FamilyOptions {
+    std::vector<std::filesystem::path> keys;  ///< what open_family() takes
+    std::filesystem::path output;             ///< the folder
+    HierarchyFileOptions form;                ///< of the key files
+};
+
+/// Opens the keys, puts them over the same roots and writes the family. Says on standard error which keys
+/// were changed for that. \throw InputError, MachineError
+void run_family(const FamilyOptions& options);
+
+}  // namespace interleaf

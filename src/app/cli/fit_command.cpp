@@ -1,0 +1,197 @@
+#include "app/cli/fit_command.h"
+
+#include <array>
+#include <utility>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/error_message.h"
+#include "app/cli/held_interrupts.h"
+#include "app/cli/output.h"
+#include "app/cli/progress_line.h"
+#include "app/fitting/fit_files.h"
+#include "app/fitting/fit_roots.h"
+#include "family/new_family.h"
+#include "fit/fit.h"
+#include "hierarchy/error.h"
+#include "io/family/family_file.h"
+#include "io/file/file_pattern.h"
+#include "io/mesh/mesh_file.h"
+
+namespace interleaf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 1> fit_formats = {"ilh"};
+
+void check_options(const FitCommandOptions& options) {
+    if (options.json && options.output == "-")
+        throw UsageError("fit: -o - leaves no place for --report, expected a file");
+    if (!options.rotations.empty() && options.rotations.size() != options.meshes.size())
+        throw UsageError(
+            fmt::format("fit: --rotate {} times for {} meshes, expected one for each, x,0 for none",
+                        options.rotations.size(), options.meshes.size()));
+    if (!options.ups.empty() && options.ups.size() != options.meshes.size())
+        throw UsageError(fmt::format("fit: --up {} times for {} meshes, expected one for each, y for none",
+                                     options.ups.size(), options.meshes.size()));
+    if (options.meshes.size() == 1) {
+        format_of({options.output, options.output == "-" ? "ilh" : ""}, fit_formats);
+    } else if (options.output == "-") {
+        throw UsageError("fit: -o must name a folder for several meshes");
+    }
+}
+
+SphereRoots roots_named(const std::string& name) {
+    if (const NamedRoots* const named = find_roots(name)) return named->roots;
+    const std::filesystem::path file = name;
+    if (lower_case_extension(file) != ".obj")
+        throw UsageError(
+            fmt::format("--roots: expected cube, icosahedron, octahedron or an .obj file, got '{}'", name));
+    const Hierarchy roots = read_obj(file);
+    try {
+        return project_to_sphere(roots);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", name, error.what()));
+    }
+}
+
+/// The meshes of a command, fitted.
+struct Fitted {
+    std::vector<FittedMesh> meshes;
+    glm::dvec3 origin{0};
+};
+
+/// Fits every mesh. Cancelled when an interrupt waits.
+Fitted fit_files(const FitCommandOptions& options, const HeldInterrupts& interrupts) {
+    FitTask task{.meshes = options.meshes,
+                 .options = {.roots = roots_named(options.roots),
+                             .leaves = options.leaves,
+                             .tolerance = options.tolerance,
+                             .keep_largest = options.keep_largest,
+                             .fill_holes = options.fill_holes},
+                 .rotations = {},
+                 .ups = options.ups,
+                 .placing = options.placing};
+    for (const AxisTurn& rotation : options.rotations) task.rotations.push_back(matrix_of(rotation));
+    MeshFitter fitter(std::move(task));
+    Fitted fitted;
+    ProgressLine line;
+    for (std::size_t i = 0; i < options.meshes.size(); ++i) {
+        const std::filesystem::path& mesh = options.meshes[i];
+        fitted.meshes.push_back(fitter.fit_next([&](std::string_view stage, double part) {
+            line.show(fmt::format("{}: {}", mesh.filename().string(), stage),
+                      (double(i) + part) / double(options.meshes.size()));
+            return !interrupts.is_waiting();
+        }));
+    }
+    fitted.origin = fitter.origin();
+    return fitted;
+}
+
+std::string folder_name(const std::filesystem::path& folder) {
+    const std::filesystem::path whole = folder.has_filename() ? folder : folder.parent_path();
+    const std::string name = std::filesystem::absolute(whole).lexically_normal().filename().string();
+    return name.empty() || name == "." ? "family" : name;
+}
+
+Family family_of(const FitCommandOptions& options, const Fitted& fitted) {
+    std::vector<Key> keys;
+    keys.reserve(fitted.meshes.size());
+    for (std::size_t i = 0; i < fitted.meshes.size(); ++i)
+        keys.push_back({options.meshes[i].stem().string(), fitted.meshes[i].key.hierarchy});
+    Family family = family_of_keys(folder_name(options.output), std::move(keys));
+    family.origin = fitted.origin;
+    return family;
+}
+
+Json json_of(const FitQuality& quality) {
+    return {{"hausdorff", quality.hausdorff},
+            {"root_mean_square", quality.root_mean_square},
+            {"least_angle", quality.least_angle},
+            {"flipped_leaves", quality.flipped_leaves},
+            {"euler", quality.euler}};
+}
+
+Json json_of(const std::filesystem::path& file, const FittedMesh& mesh) {
+    const FittedKey& key = mesh.key;
+    const FitReport& report = key.report;
+    Json seconds = Json::object();
+    double whole = 0;
+    for (const StageTime& time : report.times) {
+        seconds[time.stage] = seconds.value(time.stage, 0.0) + time.seconds;
+        whole += time.seconds;
+    }
+    seconds["whole"] = whole;
+    return {{"file", file.string()},
+            {"mesh", {{"vertices", report.mesh_vertices}, {"triangles", report.mesh_triangles}}},
+            {"remarks", mesh.remarks},
+            {"warning", mesh.warning},
+            {"clean_up", report.clean_up.sentences()},
+            {"area", {{"dropped", report.clean_up.dropped_area}, {"made", report.clean_up.made_area}}},
+            {"map", {{"method", name_of(report.map_method)}, {"keeps", name_of(report.map_keeps)}}},
+            {"mean_cosine", report.mean_cosine},
+            {"key", {{"leaves", key.hierarchy.leaf_count()}, {"vertices", key.hierarchy.vertex_count()}}},
+            {"quality", json_of(report.quality)},
+            {"hausdorff_as_brought", report.hausdorff_as_brought},
+            {"quality_at_20000_leaves", json_of(report.at_20000_leaves)},
+            {"seconds", seconds}};
+}
+
+void print_report(const std::filesystem::path& file, const FittedMesh& mesh) {
+    const FittedKey& key = mesh.key;
+    const FitReport& report = key.report;
+    fmt::print("{}: {} vertices, {} triangles\n", file.string(), report.mesh_vertices, report.mesh_triangles);
+    for (const std::string& remark : mesh.remarks) fmt::print("  read: {}\n", remark);
+    for (const std::string& sentence : report.clean_up.sentences())
+        fmt::print("  cleaned up: {}\n", sentence);
+    double whole = 0;
+    for (const StageTime& time : report.times) whole += time.seconds;
+    fmt::print("  key: {} leaves, at most {:.3g} % of the box diagonal from the mesh, {:.3g} % in the mean\n",
+               key.hierarchy.leaf_count(), 100 * report.quality.hausdorff,
+               100 * report.quality.root_mean_square);
+    if (report.hausdorff_as_brought != report.quality.hausdorff)
+        fmt::print("  at most {:.3g} % of its box diagonal from the mesh as it was brought\n",
+                   100 * report.hausdorff_as_brought);
+    fmt::print("  least angle {:.3g} degrees, flipped leaves: {}, {:.2g} s\n", report.quality.least_angle,
+               report.quality.flipped_leaves, whole);
+}
+
+void print_reports(const FitCommandOptions& options, const std::vector<FittedMesh>& fitted) {
+    for (std::size_t i = 0; i < fitted.size(); ++i)
+        if (!fitted[i].warning.empty())
+            print_error(fmt::format("{}: warning: {}; --same-size and --same-center bring meshes together",
+                                    options.meshes[i].string(), fitted[i].warning));
+    if (options.output == "-") return;
+    Json meshes = Json::array();
+    for (std::size_t i = 0; i < fitted.size(); ++i) {
+        if (options.json)
+            meshes.push_back(json_of(options.meshes[i], fitted[i]));
+        else
+            print_report(options.meshes[i], fitted[i]);
+    }
+    if (options.json)
+        fmt::print("{}\n", Json{{"meshes", meshes}}.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace
+
+void run_fit(const FitCommandOptions& options) {
+    check_options(options);
+    const HeldInterrupts interrupts;
+    Fitted fitted;
+    try {
+        fitted = fit_files(options, interrupts);
+    } catch (const Cancelled&) {
+        return;  // the interrupt that is held ends the program now
+    }
+    if (fitted.meshes.size() == 1)
+        write_output({options.output, "ilh"},
+                     serialize_hierarchy(fitted.meshes[0].key.hierarchy, options.form));
+    else
+        write_family(family_of(options, fitted), options.output, options.form);
+    print_reports(options, fitted.meshes);
+}
+
+}  // namespace interleaf

@@ -1,0 +1,318 @@
+#include "app/cli/info_command.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/figures.h"
+#include "app/cli/mesh_figures.h"
+#include "app/cli/shown_text.h"
+#include "app/document/open_family.h"
+#include "app/fitting/fit_files.h"
+#include "family/family_fields.h"
+#include "hierarchy/error.h"
+#include "io/family/family_file.h"
+#include "io/file/file_pattern.h"
+#include "io/hierarchy/hierarchy_file.h"
+#include "io/mesh/mesh_file.h"
+#include "ui/widgets/number_text.h"
+
+namespace interleaf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+enum class Kind { hierarchy, family, mesh };
+
+std::string_view name_of(Kind kind) {
+    constexpr std::array<std::string_view, 3> names = {"hierarchy", "family", "mesh"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+Kind kind_of(const std::filesystem::path& file) {
+    const std::string extension = lower_case_extension(file);
+    if (extension == ".ilh") return Kind::hierarchy;
+    return extension == ".obj" ? Kind::mesh : Kind::family;
+}
+
+std::string_view form_of(const std::filesystem::path& file) {
+    if (kind_of(file) != Kind::hierarchy) return {};
+    return is_compressed_hierarchy(file) ? "compressed" : "plain";
+}
+
+/// The figures of each key. \p files are what they were read from.
+std::vector<Figures> figures_of(const Family& family, std::span<const std::filesystem::path> files) {
+    std::vector<Figures> figures;
+    figures.reserve(family.keys.size());
+    for (std::size_t i = 0; i < family.keys.size(); ++i) {
+        figures.push_back(figures_of(*family.keys[i].hierarchy, std::filesystem::file_size(files[i])));
+        figures.back().form = form_of(files[i]);
+    }
+    return figures;
+}
+
+/// The figures of keys together.
+Figures figures_of_keys(std::span<const Figures> keys) {
+    Figures whole = total(keys);
+    whole.form = {};
+    return whole;
+}
+
+/// The figures of all that was read: a mesh or a key, or keys and what names them.
+Figures figures_of_whole(const std::filesystem::path& file, std::span<const Figures> keys) {
+    if (kind_of(file) != Kind::family) return total(keys);
+    Figures whole = figures_of_keys(keys);
+    const bool is_folder = std::filesystem::is_directory(file);
+    whole.file += std::filesystem::file_size(is_folder ? file / "family.json" : file);
+    return whole;
+}
+
+Json json_of(const glm::vec3& p) {
+    return {p.x, p.y, p.z};
+}
+
+Json json_of(const glm::dvec3& p) {
+    return {p.x, p.y, p.z};
+}
+
+/// Without what there is none of: the volume of an open surface, the handles of a one-sided one.
+Json json_of(const SurfaceCensus& census) {
+    Json json = {{"area", census.area},
+                 {"parts", census.parts},
+                 {"openings", census.openings},
+                 {"crowded_edges", census.crowded_edges}};
+    json["volume"] = census.volume ? Json(*census.volume) : Json();
+    json["handles"] = census.handles ? Json(*census.handles) : Json();
+    return json;
+}
+
+Json json_of(const Figures& figures) {
+    Json json = {{"roots", figures.roots},
+                 {"leaves", figures.leaves},
+                 {"vertices", figures.vertices},
+                 {"levels", {{"min", figures.min_level}, {"max", figures.max_level}}},
+                 {"bytes", {{"memory", figures.memory}, {"file", figures.file}}},
+                 {"angles", {{"min", figures.min_angle}}},
+                 {"euler", figures.euler},
+                 {"boundary_edges", figures.boundary},
+                 {"box", {json_of(figures.box.min), json_of(figures.box.max)}}};
+    if (!figures.form.empty()) json["form"] = figures.form;
+    return json;
+}
+
+std::string_view name_of(FieldKind kind) {
+    return kind == FieldKind::color ? "color" : "scalar";
+}
+
+Json json_of(const FamilyField& field) {
+    return {{"name", field.label.name},
+            {"kind", name_of(field.label.kind)},
+            {"min", field.min},
+            {"max", field.max}};
+}
+
+Json json_of(const std::vector<FamilyField>& fields) {
+    Json json = Json::array();
+    for (const FamilyField& field : fields) json.push_back(json_of(field));
+    return json;
+}
+
+Json json_of(const Timeline& timeline, const Family& family) {
+    Json keys = Json::array();
+    for (const TimelineKey& key : timeline.keys()) {
+        keys.push_back({{"time", key.time}, {"key", family.keys[key.key].name}});
+    }
+    return {{"begin", timeline.begin()}, {"end", timeline.end()}, {"keys", keys}};
+}
+
+Json json_of(const ParameterDomain& domain, const Family& family) {
+    Json vertices = Json::array();
+    for (const DomainVertex& vertex : domain.vertices()) {
+        vertices.push_back({{"at", {vertex.at.x, vertex.at.y}}, {"key", family.keys[vertex.key].name}});
+    }
+    return {{"vertices", vertices}, {"triangles", domain.triangles()}};
+}
+
+void print(const Json& document) {
+    fmt::print("{}\n", document.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+void print_json(Kind kind, const Family& family, std::span<const Figures> keys, const Figures& whole) {
+    Json document = {{"kind", name_of(kind)}, {"name", family.name}};
+    document.update(json_of(whole));
+    document["fields"] = json_of(fields_of(family.keys));
+    if (kind == Kind::family) {
+        document["keys"] = Json::array();
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            Json key = {{"name", family.keys[i].name}};
+            key.update(json_of(keys[i]));
+            key.update(json_of(census_as_it_is(surface_of(*family.keys[i].hierarchy))));
+            key["fields"] = json_of(fields_of(std::span(&family.keys[i], 1)));
+            document["keys"].push_back(std::move(key));
+        }
+    }
+    if (family.origin != glm::dvec3(0)) document["origin"] = json_of(family.origin);
+    if (kind == Kind::hierarchy)
+        document.update(json_of(census_as_it_is(surface_of(*family.keys.front().hierarchy))));
+    if (family.timeline) document["timeline"] = json_of(*family.timeline, family);
+    if (family.domain) document["domain"] = json_of(*family.domain, family);
+    print(document);
+}
+
+std::string levels(const Figures& figures) {
+    return fmt::format("{} to {}", figures.min_level, figures.max_level);
+}
+
+std::string text_of(const glm::dvec3& p) {
+    const auto number = [](double x) {
+        return std::abs(x) < 1e4 ? fmt::format("{:.4g}", x) : fmt::format("{:.3f}", x);
+    };
+    return fmt::format("({}, {}, {})", number(p.x), number(p.y), number(p.z));
+}
+
+/// "52,340 bytes, compressed, 1.31 bytes a leaf".
+std::string file_text(const Figures& figures) {
+    std::string bytes = grouped(figures.file) + " bytes";
+    if (figures.form.empty()) return bytes;
+    return fmt::format("{}, {}, {:.2f} bytes a leaf", bytes, figures.form,
+                       static_cast<double>(figures.file) / static_cast<double>(figures.leaves));
+}
+
+void print_line(std::string_view label, std::string_view text) {
+    fmt::print("{:<14}{}\n", label, text);
+}
+
+void print_census(const SurfaceCensus& census) {
+    print_line("area", fmt::format("{:.6g}", census.area));
+    print_line("volume", census.volume ? fmt::format("{:.6g}", *census.volume) : "none, not closed");
+    print_line("parts", in_words(census));
+    if (census.crowded_edges > 0)
+        print_line("crowded", grouped(census.crowded_edges) + " edges of more than two triangles");
+}
+
+void print_whole(Kind kind, const Family& family, const Figures& whole) {
+    print_line(name_of(kind), shown_text(family.name));
+    print_line("roots", grouped(whole.roots));
+    print_line("leaves", grouped(whole.leaves));
+    print_line("vertices", grouped(whole.vertices));
+    print_line("levels", levels(whole));
+    print_line("memory", grouped(whole.memory) + " bytes");
+    print_line("file", file_text(whole));
+    print_line("least angle", fmt::format("{:.1f} degrees", whole.min_angle));
+    print_line("Euler number", fmt::format("{}", whole.euler));
+    print_line("boundary", whole.boundary == 0 ? "none" : grouped(whole.boundary) + " root edges");
+    print_line("box", text_of(glm::dvec3(whole.box.min)) + " to " + text_of(glm::dvec3(whole.box.max)));
+}
+
+/// Scalars with their range over all keys that have them.
+void print_fields(const std::vector<FamilyField>& fields) {
+    if (fields.empty()) return;
+    fmt::print("\nfields\n");
+    for (const FamilyField& field : fields) {
+        const bool is_color = field.label.kind == FieldKind::color;
+        print_line(name_of(field.label.kind),
+                   is_color ? field.label.name
+                            : fmt::format("{}  {:.6g} to {:.6g}", field.label.name, field.min, field.max));
+    }
+}
+
+void print_keys(const Family& family, std::span<const Figures> keys) {
+    constexpr std::string_view row = "{:<20}{:>12}{:>12}{:>12}{:>14}{:>14}{:>14}  {}\n";
+    fmt::print("\n");
+    fmt::print(row, "key", "leaves", "vertices", "levels", "least angle", "memory", "file", "form");
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const Figures& key = keys[i];
+        fmt::print(row, family.keys[i].name, grouped(key.leaves), grouped(key.vertices), levels(key),
+                   fmt::format("{:.1f}", key.min_angle), grouped(key.memory), grouped(key.file), key.form);
+    }
+}
+
+void print_timeline(const Timeline& timeline, const Family& family) {
+    fmt::print("\ntimeline, seconds\n");
+    for (const TimelineKey& key : timeline.keys())
+        fmt::print("{:>12.4g}  {}\n", key.time, family.keys[key.key].name);
+}
+
+void print_domain(const ParameterDomain& domain, const Family& family) {
+    fmt::print("\nparameter domain, {} triangles\n", domain.triangles().size());
+    for (const DomainVertex& vertex : domain.vertices()) {
+        fmt::print("{:>12}  {}\n", fmt::format("{:.4g},{:.4g}", vertex.at.x, vertex.at.y),
+                   family.keys[vertex.key].name);
+    }
+}
+
+void print_text(Kind kind, const Family& family, std::span<const Figures> keys, const Figures& whole) {
+    print_whole(kind, family, whole);
+    if (kind == Kind::hierarchy) print_census(census_as_it_is(surface_of(*family.keys.front().hierarchy)));
+    if (family.origin != glm::dvec3(0)) print_line("origin", text_of(family.origin));
+    print_fields(fields_of(family.keys));
+    if (kind == Kind::family) print_keys(family, keys);
+    if (family.timeline) print_timeline(*family.timeline, family);
+    if (family.domain) print_domain(*family.domain, family);
+}
+
+/// A mesh is a key, too, where its faces can be roots; then there are the figures of a key as well.
+std::optional<Figures> figures_as_key(const std::filesystem::path& file) {
+    if (lower_case_extension(file) != ".obj") return std::nullopt;
+    try {
+        return figures_of(read_obj(file), std::filesystem::file_size(file));
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+void print_mesh(const std::filesystem::path& file, bool as_json) {
+    const MeshFigures mesh = figures_of_mesh(file);
+    const std::optional<Figures> key = figures_as_key(file);
+    if (as_json) {
+        Json document = {{"kind", name_of(Kind::mesh)}, {"name", file.stem().string()}};
+        if (key) document.update(json_of(*key));
+        document.update({{"vertices", mesh.census.vertices},
+                         {"triangles", mesh.census.triangles},
+                         {"bytes", {{"file", mesh.file}}},
+                         {"angles", {{"min", mesh.min_angle}}},
+                         {"box", {json_of(mesh.box_min), json_of(mesh.box_max)}},
+                         {"welded_vertices", mesh.census.welded_vertices},
+                         {"removed_triangles", mesh.census.removed_triangles},
+                         {"colors", mesh.has_colors},
+                         {"remarks", mesh.remarks}});
+        document.update(json_of(mesh.census));
+        print(document);
+        return;
+    }
+    print_line(name_of(Kind::mesh), shown_text(file.stem().string()));
+    print_line("vertices", grouped(mesh.census.vertices));
+    print_line("triangles", grouped(mesh.census.triangles));
+    print_census(mesh.census);
+    if (mesh.census.welded_vertices > 0)
+        print_line("welded", grouped(mesh.census.welded_vertices) + " vertices");
+    if (mesh.census.removed_triangles > 0)
+        print_line("removed", grouped(mesh.census.removed_triangles) + " double or degenerate triangles");
+    print_line("least angle", fmt::format("{:.1f} degrees", mesh.min_angle));
+    print_line("box", text_of(mesh.box_min) + " to " + text_of(mesh.box_max));
+    print_line("colors", mesh.has_colors ? "yes" : "none");
+    print_line("file", grouped(mesh.file) + " bytes");
+    print_line("as a key", key ? fmt::format("{} roots", grouped(key->roots)) : "by `interleaf fit`");
+    for (const std::string& remark : mesh.remarks) print_line("read", shown_text(remark));
+}
+
+}  // namespace
+
+void run_info(const InfoOptions& options) {
+    const std::vector<std::filesystem::path> files = files_of(std::span(&options.file, 1));
+    if (files.size() == 1 && is_mesh_file(files.front())) return print_mesh(files.front(), options.json);
+    const Family family = open_family(files);
+    // Several files are the keys of a family that has no file of its own.
+    const bool is_one = files.size() == 1;
+    const Kind kind = is_one ? kind_of(files.front()) : Kind::family;
+    const std::vector<Figures> keys = figures_of(family, is_one ? key_files(files.front()) : files);
+    const Figures whole = is_one ? figures_of_whole(files.front(), keys) : figures_of_keys(keys);
+    (options.json ? print_json : print_text)(kind, family, keys, whole);
+}
+
+}  // namespace interleaf

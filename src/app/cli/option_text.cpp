@@ -1,0 +1,176 @@
+#include "app/cli/option_text.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "app/document/typed_number.h"
+#include "hierarchy/error.h"
+
+namespace interleaf {
+namespace {
+
+constexpr int largest_side = 16384;
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const std::size_t end = text.find(separator);
+        parts.push_back(text.substr(0, end));
+        if (end == std::string_view::npos) return parts;
+        text.remove_prefix(end + 1);
+    }
+}
+
+/// As many finite numbers as there are, separated by commas; nothing when one of them is not.
+std::optional<std::vector<double>> numbers(std::string_view text) {
+    std::vector<double> values;
+    for (const std::string_view part : split(text, ',')) {
+        const std::optional<double> value = typed_number<double>(part);
+        if (!value || !std::isfinite(*value)) return {};
+        values.push_back(*value);
+    }
+    return values;
+}
+
+[[noreturn]] void expected(std::string_view what, std::string_view text) {
+    throw UsageError(fmt::format("expected {}, got '{}'", what, text));
+}
+
+}  // namespace
+
+double parse_number(std::string_view text) {
+    const auto values = numbers(text);
+    if (!values || values->size() != 1) expected("a number", text);
+    return values->front();
+}
+
+Index parse_count(std::string_view text) {
+    const std::optional<Index> count = typed_count(text);
+    if (!count) expected("a whole number", text);
+    return *count;
+}
+
+unsigned parse_bits(std::string_view text) {
+    const unsigned bits = typed_number<unsigned>(text).value_or(0);
+    if (bits < 8 || bits > 24) expected("a whole number from 8 to 24", text);
+    return bits;
+}
+
+glm::dvec2 parse_point(std::string_view text) {
+    const auto values = numbers(text);
+    if (!values || values->size() != 2) expected("U,V", text);
+    return {(*values)[0], (*values)[1]};
+}
+
+std::vector<NamedWeight> parse_weights(std::string_view text) {
+    std::vector<NamedWeight> weights;
+    for (const std::string_view part : split(text, ',')) {
+        const std::size_t equals = part.rfind('=');
+        if (equals == std::string_view::npos) expected("NAME=WEIGHT,...", text);
+        const std::optional<double> value = typed_number<double>(part.substr(equals + 1));
+        if (!value || !std::isfinite(*value)) expected("NAME=WEIGHT,...", text);
+        weights.push_back({std::string(part.substr(0, equals)), *value});
+    }
+    return weights;
+}
+
+PictureSize parse_size(std::string_view text) {
+    const std::vector<std::string_view> sides = split(text, 'x');
+    const auto side = [&](std::size_t i) {
+        return i < sides.size() ? typed_number<int>(sides[i]).value_or(0) : 0;
+    };
+    const auto is_allowed = [](int length) { return length >= 1 && length <= largest_side; };
+    if (sides.size() != 2 || !is_allowed(side(0)) || !is_allowed(side(1))) {
+        expected(fmt::format("WIDTHxHEIGHT with sides from 1 to {}", largest_side), text);
+    }
+    return {side(0), side(1)};
+}
+
+Viewpoint parse_viewpoint(std::string_view text) {
+    const auto values = numbers(text);
+    if (!values || values->size() < 2 || values->size() > 3)
+        expected("AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ZOOM", text);
+    const double zoom = values->size() == 3 ? (*values)[2] : 1;
+    if (std::abs((*values)[0]) > 360 || std::abs((*values)[1]) > 90) {
+        expected("an azimuth from -360 to 360 and an elevation from -90 to 90", text);
+    }
+    if (zoom < 0.01 || zoom > 100) expected("a zoom from 0.01 to 100", text);
+    return {static_cast<float>((*values)[0]), static_cast<float>((*values)[1]), static_cast<float>(zoom)};
+}
+
+AxisTurn parse_axis_turn(std::string_view text) {
+    constexpr std::string_view axes = "xyz";
+    const std::vector<std::string_view> parts = split(text, ',');
+    const std::size_t axis = parts[0].size() == 1 ? axes.find(parts[0]) : std::string_view::npos;
+    const std::optional<double> degrees = parts.size() == 2 ? typed_number<double>(parts[1]) : std::nullopt;
+    if (axis == std::string_view::npos || !degrees || !(std::abs(*degrees) <= 360))
+        expected("AXIS,DEGREES with the axis x, y or z, from -360 to 360 degrees", text);
+    return {static_cast<int>(axis), *degrees};
+}
+
+UpAxis parse_up(std::string_view text) {
+    if (text == "x" || text == "X") return UpAxis::x;
+    if (text == "y" || text == "Y") return UpAxis::y;
+    if (text == "z" || text == "Z") return UpAxis::z;
+    expected("X, Y or Z", text);
+}
+
+Shading parse_shading(std::string_view text) {
+    if (text == "smooth") return Shading::smooth;
+    if (text == "flat") return Shading::flat;
+    expected("smooth or flat", text);
+}
+
+void parse_coloring(std::string_view text, Display& display) {
+    constexpr std::pair<std::string_view, Coloring> words[] = {{"plain", Coloring::plain},
+                                                               {"level", Coloring::level},
+                                                               {"origin", Coloring::origin},
+                                                               {"checker", Coloring::checker}};
+    for (const auto& [word, coloring] : words)
+        if (text == word) {
+            display.coloring = coloring;
+            return;
+        }
+    constexpr std::string_view prefix = "field:";
+    display.coloring = Coloring::field;
+    display.field = text.starts_with(prefix) ? text.substr(prefix.size()) : text;
+}
+
+ColorMap parse_color_map(std::string_view text) {
+    if (const std::optional<ColorMap> map = color_map_named(text)) return *map;
+    std::string known;
+    for (const ColorMap map : color_maps()) {
+        if (!known.empty()) known += map == color_maps().back() ? " or " : ", ";
+        known += name_of(map);
+    }
+    expected(known, text);
+}
+
+ValueRange parse_range(std::string_view text) {
+    const auto values = numbers(text);
+    if (!values || values->size() != 2) expected("MIN,MAX", text);
+    const ValueRange range{static_cast<float>((*values)[0]), static_cast<float>((*values)[1])};
+    if (!std::isfinite(range.min) || !std::isfinite(range.max) || range.min >= range.max)
+        expected("MIN,MAX, ascending", text);
+    return range;
+}
+
+void parse_shown_edges(std::string_view text, Display& display) {
+    for (const std::string_view name : split(text, ',')) {
+        if (name == "wireframe") {
+            display.wireframe = true;
+        } else if (name == "refinement-edges") {
+            display.refinement_edges = true;
+        } else if (name == "root-edges") {
+            display.root_edges = true;
+        } else {
+            expected("wireframe, refinement-edges or root-edges", name);
+        }
+    }
+}
+
+}  // namespace interleaf

@@ -1,0 +1,60 @@
+// The values of command line options that are more than a word or a number: from their text to plain data.
+// Every function throws UsageError saying what was expected.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/cli/fit_command.h"
+#include "app/cli/morph_selection.h"
+#include "app/cli/render_command.h"
+#include "hierarchy/triangle.h"
+#include "render/display.h"
+
+namespace interleaf {
+
+/// One finite number, "-0.5".
+double parse_number(std::string_view text);
+
+/// A number of things, "20000" or "2e4".
+Index parse_count(std::string_view text);
+
+/// Bits of a rounded coordinate, 8 to 24.
+unsigned parse_bits(std::string_view text);
+
+/// A point "U,V".
+glm::dvec2 parse_point(std::string_view text);
+
+/// Named weights "star=0.5,sphere=-1".
+std::vector<NamedWeight> parse_weights(std::string_view text);
+
+/// The size of a picture "WxH", pixels, each side from 1 to 16384.
+PictureSize parse_size(std::string_view text);
+
+/// Where the picture is seen from, "AZIMUTH,ELEVATION" or "AZIMUTH,ELEVATION,ZOOM".
+Viewpoint parse_viewpoint(std::string_view text);
+
+/// A turn "AXIS,DEGREES" about the axis x, y or z.
+AxisTurn parse_axis_turn(std::string_view text);
+
+/// The axis that points up, "X", "Y" or "Z", or small letters.
+UpAxis parse_up(std::string_view text);
+
+Shading parse_shading(std::string_view text);
+
+/// "plain", "level", "origin", "checker", the name of a field, or "field:NAME" for one that is called like
+/// one of these.
+void parse_coloring(std::string_view text, Display& display);
+
+/// The name of a colour map.
+ColorMap parse_color_map(std::string_view text);
+
+/// "MIN,MAX", ascending and finite as floats.
+ValueRange parse_range(std::string_view text);
+
+/// Switches on the edges that \p text names, "wireframe,root-edges".
+void parse_shown_edges(std::string_view text, Display& display);
+
+}  // namespace interleaf

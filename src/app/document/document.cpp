@@ -1,0 +1,49 @@
+#include "app/document/document.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace interleaf {
+
+Document::Document(Family family, std::optional<std::filesystem::path> folder) : folder_(std::move(folder)) {
+    states_.push_back({"", std::make_shared<const Family>(std::move(family))});
+}
+
+void Document::edit(std::string step, Family family) {
+    if (saved_ && *saved_ > current_) saved_.reset();
+    states_.resize(current_ + 1);
+    states_.push_back({std::move(step), std::make_shared<const Family>(std::move(family))});
+    ++current_;
+}
+
+void Document::amend(Family family) {
+    assert(current_ > 0 && current_ + 1 == states_.size());
+    if (saved_ == current_) saved_.reset();
+    states_[current_].family = std::make_shared<const Family>(std::move(family));
+}
+
+const std::string* Document::undo_step() const {
+    return current_ > 0 ? &states_[current_].step : nullptr;
+}
+
+const std::string* Document::redo_step() const {
+    return current_ + 1 < states_.size() ? &states_[current_ + 1].step : nullptr;
+}
+
+void Document::undo() {
+    if (current_ > 0) --current_;
+}
+
+void Document::redo() {
+    if (current_ + 1 < states_.size()) ++current_;
+}
+
+void Document::mark_saved(const std::shared_ptr<const Family>& family, std::filesystem::path folder) {
+    const auto state = std::ranges::find(states_, family, &State::family);
+    saved_.reset();
+    if (state != states_.end()) saved_ = static_cast<std::size_t>(state - states_.begin());
+    folder_ = std::move(folder);
+}
+
+}  // namespace interleaf

@@ -1,0 +1,308 @@
+#include "app/document/edit_commands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "app/document/typed_number.h"
+#include "family/domain_edits.h"
+#include "family/key_edits.h"
+#include "family/new_family.h"
+#include "family/origin.h"
+#include "family/synchronise_keys.h"
+#include "hierarchy/error.h"
+#include "hierarchy/morph.h"
+
+namespace interleaf {
+
+namespace {
+
+const std::string& name_of(const ViewerState& state, std::size_t key) {
+    return state.document.family().keys[key].name;
+}
+
+/// Where the selected key is after the document has changed: the one with the same hierarchy and name; or
+/// else with the same hierarchy, in its place or, where another is there now, the first.
+void follow_selection(ViewerState& state, const Key& selected) {
+    const auto& keys = state.document.family().keys;
+    const auto is_selected = [&](const Key& key) { return key.hierarchy.is_same(selected.hierarchy); };
+    auto found = std::ranges::find_if(
+        keys, [&](const Key& key) { return is_selected(key) && key.name == selected.name; });
+    const std::size_t place = *state.selected_key;
+    if (found == keys.end() && place < keys.size() && is_selected(keys[place])) return;
+    if (found == keys.end()) found = std::ranges::find_if(keys, is_selected);
+    state.selected_key.reset();
+    if (found != keys.end()) state.selected_key = static_cast<std::size_t>(found - keys.begin());
+}
+
+/// Carries session and selection over to the document's present state.
+template <typename Change>
+void change_document(ViewerState& state, double now, Change change) {
+    std::optional<Key> selected;
+    if (state.selected_key) selected = state.document.family().keys[*state.selected_key];
+    change();
+    if (selected) follow_selection(state, *selected);
+    state.session.replace_family(state.document.snapshot(), now);
+}
+
+std::optional<double> time_in(const std::string& text) {
+    const std::optional<double> time = typed_number<double>(text);
+    return time && std::isfinite(*time) ? time : std::nullopt;
+}
+
+/// Without the digits of rounding: 1.39 and not 1.3900000000000001.
+std::string time_text(double time) {
+    return fmt::format("{:.10g}", time);
+}
+
+std::string fault_of_time(const std::string& text) {
+    return time_in(text) ? "" : "a number of seconds, such as 2.5";
+}
+
+}  // namespace
+
+void edit(ViewerState& state, std::string step, const FamilyChange& change, double now) {
+    end_drag(state);
+    try {
+        Family family = change(state.document.family());
+        change_document(state, now, [&] { state.document.edit(std::move(step), std::move(family)); });
+    } catch (const InputError& error) {
+        state.message = message_of(error);
+    }
+}
+
+void drag_edit(ViewerState& state, std::string step, const FamilyChange& change, double now) {
+    try {
+        Family family = change(state.document.family());
+        change_document(state, now, [&] {
+            if (state.is_dragging) {
+                state.document.amend(std::move(family));
+            } else {
+                state.document.edit(std::move(step), std::move(family));
+            }
+        });
+        state.is_dragging = true;
+    } catch (const InputError&) {
+        return;  // the pointer is where it cannot be: the state stays
+    }
+}
+
+void end_drag(ViewerState& state) {
+    state.is_dragging = false;
+}
+
+void undo(ViewerState& state, double now) {
+    end_drag(state);
+    change_document(state, now, [&] { state.document.undo(); });
+}
+
+void redo(ViewerState& state, double now) {
+    end_drag(state);
+    change_document(state, now, [&] { state.document.redo(); });
+}
+
+void keep_blend(ViewerState& state, double now) {
+    const Weights weights = state.session.weights();
+    const auto change = [&](const Family& family) {
+        const UnionMesh mesh = unite(family, weights);
+        return with_key_added(family, {"blend", morphed_hierarchy(mesh, weight_values(weights))});
+    };
+    const std::size_t count = state.document.family().keys.size();
+    edit(state, "Keep blend", change, now);
+    if (state.document.family().keys.size() > count) state.selected_key = count;
+}
+
+void add_keys(ViewerState& state, std::vector<Key> keys, const glm::dvec3& origin, double now) {
+    const std::string step =
+        keys.size() == 1 ? fmt::format("Add {}", keys.front().name) : fmt::format("Add {} keys", keys.size());
+    edit(
+        state, step,
+        [&](const Family& family) {
+            Family result = family;
+            move_origin(keys, origin, family.origin);
+            for (Key& key : keys) {
+                key.name = unused_name(result, key.name);
+                result.keys.push_back(std::move(key));
+            }
+            const Synchronisation synchronisation = synchronise(result.keys);
+            if (!synchronisation.mismatches.empty()) {
+                const KeyMismatch& mismatch = synchronisation.mismatches.front();
+                throw MismatchError(mismatch.text, result.keys, mismatch);
+            }
+            return result;
+        },
+        now);
+}
+
+void duplicate_key(ViewerState& state, double now) {
+    if (!state.selected_key) return;
+    const std::size_t key = *state.selected_key;
+    edit(
+        state, fmt::format("Duplicate {}", name_of(state, key)),
+        [&](const Family& family) { return with_key_duplicated(family, key); }, now);
+}
+
+void remove_key(ViewerState& state, double now) {
+    if (!state.selected_key) return;
+    const std::size_t key = *state.selected_key;
+    edit(
+        state, fmt::format("Remove {}", name_of(state, key)),
+        [&](const Family& family) { return with_key_removed(family, key); }, now);
+}
+
+void move_key(ViewerState& state, std::size_t to, double now) {
+    if (!state.selected_key) return;
+    const std::size_t from = *state.selected_key;
+    if (from == to || to >= state.document.family().keys.size()) return;
+    edit(
+        state, fmt::format("Move {}", name_of(state, from)),
+        [&](const Family& family) { return with_key_moved(family, from, to); }, now);
+}
+
+void ask_for_key_name(ViewerState& state) {
+    if (!state.selected_key) return;
+    const std::size_t key = *state.selected_key;
+    const std::string old_name = name_of(state, key);
+    state.question = TextQuestion{
+        .text = fmt::format("Rename {}", old_name),
+        .entry = old_name,
+        .button = "Rename",
+        .fault = [&state, key](const std::string& name) -> std::string {
+            try {
+                with_key_renamed(state.document.family(), key, name);
+            } catch (const InputError& error) {
+                return error.what();
+            }
+            return "";
+        },
+        .answer =
+            [key, old_name](ViewerState& changed, const std::string& name, double now) {
+                if (name == old_name) return;
+                edit(
+                    changed, fmt::format("Rename {}", old_name),
+                    [&](const Family& family) { return with_key_renamed(family, key, name); }, now);
+            }};
+}
+
+void ask_for_family_name(ViewerState& state) {
+    const std::string old_name = state.document.family().name;
+    state.question = TextQuestion{.text = "Rename the family",
+                                  .entry = old_name,
+                                  .button = "Rename",
+                                  .fault = [](const std::string& name) -> std::string {
+                                      return name.empty() ? "a family needs a name" : "";
+                                  },
+                                  .answer =
+                                      [old_name](ViewerState& changed, const std::string& name, double now) {
+                                          if (name == old_name) return;
+                                          edit(
+                                              changed, "Rename family",
+                                              [&](const Family& family) {
+                                                  Family renamed = family;
+                                                  renamed.name = name;
+                                                  return renamed;
+                                              },
+                                              now);
+                                      }};
+}
+
+void ask_for_new_time(ViewerState& state) {
+    if (!state.selected_key) return;
+    const std::size_t key = *state.selected_key;
+    const auto& timeline = state.document.family().timeline;
+    state.question = TextQuestion{
+        .text = fmt::format("When shall {} be on the timeline, in seconds?", name_of(state, key)),
+        .entry = time_text(timeline ? timeline->end() + 1 : 0),
+        .button = "Put there",
+        .fault = fault_of_time,
+        .answer = [key](ViewerState& changed, const std::string& text, double now) {
+            add_time(changed, key, time_in(text).value_or(0), now);
+        }};
+}
+
+void ask_for_time(ViewerState& state, std::size_t place) {
+    const TimelineKey entry = state.document.family().timeline->keys()[place];
+    const std::string name = name_of(state, entry.key);
+    state.question =
+        TextQuestion{.text = fmt::format("When shall {} be on the timeline, in seconds?", name),
+                     .entry = time_text(entry.time),
+                     .button = "Set",
+                     .fault = fault_of_time,
+                     .answer = [=](ViewerState& changed, const std::string& text, double now) {
+                         if (text == time_text(entry.time)) return;  // though it may be rounded
+                         const double time = time_in(text).value_or(entry.time);
+                         if (time == entry.time) return;
+                         edit(
+                             changed, fmt::format("Set the time of {}", name),
+                             [&](const Family& family) { return with_time_moved(family, place, time); }, now);
+                     }};
+}
+
+void add_time(ViewerState& state, std::size_t key, double time, double now) {
+    edit(
+        state, fmt::format("Put {} on the timeline", name_of(state, key)),
+        [&](const Family& family) { return with_time_added(family, key, time); }, now);
+}
+
+void remove_time(ViewerState& state, std::size_t place, double now) {
+    const std::size_t key = state.document.family().timeline->keys()[place].key;
+    edit(
+        state, fmt::format("Take {} off the timeline", name_of(state, key)),
+        [&](const Family& family) { return with_time_removed(family, place); }, now);
+}
+
+void make_domain(ViewerState& state, double now) {
+    edit(
+        state, "New domain",
+        [](const Family& family) {
+            Family result = family;
+            result.domain = family_of_keys(family.name, family.keys).domain;
+            if (!result.domain)
+                throw InputError("a domain is made of three to nine keys; put others in it then");
+            return result;
+        },
+        now);
+}
+
+void add_domain_vertex(ViewerState& state, glm::dvec2 at, std::size_t key, double snap, double now) {
+    edit(
+        state, fmt::format("Put {} in the domain", name_of(state, key)),
+        [&](const Family& family) {
+            Family result = family;
+            result.domain = with_vertex_added(*family.domain, at, key, snap);
+            return result;
+        },
+        now);
+}
+
+void remove_domain_vertex(ViewerState& state, Index vertex, double now) {
+    edit(
+        state, "Remove a domain vertex",
+        [&](const Family& family) {
+            Family result = family;
+            result.domain = without_vertex(*family.domain, vertex);
+            return result;
+        },
+        now);
+}
+
+void set_domain_vertex_key(ViewerState& state, Index vertex, std::size_t key, double now) {
+    if (state.document.family().domain->vertices()[vertex].key == key) return;
+    edit(
+        state, fmt::format("Put {} on a domain vertex", name_of(state, key)),
+        [&](const Family& family) {
+            Family result = family;
+            result.domain = with_vertex_key(*family.domain, vertex, key);
+            return result;
+        },
+        now);
+}
+
+void select_key(ViewerState& state, std::size_t key, double now) {
+    state.selected_key = key;
+    state.session.show_key(key, now);
+}
+
+}  // namespace interleaf

@@ -1,0 +1,38 @@
+#include "app/document/shown_field.h"
+
+#include <string>
+
+#include <fmt/core.h>
+
+#include "hierarchy/error.h"
+
+namespace interleaf {
+
+void require_field(const Display& display, std::span<const FamilyField> fields) {
+    if (display.coloring != Coloring::field || find_field(fields, display.field) != nullptr) return;
+    std::string known;
+    for (const FamilyField& field : fields) known += (known.empty() ? "" : ", ") + field.label.name;
+    if (known.empty())
+        throw UsageError(fmt::format(
+            "--color: expected plain, level, origin or checker, got '{}'; the keys have no fields",
+            display.field));
+    throw UsageError(fmt::format("--color: no field is called '{}'; there are {}", display.field, known));
+}
+
+const FamilyField* shown_field(const Display& display, std::span<const FamilyField> fields) {
+    return display.coloring == Coloring::field ? find_field(fields, display.field) : nullptr;
+}
+
+void fit_display(Display& display, std::span<const FamilyField> fields) {
+    if (fields.empty()) {
+        if (display.coloring == Coloring::field) display.coloring = Coloring::plain;
+        display.field.clear();
+        return;
+    }
+    if (find_field(fields, display.field) == nullptr) display.field = fields.front().label.name;
+    const FamilyField& field = *find_field(fields, display.field);
+    if (!display.range_locked && field.label.kind == FieldKind::scalar)
+        display.scale.range = {field.min, field.max};
+}
+
+}  // namespace interleaf

@@ -1,0 +1,135 @@
+#include "app/fitting/fit_files.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "family/origin.h"
+#include "hierarchy/error.h"
+#include "io/file/file_pattern.h"
+
+namespace interleaf {
+
+namespace {
+
+/// The part of the whole at which fitting ends and comparing begins.
+constexpr double comparing_begins = 0.97;
+
+}  // namespace
+
+bool is_surface_file(const std::filesystem::path& file) {
+    const std::string extension = lower_case_extension(file);
+    return extension == ".ply" || extension == ".stl" || extension == ".off";
+}
+
+bool is_mesh_file(const std::filesystem::path& file) {
+    return is_surface_file(file) || lower_case_extension(file) == ".obj";
+}
+
+bool are_surfaces(std::span<const std::filesystem::path> files) {
+    return std::ranges::any_of(files, is_surface_file) && std::ranges::all_of(files, is_mesh_file);
+}
+
+bool are_obj_files(std::span<const std::filesystem::path> files) {
+    return std::ranges::all_of(
+        files, [](const std::filesystem::path& file) { return lower_case_extension(file) == ".obj"; });
+}
+
+CleanMesh MeshFitter::clean_next(SurfaceFile surface, const Progress& progress) {
+    if (!task_.ups.empty()) turn_up(surface.positions, task_.ups[next_]);
+    if (!task_.origin) task_.origin = origin_for(surface.positions, surface.triangles);
+    for (glm::dvec3& position : surface.positions) position -= *task_.origin;
+    return clean_up({std::move(surface.positions), std::move(surface.triangles), std::move(surface.colors)},
+                    progress);
+}
+
+FittedMesh MeshFitter::fit_next(const Progress& progress) {
+    constexpr double fitting_begins = 0.1;
+    const std::filesystem::path& file = task_.meshes[next_];
+    SurfaceFile surface = read_surface(file);
+    FittedMesh fitted;
+    fitted.remarks = std::move(surface.remarks);
+    try {
+        CleanMesh clean = clean_next(std::move(surface), [&](std::string_view stage, double part) {
+            return !progress || progress(stage, fitting_begins * part);
+        });
+        if (!task_.reference) task_.reference = extent_of(clean.mesh);
+        place(clean, *task_.reference, task_.placing);
+        if (next_ > 0) fitted.warning = fault_of_placing(*task_.reference, extent_of(clean.mesh));
+        if (!task_.rotations.empty()) task_.options.rotation = task_.rotations[next_];
+        fitted.key = fit(std::move(clean), task_.options, [&](std::string_view stage, double part) {
+            return !progress || progress(stage, fitting_begins + (1 - fitting_begins) * part);
+        });
+    } catch (const InputError& error) {
+        // How it was read may be why.
+        std::string text = fmt::format("{}: {}", file.string(), error.what());
+        for (const std::string& remark : fitted.remarks) text += fmt::format(" ({})", remark);
+        throw InputError(text);
+    }
+    if (next_ == 0 && origin() != glm::dvec3(0)) fitted.remarks.push_back(origin_sentence(origin()));
+    ++next_;
+    return fitted;
+}
+
+std::vector<Key> keys_of(const Comparisons& fitted) {
+    std::vector<Key> keys;
+    keys.reserve(fitted.size());
+    for (const auto& each : fitted)
+        keys.push_back({std::filesystem::path(each->mesh_name).stem().string(), each->key});
+    return keys;
+}
+
+FitJob::FitJob(FitTask task)
+    : meshes_(task.meshes),
+      fitter_(std::move(task)),
+      thread_([this](const std::stop_token& stop) { work(stop); }) {}
+
+FitJob::State FitJob::state() const {
+    const std::scoped_lock lock(mutex_);
+    return state_;
+}
+
+FittedMeshes FitJob::take() {
+    const std::scoped_lock lock(mutex_);
+    if (error_) std::rethrow_exception(error_);
+    return std::move(fitted_);
+}
+
+void FitJob::work(const std::stop_token& stop) {
+    std::exception_ptr error;
+    try {
+        for (std::size_t i = 0; i < meshes_.size(); ++i) {
+            const std::filesystem::path& mesh = meshes_[i];
+            const auto part_of_all = [&](std::string_view stage, double part) {
+                report(mesh, stage, (static_cast<double>(i) + part) / static_cast<double>(meshes_.size()));
+                return !stop.stop_requested();
+            };
+            FittedMesh fitted = fitter_.fit_next([&](std::string_view stage, double part) {
+                return part_of_all(stage, comparing_begins * part);
+            });
+            auto compared = std::make_shared<const FitComparison>(compare(
+                mesh.filename().string(), std::move(fitted.key), [&](std::string_view stage, double part) {
+                    return part_of_all(stage, comparing_begins + (1 - comparing_begins) * part);
+                }));
+            const std::scoped_lock lock(mutex_);
+            fitted_.comparisons.push_back(std::move(compared));
+            fitted_.origin = fitter_.origin();
+            if (!fitted.warning.empty())
+                fitted_.warnings.push_back(fmt::format("{} {}.", mesh.filename().string(), fitted.warning));
+        }
+    } catch (...) {
+        error = std::current_exception();  // for take(), on the other thread
+    }
+    const std::scoped_lock lock(mutex_);
+    error_ = error;
+    state_.is_done = true;
+}
+
+void FitJob::report(const std::filesystem::path& mesh, std::string_view stage, double part) {
+    const std::scoped_lock lock(mutex_);
+    state_.stage = fmt::format("{}: {}", mesh.filename().string(), stage);
+    state_.part = part;
+}
+
+}  // namespace interleaf

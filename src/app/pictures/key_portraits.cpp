@@ -1,0 +1,73 @@
+#include "app/pictures/key_portraits.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "app/document/family_extent.h"
+#include "hierarchy/union_mesh.h"
+#include "hierarchy/vertex_normals.h"
+#include "render/camera.h"
+#include "render/image_texture.h"
+#include "render/offscreen_target.h"
+
+namespace interleaf {
+
+namespace {
+
+constexpr int samples = 4;
+
+KeyPortrait portrait_of(const SharedHierarchy& hierarchy) {
+    const std::vector<Leaf> leaves = leaves_of(*hierarchy);
+    return {.hierarchy = hierarchy,
+            .leaves = leaves.size(),
+            .deepest = std::ranges::max_element(leaves, {}, &Leaf::level)->level,
+            .extent = extent_of(bounding_box(hierarchy->positions)),
+            .picture = {}};
+}
+
+}  // namespace
+
+void KeyPortraits::update(const Family& family) {
+    std::vector<KeyPortrait> portraits;
+    bool is_changed = family.keys.size() != portraits_.size();
+    for (const Key& key : family.keys) {
+        const auto known = std::ranges::find_if(portraits_, [&](const KeyPortrait& portrait) {
+            return portrait.hierarchy.is_same(key.hierarchy);
+        });
+        if (known == portraits_.end()) {
+            is_changed = true;
+            portraits.push_back(portrait_of(key.hierarchy));
+        } else {
+            KeyPortrait portrait{known->hierarchy, known->leaves, known->deepest, known->extent, {}};
+            portrait.picture = std::exchange(known->picture, {});
+            portraits.push_back(std::move(portrait));
+        }
+    }
+    dropped_.clear();
+    for (KeyPortrait& portrait : portraits_) dropped_.push_back(std::move(portrait.picture));
+    portraits_ = std::move(portraits);
+    if (is_changed) extent_ = interleaf::extent(family);
+}
+
+bool KeyPortraits::draw_next(std::size_t begin, std::size_t end, int side) {
+    end = std::min(end, portraits_.size());
+    const auto missing = std::find_if(portraits_.begin() + static_cast<std::ptrdiff_t>(std::min(begin, end)),
+                                      portraits_.begin() + static_cast<std::ptrdiff_t>(end),
+                                      [](const KeyPortrait& portrait) { return !portrait.picture; });
+    if (missing == portraits_.begin() + static_cast<std::ptrdiff_t>(end)) return false;
+
+    const std::array<const Hierarchy*, 1> key{&*missing->hierarchy};
+    const UnionMesh mesh = unite(key);
+    renderer_.upload(mesh, normal_form(mesh));
+    Camera camera;
+    camera.look_from(30, 20);
+    camera.frame(missing->extent, 1);
+    OffscreenTarget target(side, side, samples);
+    constexpr std::array<float, 1> weight{1};
+    renderer_.draw(target, camera, weight, {});
+    missing->picture = image_texture(side, side, target.read_rgba());
+    return true;
+}
+
+}  // namespace interleaf

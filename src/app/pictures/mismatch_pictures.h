@@ -1,0 +1,38 @@
+// The pictures that go with a message about keys that do not match: the key, and the one it should match.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/pictures/mismatch_picture.h"
+#include "family/synchronise_keys.h"
+#include "render/gl_object.h"
+#include "render/renderer.h"
+#include "ui/dialogs/message_panel.h"
+
+namespace interleaf {
+
+class MismatchPictures {
+  public:
+    /// Draws pictures of \p keys, \p size pixels each, unless they have been drawn; for null, drops those
+    /// there are. \pre a context is current
+    void update(const std::shared_ptr<const MismatchedKeys>& keys, glm::ivec2 size);
+
+    /// None without keys, and where they are too large to be drawn here.
+    const std::vector<MessagePicture>& shown() const { return shown_; }
+
+  private:
+    void draw(const Key& key, const RootPlace& place, glm::ivec2 size);
+
+    std::shared_ptr<const MismatchedKeys> keys_;
+    std::optional<Renderer> renderer_;  ///< while there is something to draw
+    std::vector<GlTexture> textures_;
+    std::vector<MessagePicture> shown_;
+};
+
+}  // namespace interleaf

@@ -1,0 +1,101 @@
+#include "app/pictures/morph_surface.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "family/family_fields.h"
+#include "hierarchy/morph.h"
+
+namespace interleaf {
+
+namespace {
+
+std::vector<std::string> names_of(const Family& family, const std::vector<std::size_t>& keys) {
+    std::vector<std::string> names;
+    names.reserve(keys.size());
+    for (const std::size_t key : keys) names.push_back(family.keys[key].name);
+    return names;
+}
+
+}  // namespace
+
+void MorphSurface::update(const Family& family, const Weights& weights, const FieldName* field) {
+    std::vector<std::size_t> keys = active_keys(weights);
+    std::vector<SharedHierarchy> hierarchies;
+    hierarchies.reserve(keys.size());
+    for (const std::size_t key : keys) hierarchies.push_back(family.keys[key].hierarchy);
+    const bool is_same = keys == figures_.keys &&
+                         std::ranges::equal(hierarchies, hierarchies_,
+                                            [](const auto& a, const auto& b) { return a.is_same(b); });
+    if (is_same) {
+        figures_.key_names = names_of(family, keys);
+        return update_field(family, weights, field);
+    }
+
+    const auto start = std::chrono::steady_clock::now();
+    unite(family, weights, mesh_);
+    normal_form(mesh_, form_);
+    renderer_.upload(mesh_, form_, keys);
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+
+    hierarchies_ = std::move(hierarchies);
+    std::vector<std::string> names = names_of(family, keys);
+    figures_ = {.keys = std::move(keys),
+                .key_names = std::move(names),
+                .leaves = mesh_.leaf_count(),
+                .vertices = mesh_.vertex_count(),
+                .levels = renderer_.levels(),
+                .origins = {renderer_.origins().begin(), renderer_.origins().end()},
+                .rebuilds = figures_.rebuilds + 1,
+                .rebuild_milliseconds = taken.count(),
+                .key_without_field = {}};
+    wanted_field_.reset();
+    update_field(family, weights, field);
+}
+
+void MorphSurface::update_field(const Family& family, const Weights& weights, const FieldName* field) {
+    figures_.key_without_field.reset();
+    if (field != nullptr)
+        if (const auto key = key_without(family, weights, *field))
+            figures_.key_without_field = family.keys[*key].name;
+    if (field == nullptr ? !wanted_field_ : wanted_field_ == *field) return;
+    mesh_.fields.clear();
+    wanted_field_.reset();
+    if (field != nullptr) {
+        wanted_field_ = *field;
+        if (!figures_.key_without_field) mesh_.fields.push_back(united_field(family, weights, mesh_, *field));
+    }
+    renderer_.set_field(mesh_.fields.empty() ? nullptr : &mesh_.fields.front());
+}
+
+Extent MorphSurface::extent(const Weights& weights) const {
+    const Buffer<glm::vec3> positions = morph(mesh_, weight_values(weights));
+    Extent extent{bounding_box(positions), 0};
+    const glm::vec3 center = extent.box.center();
+    for (const glm::vec3& position : positions)
+        extent.radius = std::max(extent.radius, glm::distance(position, center));
+    return extent;
+}
+
+std::optional<glm::vec3> MorphSurface::field_at(const Ray& ray, const Weights& weights) {
+    if (mesh_.fields.empty()) return std::nullopt;
+    const std::vector<float> factors = weight_values(weights);
+    const std::optional<Hit> hit = first_hit(mesh_.triangles, morph(mesh_, factors), ray);
+    if (!hit) return std::nullopt;
+    const UnionField& field = mesh_.fields.front();
+    const std::size_t width = component_count(field.label.kind);
+    glm::vec3 value(0);
+    for (std::size_t key = 0; key < factors.size(); ++key)
+        for (int corner = 0; corner < 3; ++corner) {
+            const float* const at =
+                &field.values[key][width * mesh_.triangles[hit->triangle][static_cast<std::size_t>(corner)]];
+            for (std::size_t c = 0; c < width; ++c)
+                value[static_cast<int>(c)] += factors[key] * hit->barycentric[corner] * at[c];
+        }
+    return value;
+}
+
+}  // namespace interleaf

@@ -1,0 +1,320 @@
+#include "app/storage/document_files.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/document/builtin_family.h"
+#include "app/document/open_family.h"
+#include "app/storage/save_folder.h"
+#include "app/storage/user_folders.h"
+#include "hierarchy/error.h"
+#include "io/family/family_file.h"
+#include "ui/browser/typed_path.h"
+
+namespace interleaf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How often files are looked at; seconds.
+constexpr double look_interval = 2;
+
+std::vector<fs::path> watched_files(const std::vector<fs::path>& sources) {
+    std::vector<fs::path> files;
+    for (const fs::path& source : sources) {
+        if (const auto inside = files_in_folder(source); !inside.empty()) {
+            files.insert(files.end(), inside.begin(), inside.end());
+            continue;
+        }
+        std::error_code ignored;
+        files.push_back(fs::is_directory(source, ignored) ? source / "family.json" : source);
+        try {
+            const auto keys = key_files(source);
+            files.insert(files.end(), keys.begin(), keys.end());
+        } catch (const std::runtime_error&) {
+            continue;  // it is watched itself
+        }
+    }
+    return files;
+}
+
+std::string folder_name(std::string name) {
+    std::ranges::replace_if(
+        name, [](char c) { return c == '/' || c == '\0'; }, '-');
+    return name.empty() ? "family" : name;
+}
+
+}  // namespace
+
+std::optional<fs::path> family_folder(const std::vector<fs::path>& sources) {
+    if (sources.size() != 1) return std::nullopt;
+    std::error_code error;
+    const fs::path source = fs::absolute(sources.front(), error).lexically_normal();
+    if (error) return std::nullopt;  // relative to a folder that is gone
+    if (is_family_folder(source)) return source.has_filename() ? source : source.parent_path();
+    if (source.filename() == "family.json" && !fs::is_directory(source, error)) return source.parent_path();
+    return std::nullopt;
+}
+
+DocumentFiles::DocumentFiles(ViewerState& state, std::vector<fs::path> sources, bool is_alone)
+    : state_(state) {
+    if (!is_alone) {
+        settings_file_ = settings_file();
+        if (settings_file_) {
+            LoadedSettings loaded = load_settings(*settings_file_);
+            settings_ = std::move(loaded.settings);
+            if (!loaded.message.empty()) complain(loaded.message);
+        }
+        if (const auto folder = state_folder()) recovery_.emplace(*folder, state_.document);
+    }
+    if (!sources.empty()) remember(sources.front());
+    set_sources(std::move(sources));
+    offer_recovery();
+}
+
+void DocumentFiles::grant(FileWish wish) {
+    switch (wish) {
+        case FileWish::none:
+            break;
+        case FileWish::open:
+            browse_to_open();
+            break;
+        case FileWish::reopen:
+            reopen();
+            break;
+        case FileWish::save:
+            save({});
+            break;
+        case FileWish::save_as:
+            save_as({});
+            break;
+        case FileWish::add_keys:
+            browse_to_add();
+            break;
+        case FileWish::quit:
+            leave_document([this] {
+                forget_unsaved();
+                state_.quit_wanted = true;
+            });
+            break;
+    }
+}
+
+void DocumentFiles::show(const Rect& area, float density, double now) {
+    now_ = now;
+    if (state_.question && !is_asking()) {
+        TextQuestion question = *std::exchange(state_.question, std::nullopt);
+        ask({.text = question.text,
+             .detail = {},
+             .buttons = {question.button, "Cancel"},
+             .entry = question.entry,
+             .fault = question.fault},
+            [this, answer = question.answer](const Answer& given) {
+                if (given.button == 0) answer(state_, given.entry, now_);
+            });
+    }
+    if (const auto choice = browser_.show(area)) {
+        change_settings([&](Settings& settings) {
+            settings.last_folder = choice->folder;
+            interleaf::remember(settings.recent_folders, choice->folder);
+        });
+        std::exchange(on_choice_, nullptr)(*choice);
+    }
+    if (const auto answer = dialog_.show(area)) std::exchange(on_answer_, nullptr)(*answer);
+    if (const auto error = fitting_.show(area, density, now)) complain(*error);
+}
+
+void DocumentFiles::look_after(double now) {
+    if (saving_ && saving_->written.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+        finish_saving();
+    if (recovery_) {
+        recovery_->look_after(state_.document, state_.is_dragging, now);
+        if (const auto error = recovery_->take_error()) complain(*error);
+    }
+    // A fault that is told is not replaced: the change is told once it has been read. What is being saved
+    // changes files itself.
+    if (now - looked_ < look_interval || state_.message.is_fault() || saving_) return;
+    looked_ = now;
+    if (const auto file = stamps_.take_changed())
+        complain(fmt::format("{} has changed on disk: Ctrl+R reads it again", file->string()));
+}
+
+void DocumentFiles::keep_unsaved() {
+    if (recovery_) recovery_->keep(state_.document);
+}
+
+void DocumentFiles::remember_window(glm::ivec2 size) {
+    if (settings_.window_size != size)
+        change_settings([size](Settings& settings) { settings.window_size = size; });
+}
+
+// ---- questions ----
+
+void DocumentFiles::ask(Question question, std::function<void(const Answer&)> answer) {
+    if (dialog_.is_open()) return;
+    on_answer_ = std::move(answer);
+    dialog_.ask(std::move(question));
+}
+
+void DocumentFiles::browse(FileRequest request, std::function<void(const FileChoice&)> answer) {
+    if (browser_.is_open()) return;
+    request.places.push_back({"Built-in families", builtin_family_folder().parent_path()});
+    request.recent_folders = settings_.recent_folders;
+    if (request.folder.empty()) request.folder = settings_.last_folder;
+    on_choice_ = std::move(answer);
+    browser_.open(std::move(request));
+}
+
+/// Does \p next once no changes can be lost: there are none, they have been saved, or they are not wanted.
+void DocumentFiles::leave_document(const Action& next) {
+    finish_saving();
+    if (!state_.document.is_changed()) {
+        next();
+        return;
+    }
+    ask({.text = fmt::format("Save the changes to {}?", state_.document.family().name),
+         .detail = "They are lost otherwise.",
+         .buttons = {"Save", "Don't save", "Cancel"},
+         .entry = {},
+         .fault = {}},
+        [this, next](const Answer& answer) {
+            if (answer.button == 0) save(next);
+            if (answer.button == 1) next();
+        });
+}
+
+// ---- the document ----
+
+void DocumentFiles::replace_document(Family family, std::vector<fs::path> sources) {
+    forget_unsaved();
+    ViewerState opened(std::move(family), family_folder(sources));
+    opened.session.display = state_.session.display;
+    opened.help_shown = state_.help_shown;
+    state_ = std::move(opened);
+    set_sources(std::move(sources));
+}
+
+void DocumentFiles::set_sources(std::vector<fs::path> sources) {
+    stamps_ = FileStamps(watched_files(sources));
+    sources_ = std::move(sources);
+}
+
+// ---- saving ----
+
+void DocumentFiles::save(const Action& next) {
+    if (state_.document.folder()) {
+        write(*state_.document.folder(), next);
+    } else {
+        save_as(next);
+    }
+}
+
+void DocumentFiles::save_as(Action next) {
+    FileRequest request;
+    request.title = "Save the family in a folder of its own";
+    request.action = "Save";
+    request.purpose = FilePurpose::save_folder;
+    request.types = openable_types();
+    request.name = folder_name(state_.document.family().name);
+    std::error_code ignored;
+    const fs::path folder = folder_to_save_in({.document = state_.document.folder(),
+                                               .last = settings_.last_folder,
+                                               .current = fs::current_path(ignored),
+                                               .builtin = builtin_family_folder().parent_path()});
+    request.folder = folder.empty() ? home_folder() : folder;
+    browse(std::move(request),
+           [this, next = std::move(next)](const FileChoice& choice) { write(choice.files.front(), next); });
+}
+
+/// On a thread of its own, so that a family of hundreds of megabytes does not hold up the window; but where
+/// \p next is to follow, which may replace the document, it is waited for.
+void DocumentFiles::write(const fs::path& folder, const Action& next) {
+    finish_saving();
+    const auto family = state_.document.snapshot();
+    auto written = std::async(std::launch::async, [family, folder] { write_family(*family, folder); });
+    saving_.emplace(Saving{family, fs::absolute(folder), std::move(written)});
+    if (next && finish_saving()) next();
+}
+
+/// Waits until what is being saved is on the disk. \return whether nothing went wrong
+bool DocumentFiles::finish_saving() {
+    if (!saving_) return true;
+    Saving saved = *std::exchange(saving_, std::nullopt);
+    try {
+        saved.written.get();
+    } catch (const std::runtime_error& error) {
+        complain(error);
+        return false;
+    }
+    state_.document.mark_saved(saved.family, saved.folder);
+    if (!state_.document.is_changed()) forget_unsaved();  // else there were edits meanwhile
+    remember(saved.folder);
+    set_sources({saved.folder});
+    return true;
+}
+
+// ---- what the user is not to lose ----
+
+/// Nothing unsaved is worth recovering any more.
+void DocumentFiles::forget_unsaved() {
+    if (recovery_) recovery_->forget(state_.document);
+}
+
+void DocumentFiles::offer_recovery() {
+    if (!recovery_ || recovery_->offered() == nullptr) return;
+    ask(question_about(recovery_->offered()->note), [this](const Answer& answer) {
+        if (answer.button == 0) recover();
+        if (answer.button != 1) return;
+        try {
+            recovery_->discard_offered();
+        } catch (const MachineError& error) {
+            complain(error);
+        }
+        offer_recovery();
+    });
+}
+
+void DocumentFiles::recover() {
+    auto claimed = recovery_->claim_offered();
+    if (!claimed) return complain("the recovery has gone: another window has taken it");
+    const Message message = state_.message;  // of the start, behind the question
+    try {
+        Family family = read_family(claimed->family());
+        std::vector<fs::path> sources;
+        if (!claimed->note.document_folder.empty()) sources.push_back(claimed->note.document_folder);
+        replace_document(std::move(family), std::move(sources));
+        state_.document.mark_unsaved();
+        state_.message = message;
+        recovery_->adopt(*std::move(claimed));
+    } catch (const std::runtime_error& error) {
+        complain(fmt::format("{}; it is kept", error.what()));
+    }
+}
+
+void DocumentFiles::remember(const fs::path& path) {
+    change_settings([&](Settings& settings) { remember_document(settings.recent_files, path); });
+}
+
+void DocumentFiles::change_settings(const std::function<void(Settings&)>& change) {
+    change(settings_);
+    if (!settings_file_) return;
+    try {
+        interleaf::change_settings(*settings_file_, change);
+    } catch (const std::runtime_error& error) {
+        complain(error);
+    }
+}
+
+void DocumentFiles::complain(const std::string& text) {
+    state_.message = {text};
+}
+
+void DocumentFiles::complain(const std::runtime_error& error) {
+    state_.message = message_of(error);
+}
+
+}  // namespace interleaf

@@ -1,0 +1,132 @@
+// The files of the document: opening and saving it with the file browser, asking before changes are lost,
+// recent files, the autosave and the offer to recover, and changes on disk by others.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "app/document/viewer_state.h"
+#include "app/fitting/mesh_fitting.h"
+#include "app/storage/document_recovery.h"
+#include "app/storage/file_stamps.h"
+#include "app/storage/settings.h"
+#include "ui/browser/file_browser.h"
+#include "ui/dialogs/dialog.h"
+#include "ui/widgets/rect.h"
+
+namespace interleaf {
+
+/// The folder to save a document in that was read from \p sources; none unless they are one family.
+std::optional<std::filesystem::path> family_folder(const std::vector<std::filesystem::path>& sources);
+
+class DocumentFiles {
+  public:
+    /// \param sources   the files that the document in \p state was read from; none for the built-in family
+    /// \param is_alone  whether to leave the settings and the recoveries of the user alone
+    DocumentFiles(ViewerState& state, std::vector<std::filesystem::path> sources, bool is_alone);
+
+    /// Grants the wish of a command.
+    void grant(FileWish wish);
+
+    /// Opens \p files as a new document, or adds their keys to this one.
+    void open(std::vector<std::filesystem::path> files);
+    void add_keys(const std::vector<std::filesystem::path>& files, double now);
+
+    const std::vector<std::filesystem::path>& recent_files() const { return settings_.recent_files; }
+
+    /// Whether a question or the file browser has the keyboard.
+    bool is_asking() const { return browser_.is_open() || dialog_.is_open() || fitting_.is_open(); }
+
+    /// Whether work goes on, so that there is something new to show soon.
+    bool is_working() const { return fitting_.is_working(); }
+
+    /// The offer to fit meshes, while there is one.
+    const MeshFitting& fitting() const { return fitting_; }
+
+    /// Whether the document is being written, while the window goes on.
+    bool is_saving() const { return saving_.has_value(); }
+
+    /// Where the file browser's cursor is, while it is open.
+    std::optional<std::filesystem::path> browsed() const { return browser_.cursor_path(); }
+
+    /// Draws them in the middle of \p area and acts on the answers; call it in every frame.
+    /// \param density  framebuffer pixels a screen coordinate
+    void show(const Rect& area, float density, double now);
+
+    /// Writes the autosave and looks for changes on disk, when it is time to; call it in every frame.
+    void look_after(double now);
+
+    /// Writes what is not saved into the autosave at once; without waiting for the disk.
+    void keep_unsaved();
+
+    /// Of the window when the program ended last, screen coordinates.
+    std::optional<glm::ivec2> window_size() const { return settings_.window_size; }
+    void remember_window(glm::ivec2 size);
+
+  private:
+    using Action = std::function<void()>;  ///< null for nothing
+
+    /// The kinds of files that the file browser offers to open.
+    static const std::vector<FileType>& openable_types();
+
+    void offer_recovery();
+    void recover();
+    void ask(Question question, std::function<void(const Answer&)> answer);
+    void leave_document(const Action& next);
+    void save(const Action& next);
+    void save_as(Action next);
+    void write(const std::filesystem::path& folder, const Action& next);
+    bool finish_saving();
+    void browse(FileRequest request, std::function<void(const FileChoice&)> answer);
+    void browse_to_open();
+    void browse_to_add();
+    using Fit = std::function<void(const std::vector<std::filesystem::path>& meshes, const std::string& why)>;
+    void read_or_fit(const std::vector<std::filesystem::path>& paths,
+                     const std::function<void(Family)>& receiver, const Fit& fit);
+    void reopen();
+    void offer_to_add(const std::vector<std::filesystem::path>& meshes, const std::string& reason);
+    void open_fitted(const std::vector<std::filesystem::path>& meshes, const FittedMeshes& fitted);
+    void tell_fit(const FittedMeshes& fitted);
+    void replace_document(Family family, std::vector<std::filesystem::path> sources);
+    void set_sources(std::vector<std::filesystem::path> sources);
+    void forget_unsaved();
+    void remember(const std::filesystem::path& path);
+    void change_settings(const std::function<void(Settings&)>& change);
+    void complain(const std::string& text);
+    void complain(const std::runtime_error& error);
+
+    struct Saving {
+        std::shared_ptr<const Family> family;
+        std::filesystem::path folder;
+        std::future<void> written;
+    };
+
+    ViewerState& state_;
+    std::vector<std::filesystem::path> sources_;
+    FileStamps stamps_;
+    double looked_ = 0;  ///< when stamps were compared last
+
+    std::optional<std::filesystem::path> settings_file_;
+    Settings settings_;
+
+    FileBrowser browser_;
+    std::function<void(const FileChoice&)> on_choice_;
+    Dialog dialog_;
+    std::function<void(const Answer&)> on_answer_;
+    MeshFitting fitting_;
+    std::optional<Saving> saving_;
+    double now_ = 0;
+
+    std::optional<DocumentRecovery> recovery_;  ///< none if the user's are left alone
+};
+
+}  // namespace interleaf

@@ -1,0 +1,161 @@
+#include "app/storage/settings.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "app/storage/user_folders.h"
+#include "hierarchy/error.h"
+#include "io/family/family_format.h"
+#include "io/file/input_file.h"
+#include "io/file/safe_write.h"
+#include "io/text/json_place.h"
+
+namespace interleaf {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr std::uint64_t largest_file = 1 << 20;
+constexpr std::size_t largest_window = 32'768;  // what GLFW and X11 can express, and more than any screen has
+
+fs::path path_at(const JsonPlace& place) {
+    const std::string text = place.string();
+    const fs::path path = family_format::path_of(text);
+    if (!path.is_absolute() || text.find('\0') != std::string::npos) place.fail_expecting("an absolute path");
+    return path;
+}
+
+std::vector<fs::path> paths_at(const JsonPlace& place) {
+    std::vector<fs::path> paths;
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        fs::path path = path_at(place.element(i));
+        if (paths.size() < most_recent_paths && std::ranges::find(paths, path) == paths.end())
+            paths.push_back(std::move(path));
+    }
+    return paths;
+}
+
+int length_at(const JsonPlace& place) {
+    const std::uint32_t length = place.index_below(largest_window);
+    if (length == 0) place.fail_expecting("a size above 0");
+    return static_cast<int>(length);
+}
+
+/// An array of those of \p paths that JSON can hold.
+ordered_json array_of(const std::vector<fs::path>& paths) {
+    ordered_json array = ordered_json::array();
+    for (const fs::path& path : paths) {
+        std::string text = family_format::utf8_of(path);
+        if (family_format::is_utf8(text)) array.push_back(std::move(text));
+    }
+    return array;
+}
+
+std::string settings_text(const Settings& settings) {
+    ordered_json document = ordered_json::object();
+    document["recent files"] = array_of(settings.recent_files);
+    document["recent folders"] = array_of(settings.recent_folders);
+    const std::string last = family_format::utf8_of(settings.last_folder);
+    if (!last.empty() && family_format::is_utf8(last)) document["last folder"] = last;
+    if (settings.window_size)
+        document["window"] = {{"width", settings.window_size->x}, {"height", settings.window_size->y}};
+    return document.dump(2) + "\n";
+}
+
+/// A folder may be called so, too.
+bool is_family_file(const fs::path& path) {
+    std::error_code ignored;
+    return path.filename() == "family.json" && !fs::is_directory(path, ignored);
+}
+
+/// Where the document that is remembered as \p path really lies.
+fs::path place_of(const fs::path& path) {
+    std::error_code error;
+    fs::path place = fs::weakly_canonical(path, error);
+    if (error) place = path.lexically_normal();
+    if (!place.has_filename()) place = place.parent_path();
+    return is_family_file(place) ? place.parent_path() : place;
+}
+
+/// What to say after \p fault has been found in \p file, which is kept under another name.
+std::string keep_damaged(const fs::path& file, std::string_view fault) {
+    fs::path kept = file;
+    kept += ".damaged";
+    std::error_code error;
+    fs::rename(file, kept, error);
+    return error ? fmt::format("{}; settings are the defaults", fault)
+                 : fmt::format("{}; settings are the defaults, the file is kept as {}", fault,
+                               kept.filename().string());
+}
+
+}  // namespace
+
+void remember(std::vector<fs::path>& recent, const fs::path& path) {
+    std::error_code error;
+    fs::path whole = fs::absolute(path, error).lexically_normal();
+    if (error) return;                                       // relative to a folder that is gone
+    if (!whole.has_filename()) whole = whole.parent_path();  // it ends with a '/'
+    std::erase(recent, whole);
+    recent.insert(recent.begin(), whole);
+    if (recent.size() > most_recent_paths) recent.resize(most_recent_paths);
+}
+
+void remember_document(std::vector<fs::path>& recent, const fs::path& path) {
+    std::error_code error;
+    const fs::path whole = fs::absolute(path, error).lexically_normal();
+    if (error) return;
+    const fs::path document = is_family_file(whole) ? whole.parent_path() : whole;
+    const fs::path place = place_of(document);
+    std::erase_if(recent, [&](const fs::path& other) { return place_of(other) == place; });
+    remember(recent, document);
+}
+
+Settings parse_settings(std::string_view json, std::string_view name) {
+    if (json.size() > largest_file)
+        throw InputError(
+            fmt::format("{}: size: {} bytes, expected at most {}", name, json.size(), largest_file));
+    const nlohmann::json document = parse_json(json, name);
+    const JsonPlace root(document, std::string(name));
+    Settings settings;
+    if (const auto files = root.optional_member("recent files")) settings.recent_files = paths_at(*files);
+    if (const auto folders = root.optional_member("recent folders"))
+        settings.recent_folders = paths_at(*folders);
+    if (const auto folder = root.optional_member("last folder")) settings.last_folder = path_at(*folder);
+    if (const auto window = root.optional_member("window"))
+        settings.window_size = {length_at(window->member("width")), length_at(window->member("height"))};
+    return settings;
+}
+
+std::optional<fs::path> settings_file() {
+    const auto folder = config_folder();
+    if (!folder) return std::nullopt;
+    return *folder / "settings.json";
+}
+
+LoadedSettings load_settings(const fs::path& file) {
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(file, ignored))) return {};
+    try {
+        return {.settings = parse_settings(read_text(file, largest_file), file.string()), .message = ""};
+    } catch (const InputError& error) {
+        return {.settings = {}, .message = keep_damaged(file, error.what())};
+    } catch (const MachineError& error) {
+        return {.settings = {}, .message = keep_damaged(file, error.what())};
+    }
+}
+
+void change_settings(const fs::path& file, const std::function<void(Settings&)>& change) {
+    Settings settings = load_settings(file).settings;
+    change(settings);
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    if (error) throw MachineError(fmt::format("{}: cannot write: {}", file.string(), error.message()));
+    write_file(file, settings_text(settings));
+}
+
+}  // namespace interleaf

@@ -1,0 +1,158 @@
+#include "app/window/trace.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "hierarchy/error.h"
+
+namespace interleaf {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name_of(Driver driver) {
+    switch (driver) {
+        case Driver::timeline:
+            return "timeline";
+        case Driver::point:
+            return "point";
+        case Driver::key:
+            return "key";
+    }
+    return "";
+}
+
+const char* name_of(Coloring coloring) {
+    switch (coloring) {
+        case Coloring::plain:
+            return "plain";
+        case Coloring::level:
+            return "level";
+        case Coloring::origin:
+            return "origin";
+        case Coloring::checker:
+            return "checker";
+        case Coloring::field:
+            return "field";
+    }
+    return "";
+}
+
+Json json_of(const Rect& rect) {
+    return {rect.x, rect.y, rect.width, rect.height};
+}
+
+Json json_of(const Display& display) {
+    return {{"shading", display.shading == Shading::smooth ? "smooth" : "flat"},
+            {"coloring", name_of(display.coloring)},
+            {"field", display.field},
+            {"color_map", name_of(display.scale.map)},
+            {"range", {display.scale.range.min, display.scale.range.max}},
+            {"wireframe", display.wireframe},
+            {"refinement_edges", display.refinement_edges},
+            {"root_edges", display.root_edges}};
+}
+
+Json json_of(const Session& session) {
+    Json json;
+    json["time"] = session.time();
+    json["playing"] = session.is_playing();
+    json["loop"] = session.loops();
+    json["driver"] = name_of(session.driver());
+    json["point"] = session.point() ? Json{session.point()->at.x, session.point()->at.y} : Json();
+    json["weights"] = Json::object();
+    json["active"] = Json::array();
+    for (const Weight& weight : session.weights()) {
+        const std::string& name = session.family().keys[weight.key].name;
+        json["weights"][name] = weight.value;
+        json["active"].push_back(name);
+    }
+    json["display"] = json_of(session.display);
+    return json;
+}
+
+Json json_of(const Document& document) {
+    const Family& family = document.family();
+    Json json;
+    json["name"] = family.name;
+    json["folder"] = document.folder() ? Json(document.folder()->string()) : Json();
+    json["changed"] = document.is_changed();
+    json["undo"] = document.undo_step() != nullptr ? Json(*document.undo_step()) : Json();
+    json["redo"] = document.redo_step() != nullptr ? Json(*document.redo_step()) : Json();
+    json["keys"] = Json::array();
+    for (const Key& key : family.keys) json["keys"].push_back(key.name);
+    json["roots"] = family.keys.front().hierarchy->roots.triangle_count();
+    json["times"] = Json::array();
+    if (family.timeline)
+        for (const TimelineKey& key : family.timeline->keys())
+            json["times"].push_back({key.time, family.keys[key.key].name});
+    json["domain"] = Json::array();
+    if (family.domain)
+        for (const DomainVertex& vertex : family.domain->vertices())
+            json["domain"].push_back({vertex.at.x, vertex.at.y, family.keys[vertex.key].name});
+    return json;
+}
+
+Json json_of(const FitDialog& offer) {
+    const FitChoices& choices = offer.choices();
+    Json json{{"row", offer.row()},
+              {"mesh", offer.selected_mesh()},
+              {"by_tolerance", choices.by_tolerance},
+              {"leaves", choices.leaves},
+              {"tolerance", choices.tolerance},
+              {"roots", choices.roots},
+              {"turns", Json::array()},
+              {"ups", Json::array()},
+              {"same_size", choices.same_size},
+              {"same_center", choices.same_center},
+              {"keep_largest", choices.keep_largest},
+              {"fill_holes", choices.fill_holes},
+              {"fault", offer.fault()}};
+    for (const std::size_t up : choices.ups) json["ups"].push_back(std::string(1, "XYZ"[up]));
+    for (const FitChoices::Turn& turn : choices.turns)
+        json["turns"].push_back({std::string(1, "xyz"[turn.axis]), turn.degrees});
+    return json;
+}
+
+}  // namespace
+
+Trace::Trace(const std::filesystem::path& path) : path_(path), file_(path) {
+    if (!file_) throw MachineError(fmt::format("{}: cannot be written", path_.string()));
+}
+
+void Trace::record(std::size_t frame, double seconds, const ViewerState& state, const SurfaceFigures& figures,
+                   glm::vec3 eye, const TracePlaces& places) {
+    Json json = json_of(state.session);
+    json["leaves"] = figures.leaves;
+    json["vertices"] = figures.vertices;
+    json["rebuilds"] = figures.rebuilds;
+    json["eye"] = {eye.x, eye.y, eye.z};
+    json["document"] = json_of(state.document);
+    json["selected"] = state.selected_key ? Json(*state.selected_key) : Json();
+    json["edits_domain"] = state.edits_domain;
+    json["help"] = state.help_shown;
+    json["asking"] = places.is_asking;
+    json["takes_text"] = places.takes_text;
+    json["browsed"] = places.browsed ? Json(places.browsed->string()) : Json();
+    json["comparing"] = state.is_comparing;
+    json["compared"] = state.compared ? Json(state.compared->mesh_name) : Json();
+    json["offer"] = places.offer != nullptr ? json_of(*places.offer) : Json();
+    json["message"] = state.message.text;
+    json["notice"] = !state.message.empty() && !state.message.is_fault();
+    json["window"] = {places.window.x, places.window.y};
+    json["pointer"] = {places.pointer.x, places.pointer.y};
+    json["button_down"] = places.button_down;
+    json["rects"] = {{"view", json_of(places.view)},
+                     {"keys", json_of(places.keys)},
+                     {"domain", places.domain ? json_of(*places.domain) : Json()},
+                     {"timeline", places.timeline ? json_of(*places.timeline) : Json()},
+                     {"popup", places.popup ? json_of(*places.popup) : Json()}};
+    std::string members = json.dump(-1, ' ', false, Json::error_handler_t::replace).substr(1);
+    if (members == last_) return;
+    last_ = std::move(members);
+    file_ << fmt::format("{{\"frame\":{},\"seconds\":{:.4f},{}\n", frame, seconds, last_) << std::flush;
+    if (!file_) throw MachineError(fmt::format("{}: cannot be written", path_.string()));
+}
+
+}  // namespace interleaf

@@ -1,0 +1,44 @@
+#include "fit/mesh/space_triangle.h"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace interleaf {
+namespace {
+
+/// The square of the distance of the origin from the segment from \p a along \p edge.
+double squared_distance_to_segment(const glm::dvec3& a, const glm::dvec3& edge) {
+    const double squared_length = glm::dot(edge, edge);
+    const double t = squared_length > 0 ? glm::clamp(-glm::dot(a, edge) / squared_length, 0.0, 1.0) : 0.0;
+    const glm::dvec3 nearest = a + t * edge;
+    return glm::dot(nearest, nearest);
+}
+
+}  // namespace
+
+glm::dvec3 unit_normal(const TriangleCorners& corners) {
+    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double length = glm::length(normal);
+    return length > 0 ? normal / length : glm::dvec3(0);
+}
+
+double squared_distance_to_triangle(const glm::dvec3& point, const TriangleCorners& corners) {
+    const glm::dvec3 a = corners[0] - point;  // the point is the origin
+    const glm::dvec3 b = corners[1] - point;
+    const glm::dvec3 c = corners[2] - point;
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const double squared_length = glm::dot(normal, normal);
+    const double at_a = glm::dot(glm::cross(b, c), normal);
+    const double at_b = glm::dot(glm::cross(c, a), normal);
+    const double at_c = glm::dot(glm::cross(a, b), normal);
+    if (squared_length > 0 && at_a >= 0 && at_b >= 0 && at_c >= 0) {
+        const double height = glm::dot(a, normal);
+        return height * height / squared_length;
+    }
+    return std::min({squared_distance_to_segment(a, b - a), squared_distance_to_segment(b, c - b),
+                     squared_distance_to_segment(c, a - c)});
+}
+
+}  // namespace interleaf

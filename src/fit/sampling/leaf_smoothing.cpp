@@ -1,0 +1,339 @@
+#include "fit/sampling/leaf_smoothing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "fit/mesh/progress_meter.h"
+#include "fit/mesh/space_triangle.h"
+#include "fit/mesh/surface_distance.h"
+
+namespace interleaf {
+namespace {
+
+/// Leaves with a smaller angle than this, in degrees, are smoothed.
+constexpr double wanted_angle = 18;
+
+constexpr int most_rounds = 6;
+
+/// Parts of the way to a neighbour that are tried, towards it and away from it.
+constexpr std::array<double, 10> way_parts = {0.4, -0.4, 0.2, -0.2, 0.1, -0.1, 0.05, -0.05, 0.025, -0.025};
+
+/// Places of a vertex, those of the best angles first, that are looked at closely.
+constexpr std::size_t most_places = 8;
+
+/// After a move no place of the star may be farther than this part of the largest distance there is: a
+/// margin, since distances are measured at some places only.
+constexpr double near_enough = 0.9;
+
+/// Distances are measured on grids over the leaves, first on a coarse one, which rules most places out.
+constexpr auto coarse_grid = barycentric_grid<4>();
+constexpr auto fine_grid = barycentric_grid<8>();
+
+/// The cosine of the least angle; 1 for a triangle without area.
+double largest_cosine(const TriangleCorners& corners) {
+    double largest = -1;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 a = corners[(i + 1) % 3] - corners[i];
+        const glm::dvec3 b = corners[(i + 2) % 3] - corners[i];
+        const double lengths = std::sqrt(glm::dot(a, a) * glm::dot(b, b));
+        if (!(lengths > 0)) return 1;
+        largest = std::max(largest, glm::dot(a, b) / lengths);
+    }
+    return largest;
+}
+
+double cosine_of_wanted_angle() {
+    return std::cos(wanted_angle * std::numbers::pi / 180);
+}
+
+TriangleCorners corners_of(const Triangle& leaf, const SampledSurface& surface) {
+    const auto& [a, b, c] = leaf;
+    return {surface.positions[a], surface.positions[b], surface.positions[c]};
+}
+
+bool is_faulty(const Triangle& leaf, const SampledSurface& surface, const MappedSurface& mapped,
+               double good_cosine) {
+    return largest_cosine(corners_of(leaf, surface)) > good_cosine || is_turned_over(leaf, surface, mapped);
+}
+
+/// What is wrong with some leaves.
+struct Fault {
+    int turned_over = 0;
+    double cosine = -1;  ///< of the least angle, or of the wanted one where that is smaller
+
+    bool is_less_than(const Fault& other) const {
+        return turned_over <= other.turned_over && cosine <= other.cosine &&
+               (turned_over < other.turned_over || cosine < other.cosine);
+    }
+};
+
+/// Where a vertex of the key lies.
+struct Place {
+    glm::dvec3 direction;
+    MeshPoint point;
+    glm::vec3 position;
+};
+
+class Smoothing {
+  public:
+    Smoothing(const MappedSurface& mapped, SampledSurface& surface, ProgressMeter& meter)
+        : mapped_(mapped), surface_(surface), at_rest_(surface.positions.size(), false) {
+        for (const Leaf& leaf : surface.leaves) leaves_.push_back(leaf.vertices);
+        gather_stars();
+        assign_vertices(meter);
+        allowed_distance_ = near_enough * largest_distance(meter);
+    }
+
+    void run(std::size_t fixed_vertices, std::size_t most_tries, ProgressMeter& meter) {
+        bool moved = true;
+        std::size_t tries = 0;
+        for (int round = 0; round < most_rounds && moved && tries < most_tries; ++round) {
+            moved = false;
+            meter.set_part(double(round) / most_rounds);
+            for (const Index leaf : faulty_leaves(meter))
+                for (const Index vertex : leaves_[leaf]) {
+                    if (vertex < fixed_vertices || at_rest_[vertex] || !is_faulty(leaf)) continue;
+                    moved = improve(vertex) || moved;
+                    ++tries;
+                    meter.step(5000);
+                }
+        }
+    }
+
+  private:
+    void gather_stars() {
+        star_begin_.assign(surface_.positions.size() + 1, 0);
+        for (const Triangle& leaf : leaves_)
+            for (const Index vertex : leaf) ++star_begin_[vertex + 1];
+        for (std::size_t v = 1; v < star_begin_.size(); ++v) star_begin_[v] += star_begin_[v - 1];
+        stars_.resize(star_begin_.back());
+        std::vector<Index> next(star_begin_.begin(), star_begin_.end() - 1);
+        for (Index leaf = 0; leaf < leaves_.size(); ++leaf)
+            for (const Index vertex : leaves_[leaf]) stars_[next[vertex]++] = leaf;
+    }
+    std::span<const Index> star(Index vertex) const {
+        return std::span(stars_).subspan(star_begin_[vertex], star_begin_[vertex + 1] - star_begin_[vertex]);
+    }
+
+    void assign_vertices(ProgressMeter& meter);
+    void assign_anew(std::span<const Index> star);
+    std::vector<Index> faulty_leaves(ProgressMeter& meter) const;
+    bool improve(Index vertex);
+    std::vector<Place> better_places(Index vertex, const Fault& before);
+    double largest_distance(ProgressMeter& meter) const;
+    bool is_near(std::span<const Index> star, std::span<const glm::dvec3> grid) const;
+
+    TriangleCorners corners(Index leaf) const { return corners_of(leaves_[leaf], surface_); }
+    std::array<glm::dvec3, 3> directions(Index leaf) const {
+        const auto& [a, b, c] = leaves_[leaf];
+        return {surface_.sphere_points[a], surface_.sphere_points[b], surface_.sphere_points[c]};
+    }
+    bool is_one_to_one(std::span<const Index> star) const {
+        return std::ranges::all_of(star, [&](Index leaf) {
+            const auto [u, v, w] = directions(leaf);
+            return side_of_arc(u, v, w) > 0;
+        });
+    }
+    Fault fault(std::span<const Index> star) const {
+        Fault found{0, good_cosine_};
+        for (const Index leaf : star) {
+            found.turned_over += is_turned_over(leaves_[leaf], surface_, mapped_);
+            found.cosine = std::max(found.cosine, largest_cosine(corners(leaf)));
+        }
+        return found;
+    }
+    bool is_faulty(Index leaf) const {
+        return interleaf::is_faulty(leaves_[leaf], surface_, mapped_, good_cosine_);
+    }
+    Place place_of(Index vertex) const {
+        return {surface_.sphere_points[vertex], surface_.mesh_points[vertex], surface_.positions[vertex]};
+    }
+    Place place_at(const glm::dvec3& direction, Index guess) const {
+        const MeshPoint point = mapped_.location.locate(direction, guess);
+        return {direction, point, glm::vec3(mapped_.position(point))};
+    }
+    void put(Index vertex, const Place& place) {
+        surface_.sphere_points[vertex] = place.direction;
+        surface_.mesh_points[vertex] = place.point;
+        surface_.positions[vertex] = place.position;
+    }
+
+    const double good_cosine_ = cosine_of_wanted_angle();
+    const MappedSurface& mapped_;
+    SampledSurface& surface_;
+    std::vector<Triangle> leaves_;
+    std::vector<Index> star_begin_;
+    std::vector<Index> stars_;   ///< leaves around vertices
+    std::vector<Index> inside_;  ///< the first of the mesh's vertices that lie in a leaf
+    std::vector<Index> next_;    ///< the one after it, by vertex
+    std::vector<bool> at_rest_;  ///< whether a vertex found no better place since its star changed
+    double allowed_distance_ = 0;
+};
+
+/// Puts every vertex of the mesh into the leaf it is mapped into.
+void Smoothing::assign_vertices(ProgressMeter& meter) {
+    const SphereLocation location(leaves_, surface_.sphere_points);
+    inside_.assign(leaves_.size(), no_index);
+    next_.resize(mapped_.points.size());
+    Index leaf = no_index;
+    for (Index vertex = 0; vertex < mapped_.points.size(); ++vertex) {
+        leaf = location.locate(mapped_.points[vertex], leaf).triangle;
+        next_[vertex] = std::exchange(inside_[leaf], vertex);
+        meter.step();
+    }
+}
+
+/// The same for the vertices in a star whose middle has moved.
+void Smoothing::assign_anew(std::span<const Index> star) {
+    std::vector<Index> vertices;
+    for (const Index leaf : star)
+        for (Index vertex = std::exchange(inside_[leaf], no_index); vertex != no_index;
+             vertex = next_[vertex])
+            vertices.push_back(vertex);
+    for (const Index vertex : vertices) {
+        const auto how_far_inside = [&](Index leaf) {
+            const auto [u, v, w] = directions(leaf);
+            const glm::dvec3& point = mapped_.points[vertex];
+            return std::min({side_of_arc(u, v, point), side_of_arc(v, w, point), side_of_arc(w, u, point)});
+        };
+        const Index leaf = *std::ranges::max_element(star, {}, how_far_inside);
+        next_[vertex] = std::exchange(inside_[leaf], vertex);
+    }
+}
+
+/// The worst first.
+std::vector<Index> Smoothing::faulty_leaves(ProgressMeter& meter) const {
+    std::vector<std::pair<double, Index>> found;
+    for (Index leaf = 0; leaf < leaves_.size(); ++leaf) {
+        meter.step();
+        if (!is_faulty(leaf)) continue;
+        const Fault here = fault(std::span(&leaf, 1));
+        found.emplace_back(-here.turned_over - here.cosine, leaf);
+    }
+    std::ranges::sort(found);
+    std::vector<Index> leaves;
+    leaves.reserve(found.size());
+    for (const auto& [ignored, leaf] : found) leaves.push_back(leaf);
+    return leaves;
+}
+
+/// Of the mesh from the key, at its vertices and at the middles of leaves.
+double Smoothing::largest_distance(ProgressMeter& meter) const {
+    const std::vector<glm::dvec3> positions(surface_.positions.begin(), surface_.positions.end());
+    const SurfaceDistance to_key(leaves_, positions);
+    Index nearest = no_index;
+    double largest = 0;
+    for (const glm::dvec3& position : mapped_.mesh.positions) {
+        largest = std::max(largest, to_key(position, nearest));
+        meter.step();
+    }
+    for (Index leaf = 0; leaf < leaves_.size(); ++leaf) {
+        const auto [u, v, w] = directions(leaf);
+        const Index guess = surface_.mesh_points[leaves_[leaf][0]].triangle;
+        meter.step(60);
+        for (const glm::dvec3& inside : {u + v + w, v + w})
+            largest = std::max(
+                largest,
+                to_key(mapped_.position(mapped_.location.locate(glm::normalize(inside), guess)), nearest));
+    }
+    return largest;
+}
+
+/// Whether the mesh is near the star over it, and the star near the mesh, at the places of a grid.
+bool Smoothing::is_near(std::span<const Index> star, std::span<const glm::dvec3> grid) const {
+    const double allowed = allowed_distance_ * allowed_distance_;
+    const auto is_near_star = [&](const glm::dvec3& place) {
+        return std::ranges::any_of(
+            star, [&](Index leaf) { return squared_distance_to_triangle(place, corners(leaf)) <= allowed; });
+    };
+    for (const Index leaf : star) {
+        const TriangleCorners corner = corners(leaf);
+        const Index guess = surface_.mesh_points[leaves_[leaf][0]].triangle;
+        Index nearest = guess;
+        const auto are_near = [&](const FacingPlaces& places) {
+            if (glm::distance(places.on_surface, places.on_leaf) <= allowed_distance_) return true;
+            return (squared_distance_to_triangle(places.on_surface, corner) <= allowed ||
+                    is_near_star(places.on_surface)) &&
+                   mapped_.distance(places.on_leaf, nearest, allowed_distance_) <= allowed_distance_;
+        };
+        if (!all_of_places(mapped_, grid, directions(leaf), corner, guess, are_near)) return false;
+        for (Index vertex = inside_[leaf]; vertex != no_index; vertex = next_[vertex])
+            if (!is_near_star(mapped_.mesh.positions[vertex])) return false;
+    }
+    return true;
+}
+
+/// Places that leave the star one to one, with angles no worse than before; the best first.
+std::vector<Place> Smoothing::better_places(Index vertex, const Fault& before) {
+    const Place here = place_of(vertex);
+    std::vector<std::pair<double, Place>> found;
+    for (const Index leaf : star(vertex)) {
+        const Triangle& leaf_vertices = leaves_[leaf];
+        const std::size_t corner = leaf_vertices[0] == vertex ? 0 : leaf_vertices[1] == vertex ? 1 : 2;
+        const glm::dvec3 way = surface_.sphere_points[leaf_vertices[(corner + 1) % 3]] - here.direction;
+        for (const double part : way_parts) {
+            const glm::dvec3 direction = glm::normalize(here.direction + part * way);
+            surface_.sphere_points[vertex] = direction;
+            if (!is_one_to_one(star(vertex))) continue;
+            const Place place = place_at(direction, here.point.triangle);
+            put(vertex, place);
+            double cosine = -1;
+            for (const Index other : star(vertex)) {
+                cosine = std::max(cosine, largest_cosine(corners(other)));
+                if (cosine > before.cosine) break;
+            }
+            if (cosine <= before.cosine) found.emplace_back(cosine, place);
+        }
+    }
+    put(vertex, here);
+    std::ranges::stable_sort(found, {}, &std::pair<double, Place>::first);
+    std::vector<Place> better;
+    better.reserve(found.size());
+    for (const auto& [ignored, place] : found) better.push_back(place);
+    return better;
+}
+
+/// Moves the vertex to the first place that is better for its star and near enough to the surface.
+bool Smoothing::improve(Index vertex) {
+    const Fault before = fault(star(vertex));
+    const Place here = place_of(vertex);
+    std::size_t tried = 0;
+    for (const Place& place : better_places(vertex, before)) {
+        if (tried++ == most_places) break;
+        put(vertex, place);
+        if (fault(star(vertex)).is_less_than(before) && is_near(star(vertex), coarse_grid) &&
+            is_near(star(vertex), fine_grid)) {
+            assign_anew(star(vertex));
+            for (const Index leaf : star(vertex))
+                for (const Index neighbor : leaves_[leaf]) at_rest_[neighbor] = false;
+            return true;
+        }
+    }
+    put(vertex, here);
+    at_rest_[vertex] = true;
+    return false;
+}
+
+}  // namespace
+
+void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, SampledSurface& surface,
+                   const Progress& progress, std::size_t most_tries) {
+    ProgressMeter meter(progress);
+    meter.enter("smoothing", 0);
+    Smoothing(mapped, surface, meter).run(fixed_vertices, most_tries, meter);
+}
+
+std::size_t count_faulty_leaves(const MappedSurface& mapped, const SampledSurface& surface) {
+    const double good_cosine = cosine_of_wanted_angle();
+    return static_cast<std::size_t>(std::ranges::count_if(surface.leaves, [&](const Leaf& leaf) {
+        return is_faulty(leaf.vertices, surface, mapped, good_cosine);
+    }));
+}
+
+}  // namespace interleaf

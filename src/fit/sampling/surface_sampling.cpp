@@ -1,0 +1,322 @@
+#include "fit/sampling/surface_sampling.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "fit/mesh/progress_meter.h"
+#include "fit/mesh/space_triangle.h"
+#include "hierarchy/adaptive_mesh.h"
+#include "hierarchy/greedy.h"
+
+namespace interleaf {
+namespace {
+
+/// What the turn of the normal adds to a leaf's error, as a fraction of its size.
+constexpr double turn_share = 0.1;
+
+/// Where on a leaf its distance is measured closely.
+constexpr auto close_places = barycentric_grid<8>();
+
+/// The work of that, in the units of a progress meter; a vertex of the surface in the leaf is one more.
+constexpr std::size_t close_work = 400;
+
+/// When leaves are levelled, those that seemed farthest before are measured closely: this many times as many
+/// as can be added.
+constexpr std::size_t levelling_choice = 3;
+
+/// A deeper leaf is not bisected on its own account. Closure may add two levels, and max_level is the end.
+constexpr unsigned deepest_level = max_level - 4;
+
+TriangleCorners corners_of(const AdaptiveMesh& mesh, Index leaf) {
+    const auto& [a, b, c] = mesh.vertices(leaf);
+    return {mesh.positions()[a], mesh.positions()[b], mesh.positions()[c]};
+}
+
+/// The square of the distance of a place of the surface from the key: from \p leaf, or from a leaf that is
+/// nearer, as far as one comes to it by going to ever nearer neighbours, until it is \p enough.
+double squared_distance_to_key(const glm::dvec3& place, const AdaptiveMesh& mesh, Index leaf, double enough) {
+    double least = squared_distance_to_triangle(place, corners_of(mesh, leaf));
+    for (bool is_nearer = true; is_nearer && least > enough;) {
+        is_nearer = false;
+        for (const Index neighbour : mesh.neighbours(leaf)) {
+            const double distance = squared_distance_to_triangle(place, corners_of(mesh, neighbour));
+            if (distance >= least) continue;
+            least = distance;
+            leaf = neighbour;
+            is_nearer = true;
+            break;
+        }
+    }
+    return least;
+}
+
+class Sampler {
+  public:
+    Sampler(const MappedSurface& mapped, const SphereRoots& roots) : mapped_(mapped) {
+        for (const glm::dvec3& point : roots.points) add_vertex(point, no_index);
+        assign_vertices(roots);
+    }
+
+    glm::vec3 position(Index vertex) const { return glm::vec3(mapped_.position(mesh_points_[vertex])); }
+
+    /// The rule of the adaptive mesh for new vertices.
+    glm::vec3 place_midpoint(Index a, Index b, Index midpoint) {
+        assert(midpoint == sphere_points_.size());
+        add_vertex(glm::normalize(sphere_points_[a] + sphere_points_[b]), mesh_points_[a].triangle);
+        divided_edges_.push_back({{a, b, midpoint}, middle_of(a, midpoint), middle_of(b, midpoint)});
+        return position(midpoint);
+    }
+
+    /// Takes notice of bisections: \p changed holds the children of each.
+    void divide_vertices(std::span<const Index> changed) {
+        for (std::size_t i = 0; i < changed.size(); i += 2) divide_vertices(changed[i], changed[i + 1]);
+        divided_edges_.clear();
+    }
+
+    /// The error by which most leaves are made.
+    double error(const AdaptiveMesh& mesh, Index leaf);
+
+    /// The distance of a leaf from the surface as error() has found it: of a few places and the vertices of
+    /// the surface in it, from this leaf alone; infinite when it has not been asked.
+    double noted_distance(Index leaf) const { return leaves_[leaf].distance; }
+
+    /// The largest distance between the key at a leaf and the surface there, either way, at the places of a
+    /// grid and the vertices of the surface; \p least when that is larger.
+    double close_distance(const AdaptiveMesh& mesh, Index leaf, double least) const;
+
+    /// Vertices of the surface in a leaf.
+    std::size_t vertex_count(Index leaf) const { return vertices_of(leaves_[leaf]).size(); }
+
+    SampledSurface result(const AdaptiveMesh& mesh) && {
+        SampledSurface surface;
+        for (const Index leaf : mesh.preorder())
+            surface.leaves.push_back({mesh.vertices(leaf), static_cast<std::uint8_t>(mesh.level(leaf))});
+        surface.positions.assign(mesh.positions().begin(), mesh.positions().end());
+        surface.sphere_points = std::move(sphere_points_);
+        surface.mesh_points = std::move(mesh_points_);
+        return surface;
+    }
+
+  private:
+    /// What is known of a leaf, so that its bisection has little left to locate.
+    struct LeafRecord {
+        Triangle corners;
+        std::array<MeshPoint, 3> middles;  ///< of the sides, on the surface
+        Index begin;                       ///< of those vertices of the surface that lie in it: a range of
+        Index end;                         ///< vertices_
+        double distance = std::numeric_limits<double>::infinity();  ///< see noted_distance()
+    };
+    /// An edge bisected in the present step. Leaves at both its sides take its halves over.
+    struct DividedEdge {
+        NewVertex vertex;
+        MeshPoint middle_at_a;  ///< of the half from a to the new vertex
+        MeshPoint middle_at_b;
+    };
+
+    void add_vertex(const glm::dvec3& sphere_point, Index guess) {
+        sphere_points_.push_back(sphere_point);
+        mesh_points_.push_back(mapped_.location.locate(sphere_point, guess));
+    }
+    /// Where the middle of an edge lies on the surface; \p b lies there already.
+    MeshPoint middle_of(Index a, Index b) const {
+        return mapped_.location.locate(glm::normalize(sphere_points_[a] + sphere_points_[b]),
+                                       mesh_points_[b].triangle);
+    }
+    std::span<const Index> vertices_of(const LeafRecord& record) const {
+        return std::span(vertices_).subspan(record.begin, record.end - record.begin);
+    }
+    void assign_vertices(const SphereRoots& roots);
+    void divide_vertices(Index first, Index second);
+
+    const MappedSurface& mapped_;
+    std::vector<glm::dvec3> sphere_points_;  ///< one a vertex of the key
+    std::vector<MeshPoint> mesh_points_;
+    std::vector<Index> vertices_;  ///< of the surface, those of a leaf together
+    std::vector<LeafRecord> leaves_;
+    std::vector<DividedEdge> divided_edges_;  ///< in the present step
+};
+
+/// Puts every vertex of the surface into the root triangle it is mapped into.
+void Sampler::assign_vertices(const SphereRoots& roots) {
+    const auto triangles = roots.complex.triangles();
+    const SphereLocation root_location(triangles, roots.points);
+    std::vector<Index> root_of(mapped_.points.size());
+    std::vector<Index> counts(triangles.size(), 0);
+    for (std::size_t v = 0; v < mapped_.points.size(); ++v) {
+        root_of[v] = root_location.locate(mapped_.points[v], v > 0 ? root_of[v - 1] : no_index).triangle;
+        ++counts[root_of[v]];
+    }
+    Index begin = 0;
+    for (std::size_t root = 0; root < triangles.size(); ++root) {
+        const auto& [a, b, c] = triangles[root];
+        leaves_.push_back(
+            {triangles[root], {middle_of(b, c), middle_of(c, a), middle_of(a, b)}, begin, begin});
+        begin += counts[root];
+    }
+    vertices_.resize(mapped_.points.size());
+    for (std::size_t v = 0; v < mapped_.points.size(); ++v)
+        vertices_[leaves_[root_of[v]].end++] = static_cast<Index>(v);
+}
+
+/// One bisection: the first child takes its parent's place.
+void Sampler::divide_vertices(Index first, Index second) {
+    const auto [corners, middles, begin, end, ignored] = leaves_[first];
+    const auto [low, high] = std::minmax(corners[1], corners[2]);
+    const auto edge =
+        std::ranges::find_if(divided_edges_, [low = low, high = high](const DividedEdge& divided) {
+            return divided.vertex.a == low && divided.vertex.b == high;
+        });
+    assert(edge != divided_edges_.end());
+    const Index midpoint = edge->vertex.midpoint;
+    const auto children = bisect(corners, midpoint);
+    const glm::dvec3& apex = sphere_points_[corners[0]];
+    const glm::dvec3& middle = sphere_points_[midpoint];
+    const auto divide = std::partition(vertices_.begin() + begin, vertices_.begin() + end, [&](Index vertex) {
+        return side_of_arc(apex, middle, mapped_.points[vertex]) >= 0;
+    });
+    const auto between = static_cast<Index>(divide - vertices_.begin());
+    if (leaves_.size() <= second) leaves_.resize(second + 1);
+
+    // The children's sides, as hierarchy/triangle.h numbers them: the first has the half at corners[2].
+    const bool first_at_b = corners[2] == edge->vertex.b;
+    const MeshPoint& middle_of_first = first_at_b ? edge->middle_at_b : edge->middle_at_a;
+    const MeshPoint& middle_of_second = first_at_b ? edge->middle_at_a : edge->middle_at_b;
+    const MeshPoint middle_between = middle_of(corners[0], midpoint);
+    leaves_[first] = {children[0], {middles[1], middle_between, middle_of_first}, begin, between};
+    leaves_[second] = {children[1], {middles[2], middle_of_second, middle_between}, between, end};
+}
+
+double Sampler::error(const AdaptiveMesh& mesh, Index leaf) {
+    LeafRecord& record = leaves_[leaf];
+    const auto& [a, b, c] = mesh.vertices(leaf);
+    const TriangleCorners corners = corners_of(mesh, leaf);
+    const glm::dvec3 normal = unit_normal(corners);
+
+    double squared_distance = 0;
+    double squared_turn = 0;
+    const auto measure_at = [&](const MeshPoint& point) {
+        squared_distance =
+            std::max(squared_distance, squared_distance_to_triangle(mapped_.position(point), corners));
+        const glm::dvec3 turn = mapped_.normals[point.triangle] - normal;
+        squared_turn = std::max(squared_turn, glm::dot(turn, turn));
+    };
+    for (const MeshPoint& middle : record.middles) measure_at(middle);
+    const glm::dvec3 centre = glm::normalize(sphere_points_[a] + sphere_points_[b] + sphere_points_[c]);
+    measure_at(mapped_.location.locate(centre, record.middles[0].triangle));
+    for (const Index vertex : vertices_of(record))
+        squared_distance =
+            std::max(squared_distance, squared_distance_to_triangle(mapped_.mesh.positions[vertex], corners));
+    record.distance = std::sqrt(squared_distance);
+
+    if (mesh.level(leaf) >= deepest_level) return 0;
+    const double size =
+        std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
+                  glm::distance(corners[2], corners[0])});
+    return record.distance + turn_share * size * std::sqrt(squared_turn);
+}
+
+double Sampler::close_distance(const AdaptiveMesh& mesh, Index leaf, double least) const {
+    if (mesh.level(leaf) >= deepest_level) return 0;
+    const auto& [a, b, c] = mesh.vertices(leaf);
+    double squared = least * least;
+    for (const Index vertex : vertices_of(leaves_[leaf]))
+        squared =
+            std::max(squared, squared_distance_to_key(mapped_.mesh.positions[vertex], mesh, leaf, squared));
+    const auto measure = [&](const FacingPlaces& places) {
+        const glm::dvec3 gap = places.on_surface - places.on_leaf;
+        if (glm::dot(gap, gap) <= squared) return true;  // neither is farther from the other surface
+        squared = std::max(squared, squared_distance_to_key(places.on_surface, mesh, leaf, squared));
+        Index nearest = places.triangle;
+        const double from_surface = mapped_.distance(places.on_leaf, nearest, std::sqrt(squared));
+        squared = std::max(squared, from_surface * from_surface);
+        return true;
+    };
+    all_of_places(mapped_, close_places, {sphere_points_[a], sphere_points_[b], sphere_points_[c]},
+                  corners_of(mesh, leaf), mesh_points_[a].triangle, measure);
+    return std::sqrt(squared);
+}
+
+/// About the largest distance that a leaf is noted to have when those of the first \p count are left out: a
+/// little less, so that rounding does not part leaves that are equal.
+double noted_distance_behind(std::size_t count, const Sampler& sampler, const AdaptiveMesh& mesh) {
+    std::vector<double> distances;
+    distances.reserve(mesh.leaf_count());
+    for (Index leaf = 0; leaf < mesh.leaf_bound(); ++leaf) distances.push_back(sampler.noted_distance(leaf));
+    if (count >= distances.size()) return 0;
+    const auto place = distances.begin() + static_cast<std::ptrdiff_t>(count);
+    std::ranges::nth_element(distances, place, std::greater());
+    return 0.999 * *place;
+}
+
+}  // namespace
+
+SampledSurface sample_surface(const MappedSurface& mapped, const SphereRoots& roots,
+                              const SamplingOptions& options, const Progress& progress) {
+    Sampler sampler(mapped, roots);
+    std::vector<glm::vec3> root_positions;
+    root_positions.reserve(roots.complex.vertex_count());
+    for (Index vertex = 0; vertex < roots.complex.vertex_count(); ++vertex)
+        root_positions.push_back(sampler.position(vertex));
+    AdaptiveMesh leaves(roots.complex, root_positions, [&](Index a, Index b, Index midpoint) {
+        return sampler.place_midpoint(a, b, midpoint);
+    });
+
+    ProgressMeter meter(progress);
+    meter.enter("sampling", 0);
+    const auto after_step = [&](const AdaptiveMesh& refined, std::span<const Index> changed) {
+        sampler.divide_vertices(changed);
+        meter.set_part(double(refined.leaf_count()) / options.leaves);
+        meter.step();
+    };
+    const auto close_distance = [&](const AdaptiveMesh& refined, Index leaf, double least) {
+        meter.step(close_work + sampler.vertex_count(leaf));
+        return sampler.close_distance(refined, leaf, least);
+    };
+    if (options.tolerance > 0) {
+        refine_greedily(leaves,
+                        [&](const AdaptiveMesh& refined, Index leaf) {
+                            return close_distance(refined, leaf, options.tolerance);
+                        },
+                        {.leaves = options.leaves, .tolerance = options.tolerance, .after_step = after_step});
+    } else {
+        const Index levelling = std::min(options.leaves / 10, options.most_levelling);
+        refine_greedily(leaves,
+                        [&](const AdaptiveMesh& refined, Index leaf) { return sampler.error(refined, leaf); },
+                        {.leaves = options.leaves - levelling, .after_step = after_step});
+        if (levelling == 0) return std::move(sampler).result(leaves);
+        const double far = noted_distance_behind(levelling_choice * levelling, sampler, leaves);
+        // What is nearer than half of that need not be told apart: it is not what levelling is for.
+        refine_greedily(
+            leaves,
+            [&](const AdaptiveMesh& refined, Index leaf) {
+                return sampler.noted_distance(leaf) < far ? 0 : close_distance(refined, leaf, far / 2);
+            },
+            {.leaves = options.leaves, .after_step = after_step});
+    }
+    return std::move(sampler).result(leaves);
+}
+
+bool is_turned_over(const Triangle& leaf, const SampledSurface& surface, const MappedSurface& mapped) {
+    const auto& [a, b, c] = leaf;
+    const glm::dvec3 &u = surface.sphere_points[a], &v = surface.sphere_points[b],
+                     &w = surface.sphere_points[c];
+    glm::dvec3 normal(0);
+    Index guess = surface.mesh_points[a].triangle;
+    for (const glm::dvec3& inside : {u + v + w, 4.0 * u + v + w, u + 4.0 * v + w, u + v + 4.0 * w}) {
+        guess = mapped.location.locate(glm::normalize(inside), guess).triangle;
+        normal += mapped.normals[guess];
+    }
+    const glm::dvec3 first(surface.positions[a]);
+    const glm::dvec3 of_leaf =
+        glm::cross(glm::dvec3(surface.positions[b]) - first, glm::dvec3(surface.positions[c]) - first);
+    return !(glm::dot(normal, of_leaf) > 0);
+}
+
+}  // namespace interleaf

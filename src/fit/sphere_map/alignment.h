@@ -1,0 +1,28 @@
+// Turning a spherical map so that directions on the sphere agree with directions in space.
+//
+// A spherical map is free up to a rotation. When a key's front, seen from the middle of its surface, is not
+// mapped to where another key's front is, the body turns inside out while one becomes the other. So each map
+// is turned by the rotation under which sphere directions agree best with surface directions (Kabsch 1976;
+// the form with a quaternion: Horn 1987). Keys aligned in this way are aligned to each other.
+#pragma once
+
+#include <span>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "fit/mesh/surface_mesh.h"
+
+namespace interleaf {
+
+/// The rotation R for which the mean of (R u) . d is largest, by area; u is the point of the sphere of a
+/// vertex, d its direction from the surface's centre of area.
+glm::dmat3 rotation_to_surface(const SurfaceMesh& mesh, std::span<const glm::dvec3> points);
+
+/// That mean for the map as it is: 1 where all directions agree, -1 where all are opposite.
+double mean_cosine(const SurfaceMesh& mesh, std::span<const glm::dvec3> points);
+
+/// Rotates points of the unit sphere.
+void rotate(std::span<glm::dvec3> points, const glm::dmat3& rotation);
+
+}  // namespace interleaf

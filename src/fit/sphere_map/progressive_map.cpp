@@ -1,0 +1,164 @@
+#include "fit/sphere_map/progressive_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include "fit/sphere_map/decimation.h"
+#include "fit/sphere_map/relaxation.h"
+
+namespace interleaf {
+namespace {
+
+/// How much of the whole time the collapses take.
+constexpr double collapse_part = 0.1;
+
+class ProgressiveMapping {
+  public:
+    ProgressiveMapping(HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
+                       const ProgressiveOptions& options, ProgressMeter& meter)
+        : mesh_(mesh),
+          positions_(positions),
+          options_(options),
+          meter_(meter),
+          vertex_area_(solid_angles_wanted(mesh, positions)),
+          points_(mesh.vertex_capacity()),
+          relaxation_(mesh, positions, vertex_area_, points_, options.keeps) {}
+
+    ProgressiveMap run() {
+        meter_.enter("collapsing edges", 0);
+        collapses_ = decimate(mesh_, positions_, meter_, collapse_part);
+        gather_areas();
+        meter_.enter("mapping to the sphere", collapse_part);
+        place_tetrahedron();
+        const std::size_t count = mesh_.vertex_capacity();
+        std::size_t relaxed = 0;  // when there were so many vertices
+        for (restored_ = 4; restored_ < count;) {
+            if (double(restored_) >= options_.growth * double(relaxed)) {
+                relax_all();
+                relaxed = restored_;
+            }
+            if (restore_next()) continue;
+            // The neighbourhood may be crowded by those that came since the last relaxation.
+            if (relaxed == restored_) return failure();
+            relax_all();
+            relaxed = restored_;
+        }
+        relax_all();
+        return {std::move(points_), {}};
+    }
+
+  private:
+    /// A removed vertex leaves its area to the one that it moved onto, so that the sphere has room for a limb
+    /// before its vertices come back.
+    void gather_areas() {
+        for (const Index half_edge : collapses_) {
+            double& kept = vertex_area_[mesh_.origin(mesh_.twin(half_edge))];
+            other_area_.push_back(kept);
+            kept += vertex_area_[mesh_.origin(half_edge)];
+        }
+    }
+
+    /// The four vertices that are left go to the corners of a regular tetrahedron.
+    void place_tetrahedron() {
+        const double height = 1 / std::sqrt(3.0);
+        const std::array<glm::dvec3, 4> corners = {
+            glm::dvec3(1, 1, 1) * height, glm::dvec3(-1, -1, 1) * height, glm::dvec3(1, -1, -1) * height,
+            glm::dvec3(-1, 1, -1) * height};
+        Index triangle = 0;
+        while (!mesh_.has_triangle(triangle)) ++triangle;
+        // Seen from corner 3, corners 0, 1, 2 run clockwise; so they run counter-clockwise from outside.
+        for (Index k = 0; k < 3; ++k) points_[mesh_.origin(3 * triangle + k)] = corners[k];
+        points_[mesh_.origin(HalfEdgeMesh::previous(mesh_.twin(3 * triangle)))] = corners[3];
+    }
+
+    /// Brings the last collapsed vertex back, or leaves all as it is when there is no room for it.
+    bool restore_next() {
+        const Index half_edge = collapses_.back();
+        const Index vertex = mesh_.origin(half_edge);
+        const Index kept = mesh_.origin(mesh_.twin(half_edge));
+        std::swap(vertex_area_[kept], other_area_.back());
+        mesh_.undo_collapse(half_edge);
+        relaxation_.update_shapes_at(vertex, blend_);
+        // The one that it had moved onto is in the closure of the kernel, since the triangles that were in
+        // the star's place were all its own.
+        if (!relaxation_.put_into_kernel(vertex, points_[kept])) {
+            mesh_.collapse(half_edge);
+            std::swap(vertex_area_[kept], other_area_.back());
+            relaxation_.update_shapes_at(kept, blend_);
+            return false;
+        }
+        relaxation_.relax_star(vertex);
+        if (options_.crowded > 0 && relaxation_.least_share(vertex) < options_.crowded)
+            relaxation_.relax_around(vertex, options_.moves_where_crowded, meter_);
+        collapses_.pop_back();
+        other_area_.pop_back();
+        ++restored_;
+        meter_.set_part(collapse_part +
+                        (0.9 - collapse_part) * double(restored_) / double(mesh_.vertex_capacity()));
+        meter_.step(100);
+        return true;
+    }
+
+    ProgressiveMap failure() {
+        const Index vertex = mesh_.origin(collapses_.back());
+        for (; !collapses_.empty(); collapses_.pop_back()) mesh_.undo_collapse(collapses_.back());
+        return {{},
+                fmt::format("no room on the sphere for vertex {}, after {} of {}", vertex, restored_,
+                            mesh_.vertex_capacity())};
+    }
+
+    /// Coarse meshes are only likenesses of the surface, so their shapes bind less.
+    void relax_all() {
+        constexpr double coarse_blend = 10;
+        constexpr double largest_blend = 0.5;
+        blend_ = std::min(largest_blend, options_.blend + coarse_blend / double(restored_));
+        relaxation_.update_shapes(blend_);
+        relaxation_.sweep(options_.sweeps, meter_);
+    }
+
+    HalfEdgeMesh& mesh_;
+    std::span<const glm::dvec3> positions_;
+    ProgressiveOptions options_;
+    ProgressMeter& meter_;
+    std::vector<double> vertex_area_;
+    std::vector<glm::dvec3> points_;
+    Relaxation relaxation_;
+    std::vector<Index> collapses_;
+    std::vector<double> other_area_;  // of the kept vertex, without the removed one's; a collapse
+    std::size_t restored_ = 0;        // vertices that are on the sphere
+    double blend_ = 0;
+};
+
+}  // namespace
+
+ProgressiveMap map_progressively(HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
+                                 const ProgressiveOptions& options, ProgressMeter& meter) {
+    return ProgressiveMapping(mesh, positions, options, meter).run();
+}
+
+std::vector<double> solid_angles_wanted(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions) {
+    std::vector<double> areas(positions.size(), 0);
+    double whole = 0;
+    for (Index triangle = 0; triangle < mesh.triangle_capacity(); ++triangle) {
+        const Index a = mesh.origin(3 * triangle);
+        const Index b = mesh.origin(3 * triangle + 1);
+        const Index c = mesh.origin(3 * triangle + 2);
+        const double area =
+            glm::length(glm::cross(positions[b] - positions[a], positions[c] - positions[a])) / 2;
+        for (const Index vertex : {a, b, c}) areas[vertex] += area / 3;
+        whole += area;
+    }
+    constexpr double least = 1e-4;  // of the mean, for vertices whose triangles have no area
+    const double floor = whole > 0 ? least * whole / double(areas.size()) : 1;
+    const double scale = 4 * std::numbers::pi / (whole + floor * double(areas.size()));
+    for (double& area : areas) area = (area + floor) * scale;
+    return areas;
+}
+
+}  // namespace interleaf

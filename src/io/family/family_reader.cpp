@@ -1,0 +1,320 @@
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "family/new_family.h"
+#include "family/origin.h"
+#include "family/synchronise_keys.h"
+#include "hierarchy/error.h"
+#include "io/family/family_file.h"
+#include "io/family/family_format.h"
+#include "io/file/file_pattern.h"
+#include "io/file/input_file.h"
+#include "io/hierarchy/hierarchy_file.h"
+#include "io/mesh/mesh_file.h"
+#include "io/text/joined_text.h"
+#include "io/text/json_place.h"
+
+namespace interleaf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string name_at(const JsonPlace& place) {
+    std::string name = place.string();
+    if (!family_format::is_name(name)) place.fail_expecting("a name without control characters");
+    return name;
+}
+
+std::string key_name_at(const JsonPlace& place) {
+    std::string name = name_at(place);
+    if (name.empty()) place.fail_expecting("a name that is not empty");
+    return name;
+}
+
+bool is_inside(const fs::path& folder, const fs::path& file) {
+    return std::ranges::mismatch(folder, file).in1 == folder.end();
+}
+
+/// The key file that \p place names, as the operating system knows it: links resolved, inside \p folder.
+fs::path key_file_at(const JsonPlace& place, const fs::path& folder) {
+    const std::string text = place.string();
+    const fs::path relative = family_format::path_of(text);
+    if (text.empty() || text.find('\0') != std::string::npos || relative.is_absolute() ||
+        std::ranges::find(relative, "..") != relative.end())
+        place.fail_expecting("a path relative to the family's folder, without \"..\"");
+
+    std::error_code error;
+    const fs::path file = fs::canonical(folder / relative, error);
+    if (error) place.fail(fmt::format("is {}: {}", in_quotes(text), error.message()));
+    if (!is_inside(fs::canonical(folder), file))
+        place.fail(fmt::format("is {}, a link out of the family's folder", in_quotes(text)));
+    return file;
+}
+
+std::vector<Key> keys_at(const JsonPlace& place, const fs::path& folder) {
+    std::vector<Key> keys;
+    keys.reserve(place.size());
+    std::map<std::string, std::size_t> names;
+    std::map<fs::path, std::size_t> files;
+    std::vector<std::string> faults;  // of all key files, so that all are named
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        const JsonPlace key = place.element(i);
+        const JsonPlace name = key.member("name");
+        const auto [same_name, name_is_new] = names.emplace(key_name_at(name), i);
+        if (!name_is_new)
+            name.fail(fmt::format("is {}, as keys[{}]", in_quotes(same_name->first), same_name->second));
+
+        const JsonPlace file = key.member("file");
+        const auto [same_file, file_is_new] = files.emplace(key_file_at(file, folder), i);
+        if (!file_is_new) file.fail(fmt::format("is the file of keys[{}], too", same_file->second));
+        try {
+            keys.push_back({same_name->first, read_hierarchy(same_file->first)});
+        } catch (const InputError& error) {
+            faults.emplace_back(error.what());
+        }
+    }
+    if (!faults.empty()) throw InputError(joined(faults, "; "));
+    return keys;
+}
+
+/// The permutations that keys give by hand: one for each key, empty where there is none.
+std::vector<std::vector<Index>> given_roots(const JsonPlace& place, std::span<const Key> keys) {
+    std::vector<std::vector<Index>> given(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const auto roots = place.element(i).optional_member("roots");
+        if (!roots) continue;
+        if (i == 0) roots->fail("is there, but it is the first key that numbers the roots; expected none");
+        const Index count = keys[i].hierarchy->roots.triangle_count();
+        if (roots->size() != count)
+            roots->fail(
+                fmt::format("has {} numbers, expected one for each of the {} roots", roots->size(), count));
+        std::vector<Index> place_of(count, no_index);
+        given[i].reserve(count);
+        for (std::size_t r = 0; r < count; ++r) {
+            const JsonPlace number = roots->element(r);
+            const Index root = number.index_below(count);
+            if (place_of[root] != no_index)
+                number.fail(
+                    fmt::format("is {}, as roots[{}]; expected each root once", root, place_of[root]));
+            place_of[root] = static_cast<Index>(r);
+            given[i].push_back(root);
+        }
+    }
+    return given;
+}
+
+/// Puts all keys over the roots of the first. \p place_of says where a key was read from.
+template <typename PlaceOf>
+void synchronise_all(std::span<Key> keys, std::span<const std::vector<Index>> given, const PlaceOf& place_of,
+                     std::vector<std::string>* changes) {
+    const Synchronisation synchronisation = synchronise(keys, given);
+    std::vector<std::string> faults;
+    faults.reserve(synchronisation.mismatches.size());
+    for (const KeyMismatch& mismatch : synchronisation.mismatches)
+        faults.push_back(fmt::format("{}: {}", place_of(mismatch.key), mismatch.text));
+    if (!faults.empty()) throw MismatchError(joined(faults, "; "), keys, synchronisation.mismatches.front());
+    if (changes != nullptr)
+        changes->insert(changes->end(), synchronisation.changes.begin(), synchronisation.changes.end());
+}
+
+/// Index of the key that is named at a place.
+class KeyNames {
+  public:
+    explicit KeyNames(const std::vector<Key>& keys) {
+        for (std::size_t i = 0; i < keys.size(); ++i) indices_.emplace(keys[i].name, i);
+    }
+    std::size_t index_at(const JsonPlace& place) const {
+        const auto found = indices_.find(place.string());
+        if (found == indices_.end()) place.fail_expecting("the name of a key");
+        return found->second;
+    }
+
+  private:
+    std::map<std::string, std::size_t> indices_;
+};
+
+Timeline timeline_at(const JsonPlace& place, const KeyNames& names) {
+    const JsonPlace interpolation = place.member("interpolation");
+    if (interpolation.string() != "linear") interpolation.fail_expecting("\"linear\"");
+
+    std::vector<TimelineKey> timeline_keys;
+    const JsonPlace keys = place.member("keys");
+    timeline_keys.reserve(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const JsonPlace key = keys.element(i);
+        timeline_keys.push_back({key.member("time").number(), names.index_at(key.member("key"))});
+    }
+    try {
+        return Timeline(std::move(timeline_keys));
+    } catch (const InputError& error) {
+        place.fail(error.what());
+    }
+}
+
+glm::dvec2 point_at(const JsonPlace& place) {
+    if (place.size() != 2) place.fail_expecting("two numbers");
+    return {place.element(0).number(), place.element(1).number()};
+}
+
+glm::dvec3 origin_at(const JsonPlace& place) {
+    if (place.size() != 3) place.fail_expecting("three numbers");
+    return {place.element(0).number(), place.element(1).number(), place.element(2).number()};
+}
+
+Triangle triangle_at(const JsonPlace& place, std::size_t vertex_count) {
+    if (place.size() != 3) place.fail_expecting("three vertices");
+    return {place.element(0).index_below(vertex_count), place.element(1).index_below(vertex_count),
+            place.element(2).index_below(vertex_count)};
+}
+
+ParameterDomain domain_at(const JsonPlace& place, const KeyNames& names) {
+    std::vector<DomainVertex> domain_vertices;
+    const JsonPlace vertices = place.member("vertices");
+    domain_vertices.reserve(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const JsonPlace vertex = vertices.element(i);
+        domain_vertices.push_back({point_at(vertex.member("at")), names.index_at(vertex.member("key"))});
+    }
+    std::vector<Triangle> domain_triangles;
+    const JsonPlace triangles = place.member("triangles");
+    if (triangles.size() == 0 || triangles.size() > family_format::most_domain_triangles)
+        triangles.fail(fmt::format("{} triangles, expected 1 to {}", triangles.size(),
+                                   family_format::most_domain_triangles));
+    domain_triangles.reserve(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        domain_triangles.push_back(triangle_at(triangles.element(i), domain_vertices.size()));
+    try {
+        return {std::move(domain_vertices), std::move(domain_triangles)};
+    } catch (const InputError& error) {
+        place.fail(error.what());
+    }
+}
+
+nlohmann::json parse_family_json(const fs::path& file) {
+    return parse_json(read_text(file, family_format::largest_file), file.string());
+}
+
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : ".";
+}
+
+Family read_family_json(const fs::path& file, std::vector<std::string>* changes) {
+    const nlohmann::json document = parse_family_json(file);
+    const JsonPlace root(document, file.string());
+    const JsonPlace format = root.member("format");
+    if (format.string() != family_format::name)
+        format.fail_expecting(fmt::format("\"{}\"", family_format::name));
+    const JsonPlace version = root.member("version");
+    if (version.number() != family_format::oldest_version && version.number() != family_format::version)
+        version.fail_expecting(
+            fmt::format("{} or {}", family_format::oldest_version, family_format::version));
+
+    Family family;
+    family.name = name_at(root.member("name"));
+    const JsonPlace keys = root.member("keys");
+    family.keys = keys_at(keys, folder_of(file));
+    if (!family.keys.empty()) {
+        const auto place_of = [&](std::size_t key) {
+            return fmt::format("{}: keys[{}]", file.string(), key);
+        };
+        synchronise_all(family.keys, given_roots(keys, family.keys), place_of, changes);
+    }
+    if (const auto violations = check(family); !violations.empty()) keys.fail(joined(violations, "; "));
+
+    const KeyNames names(family.keys);
+    if (const auto timeline = root.optional_member("timeline"))
+        family.timeline = timeline_at(*timeline, names);
+    if (const auto domain = root.optional_member("domain")) family.domain = domain_at(*domain, names);
+    if (const auto origin = root.optional_member("origin"); origin && version.number() > 1)
+        family.origin = origin_at(*origin);
+    return family;
+}
+
+std::string name_of(const fs::path& file) {
+    return family_format::utf8_of(file.stem());
+}
+
+bool is_mesh(const fs::path& file) {
+    return lower_case_extension(file) == ".obj";
+}
+
+/// Keys of hierarchy files among those of meshes, whose origin is that of the first mesh.
+MeshKeys read_all(std::span<const fs::path> files) {
+    if (std::ranges::all_of(files, is_mesh)) return read_obj_series(files);
+    MeshKeys all;
+    std::optional<glm::dvec3> origin;
+    for (const fs::path& file : files) {
+        if (is_mesh(file)) {
+            MeshKeys mesh = read_obj_series(std::span(&file, 1), origin);
+            origin = all.origin = mesh.origin;
+            all.keys.push_back(std::move(mesh.keys.front()));
+            all.remarks.insert(all.remarks.end(), mesh.remarks.begin(), mesh.remarks.end());
+        } else if (lower_case_extension(file) == ".ilh") {
+            all.keys.push_back(read_hierarchy(file));
+        } else {
+            throw InputError(fmt::format(
+                "{}: expected a file that ends in .ilh or .obj; `interleaf fit` makes keys of other meshes",
+                file.string()));
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+std::vector<fs::path> key_files(const fs::path& path) {
+    std::error_code ignored;
+    const bool is_folder = fs::is_directory(path, ignored);
+    if (!is_folder && lower_case_extension(path) != ".json") return {path};
+    const fs::path file = is_folder ? path / "family.json" : path;
+    const nlohmann::json document = parse_family_json(file);
+    const JsonPlace keys = JsonPlace(document, file.string()).member("keys");
+    std::vector<fs::path> files;
+    files.reserve(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        files.push_back(key_file_at(keys.element(i).member("file"), folder_of(file)));
+    return files;
+}
+
+Family read_family(const fs::path& path, std::vector<std::string>* changes) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) {
+        const fs::path file = path / "family.json";
+        if (fs::status(file, ignored).type() == fs::file_type::not_found)
+            throw InputError(
+                fmt::format("{}: is a folder without family.json, expected a family", path.string()));
+        return read_family_json(file, changes);
+    }
+    const std::string extension = lower_case_extension(path);
+    if (extension == ".json") return read_family_json(path, changes);
+    if (extension == ".ilh" || extension == ".obj") return read_keys(std::span(&path, 1), changes);
+    throw InputError(
+        fmt::format("{}: expected a folder, or a file that ends in .json, .ilh or .obj", path.string()));
+}
+
+Family read_keys(std::span<const fs::path> files, std::vector<std::string>* changes) {
+    std::vector<Key> keys;
+    keys.reserve(files.size());
+    MeshKeys read = read_all(files);
+    if (read.origin != glm::dvec3(0)) read.remarks.push_back(origin_sentence(read.origin));
+    if (changes != nullptr) changes->insert(changes->end(), read.remarks.begin(), read.remarks.end());
+    for (Hierarchy& hierarchy : read.keys)
+        keys.push_back({name_of(files[keys.size()]), std::move(hierarchy)});
+    synchronise_all(
+        keys, {}, [&](std::size_t key) { return files[key].string(); }, changes);
+    const std::string name = files.size() == 1
+                                 ? name_of(files.front())
+                                 : fmt::format("{} to {}", name_of(files.front()), name_of(files.back()));
+    Family family = family_of_keys(name, std::move(keys));
+    family.origin = read.origin;
+    return family;
+}
+
+}  // namespace interleaf

@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <set>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "hierarchy/error.h"
+#include "io/family/family_file.h"
+#include "io/family/family_format.h"
+#include "io/family/save_journal.h"
+#include "io/file/folder_lock.h"
+#include "io/file/input_file.h"
+#include "io/file/safe_write.h"
+#include "io/hierarchy/hierarchy_file.h"
+#include "io/text/joined_text.h"
+#include "io/text/json_place.h"
+
+namespace interleaf {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+void check_writable(const Family& family, const fs::path& folder) {
+    std::vector<std::string> violations = check(family);
+    if (!family_format::is_name(family.name))
+        violations.emplace_back("the family's name is not UTF-8 without control characters");
+    for (std::size_t i = 0; i < family.keys.size(); ++i)
+        if (!family_format::is_name(family.keys[i].name))
+            violations.push_back(
+                fmt::format("the name of key {} is not UTF-8 without control characters", i));
+    if (violations.empty()) return;
+    throw InputError(fmt::format("{}: {}", folder.string(), joined(violations, "; ")));
+}
+
+/// \p name as the stem of a file name: ASCII letters, digits, '-', '_' and all other scripts kept, the rest
+/// replaced by '-'.
+std::string file_stem(std::string_view name) {
+    constexpr std::size_t longest = 100;
+    std::string stem;
+    for (const char c : name.substr(0, longest)) {
+        const bool is_kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                             c == '_' || static_cast<unsigned char>(c) >= 0x80;
+        stem += is_kept ? c : '-';
+    }
+    // Where the name was cut within a character of several bytes, the rest of the character goes, too.
+    if (name.size() > longest && (static_cast<unsigned char>(name[longest]) & 0xc0) == 0x80) {
+        while ((static_cast<unsigned char>(stem.back()) & 0xc0) == 0x80) stem.pop_back();
+        stem.pop_back();
+    }
+    return stem;
+}
+
+bool holds(const fs::path& file, const std::vector<std::byte>& bytes) {
+    if (!fs::is_regular_file(fs::symlink_status(file)) || fs::file_size(file) != bytes.size()) return false;
+    const std::string content = read_text(file, bytes.size());
+    return std::ranges::equal(std::as_bytes(std::span(content)), bytes);
+}
+
+/// A key file that is to be in the family's folder.
+struct KeyFile {
+    KeyFileMark mark;
+    bool is_present;  ///< with just this content
+};
+
+/// The file for \p key in \p folder: one that holds just this key, or one that is not there, so that what an
+/// earlier family.json names stays as it is; none in \p taken, to which its name is added.
+KeyFile choose_file(const Key& key, const fs::path& folder, const HierarchyFileOptions& form,
+                    std::set<std::string>& taken) {
+    const std::vector<std::byte> bytes = serialize_hierarchy(*key.hierarchy, form);
+    const std::string stem = file_stem(key.name);
+    for (unsigned number = 1;; ++number) {
+        const std::string name = number == 1 ? stem + ".ilh" : fmt::format("{}-{}.ilh", stem, number);
+        const fs::path file = folder / family_format::path_of(name);
+        if (taken.contains(name)) continue;
+        const bool is_present = fs::exists(fs::symlink_status(file));
+        if (is_present && !holds(file, bytes)) continue;
+        taken.insert(name);
+        return {mark_of(name, bytes), is_present};
+    }
+}
+
+std::vector<KeyFile> choose_files(const Family& family, const fs::path& folder,
+                                  const HierarchyFileOptions& form) {
+    std::set<std::string> taken;
+    std::vector<KeyFile> files;
+    files.reserve(family.keys.size());
+    for (const Key& key : family.keys) files.push_back(choose_file(key, folder, form, taken));
+    return files;
+}
+
+/// What the journal is to know: the files that will be new, and those that the present family.json names.
+std::vector<KeyFileMark> unsettled_files(const std::vector<KeyFile>& files, const fs::path& folder) {
+    std::vector<KeyFileMark> unsettled;
+    for (const KeyFile& file : files)
+        if (!file.is_present) unsettled.push_back(file.mark);
+    for (const std::string& name : named_key_files(folder).value_or(std::set<std::string>()))
+        if (const auto mark = mark_of(name, folder)) unsettled.push_back(*mark);
+    return unsettled;
+}
+
+/// A member that is an array, one element a line.
+std::string array_text(std::string_view indent, std::string_view name,
+                       const std::vector<ordered_json>& elements) {
+    std::vector<std::string> lines;
+    lines.reserve(elements.size());
+    for (const ordered_json& element : elements)
+        lines.push_back(fmt::format("{}  {}", indent, element.dump()));
+    return fmt::format("{0}\"{1}\": [\n{2}\n{0}]", indent, name, joined(lines, ",\n"));
+}
+
+std::string timeline_text(const Timeline& timeline, const Family& family) {
+    std::vector<ordered_json> keys;
+    keys.reserve(timeline.keys().size());
+    for (const TimelineKey& key : timeline.keys())
+        keys.push_back({{"time", key.time}, {"key", family.keys[key.key].name}});
+    return fmt::format("  \"timeline\": {{\n    \"interpolation\": \"linear\",\n{}\n  }}",
+                       array_text("    ", "keys", keys));
+}
+
+std::string domain_text(const ParameterDomain& domain, const Family& family) {
+    std::vector<ordered_json> vertices;
+    vertices.reserve(domain.vertices().size());
+    for (const DomainVertex& vertex : domain.vertices())
+        vertices.push_back({{"at", {vertex.at.x, vertex.at.y}}, {"key", family.keys[vertex.key].name}});
+    std::vector<ordered_json> triangles;
+    triangles.reserve(domain.triangles().size());
+    for (const Triangle& triangle : domain.triangles()) triangles.emplace_back(triangle);
+    return fmt::format("  \"domain\": {{\n{},\n{}\n  }}", array_text("    ", "vertices", vertices),
+                       array_text("    ", "triangles", triangles));
+}
+
+/// The text of family.json. \p files has one a key.
+std::string family_text(const Family& family, const std::vector<KeyFile>& files) {
+    std::vector<ordered_json> keys;
+    keys.reserve(family.keys.size());
+    for (std::size_t i = 0; i < family.keys.size(); ++i)
+        keys.push_back({{"name", family.keys[i].name}, {"file", files[i].mark.name}});
+    const bool has_origin = family.origin != glm::dvec3(0);
+    std::vector<std::string> members{
+        fmt::format("  \"format\": \"{}\"", family_format::name),
+        fmt::format("  \"version\": {}", has_origin ? family_format::version : family_format::oldest_version),
+        fmt::format("  \"name\": {}", ordered_json(family.name).dump()),
+        array_text("  ", "keys", keys),
+    };
+    if (family.timeline) members.push_back(timeline_text(*family.timeline, family));
+    if (family.domain) members.push_back(domain_text(*family.domain, family));
+    if (has_origin)
+        members.push_back(fmt::format(
+            "  \"origin\": {}", ordered_json{family.origin.x, family.origin.y, family.origin.z}.dump()));
+    return fmt::format("{{\n{}\n}}\n", joined(members, ",\n"));
+}
+
+/// \pre  nobody else saves into \p folder
+void save(const Family& family, const fs::path& folder, const HierarchyFileOptions& form) {
+    const std::vector<KeyFile> files = choose_files(family, folder, form);
+    begin_save(folder, unsettled_files(files, folder));
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (!files[i].is_present)
+            write_hierarchy(*family.keys[i].hierarchy, folder / family_format::path_of(files[i].mark.name),
+                            form);
+    write_file(folder / "family.json", family_text(family, files));
+}
+
+}  // namespace
+
+void write_family(const Family& family, const fs::path& folder, const HierarchyFileOptions& form) {
+    check_writable(family, folder);
+    try {
+        fs::create_directories(folder);
+        const FolderLock lock(folder);
+        finish_save(folder);  // one that was killed
+        try {
+            save(family, folder, form);
+        } catch (...) {
+            finish_save(folder);
+            throw;
+        }
+        finish_save(folder);
+    } catch (const fs::filesystem_error& error) {
+        throw MachineError(fmt::format("{}: cannot write: {}", folder.string(), error.code().message()));
+    }
+}
+
+}  // namespace interleaf

@@ -1,0 +1,32 @@
+// Names of files: a pattern such as flow.*.obj for several, the order in which numbered files follow each
+// other, and the extension.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace interleaf {
+
+/// Whether \p a comes before \p b when runs of digits count as numbers: flow.2 before flow.10. Texts that
+/// differ in leading zeros alone are ordered by them, so different texts are never equal.
+bool is_before_naturally(std::string_view a, std::string_view b);
+
+/// Whether \p texts are a numbered series: the same but for the numbers in them, like flow.2 and flow.10.
+bool is_numbered_series(const std::vector<std::filesystem::path>& files);
+
+/// Puts \p files in the natural order.
+void sort_naturally(std::vector<std::filesystem::path>& files);
+
+/// The files that \p path stands for, in their natural order. An asterisk in its last component stands for
+/// any characters, but for no dot at the beginning. A path without, or of something that exists, stands for
+/// itself.
+/// \throw InputError   if nothing matches a pattern, or there is an asterisk in another component
+/// \throw MachineError if the folder cannot be read
+std::vector<std::filesystem::path> matching_files(const std::filesystem::path& path);
+
+/// The extension of \p file in small letters: ".ILH" as ".ilh".
+std::string lower_case_extension(const std::filesystem::path& file);
+
+}  // namespace interleaf

@@ -1,0 +1,351 @@
+// The Polygon File Format of Stanford: a header that declares elements and their properties, then the
+// elements' values as text or binary. Vertices (x, y, z; red, green, blue where there are) and faces are
+// read, other elements and properties are passed over.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+
+#include <fmt/core.h>
+
+#include "hierarchy/error.h"
+#include "io/mesh/ear_clipping.h"
+#include "io/mesh/polygon_mesh.h"
+#include "io/mesh/surface_file.h"
+#include "io/text/json_place.h"
+#include "io/text/plain_text.h"
+#include "io/text/words.h"
+
+namespace interleaf {
+namespace {
+
+struct Type {
+    std::string_view name;
+    std::string_view other_name;
+    std::size_t bytes;
+    bool is_signed;
+    bool is_float;
+};
+
+constexpr std::array<Type, 8> types = {{{"char", "int8", 1, true, false},
+                                        {"uchar", "uint8", 1, false, false},
+                                        {"short", "int16", 2, true, false},
+                                        {"ushort", "uint16", 2, false, false},
+                                        {"int", "int32", 4, true, false},
+                                        {"uint", "uint32", 4, false, false},
+                                        {"float", "float32", 4, true, true},
+                                        {"double", "float64", 8, true, true}}};
+
+struct Property {
+    std::string_view name;
+    const Type* type;
+    const Type* count_type;  ///< of a list; nullptr for one value
+};
+
+struct Element {
+    std::string_view name;
+    std::uint64_t count;
+    std::vector<Property> properties;
+};
+
+enum class Form { text, little_endian, big_endian };
+
+class PlyReader {
+  public:
+    PlyReader(std::string_view bytes, std::string_view name) : whole_(bytes), rest_(bytes), name_(name) {
+        mesh_.max_triangles = max_triangles_of(bytes.size());
+    }
+
+    PolygonMesh read() {
+        read_header();
+        for (const Element& element : elements_) {
+            if (element.properties.empty()) continue;  // takes no place
+            if (element.name == "vertex") mesh_.positions.reserve(at_most(element));
+            for (number_ = 0; number_ < element.count; ++number_) {
+                element_ = element.name;
+                if (element.name == "vertex")
+                    read_vertex(element);
+                else if (element.name == "face")
+                    read_face(element);
+                else if (element.name == "tristrips")
+                    read_strips(element);
+                else
+                    for (const Property& property : element.properties) pass_over(property);
+            }
+        }
+        const bool has_more = form_ == Form::text ? !Words(rest_).next().empty() : !rest_.empty();
+        if (!unknown_line_.empty() && has_more)
+            throw InputError(fmt::format("{}: more follows than the header declares, of which a line says {}",
+                                         name_, in_quotes(unknown_line_)));
+        if (mesh_.colors.size() != mesh_.positions.size()) mesh_.colors.clear();
+        for (const Index vertex : mesh_.corners)
+            if (vertex >= mesh_.positions.size())
+                throw InputError(fmt::format("{}: a face has vertex {}, there are {}, counted from 0", name_,
+                                             vertex, mesh_.positions.size()));
+        return std::move(mesh_);
+    }
+
+  private:
+    [[noreturn]] void fail_in_header(std::string_view what) const {
+        throw InputError(fmt::format("{}: line {}: {}", name_, line_number_, what));
+    }
+    [[noreturn]] void fail(std::string_view what) const {
+        throw InputError(fmt::format("{}: {}: {}", name_, place(), what));
+    }
+    std::string place() const { return fmt::format("{} {} (counted from 0)", element_, number_); }
+
+    /// As many of an element as the rest of the file has place for, or the header says.
+    std::size_t at_most(const Element& element) const {
+        constexpr std::size_t digit_and_blank = 2;
+        std::size_t bytes = 0;
+        for (const Property& property : element.properties) {
+            const Type& type = property.count_type != nullptr ? *property.count_type : *property.type;
+            bytes += form_ == Form::text ? digit_and_blank : type.bytes;
+        }
+        return static_cast<std::size_t>(std::min<std::uint64_t>(element.count, rest_.size() / bytes + 1));
+    }
+
+    static const Type* find_type(std::string_view name) {
+        const auto* const found = std::ranges::find_if(
+            types, [name](const Type& type) { return type.name == name || type.other_name == name; });
+        return found == types.end() ? nullptr : found;
+    }
+
+    void read_header() {
+        bool has_format = false;
+        for (line_number_ = 1;; ++line_number_) {
+            if (rest_.empty()) fail_in_header("the file ends, expected end_header");
+            std::string_view line = take_header_line();
+            const std::string_view whole = line;
+            const std::string_view keyword = take_word(line);
+            if (line_number_ == 1) {
+                if (keyword != "ply") fail_in_header("expected ply");
+            } else if (keyword == "format") {
+                read_format(take_word(line));
+                has_format = true;
+            } else if (keyword == "element") {
+                read_element(line);
+            } else if (keyword == "property") {
+                read_property(line);
+            } else if (keyword == "end_header") {
+                break;
+            } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
+                if (!looks_like_text(whole)) fail_in_header("is not text, expected end_header before");
+                unknown_line_ = whole;
+                mesh_.remarks.push_back(
+                    fmt::format("Line {} of the header, {}, was ignored.", line_number_, in_quotes(whole)));
+                constexpr std::size_t max_unknown_lines = 100;
+                if (mesh_.remarks.size() > max_unknown_lines)
+                    fail_in_header("expected format, element, property or end_header");
+            }
+        }
+        if (!has_format) fail_in_header("the header ends, expected a format in it");
+    }
+
+    /// Lines end as the first does, so that the bytes behind the last are known.
+    std::string_view take_header_line() {
+        const std::size_t first_end = whole_.find_first_of("\r\n");
+        if (first_end == std::string_view::npos || whole_[first_end] == '\n' ||
+            (first_end + 1 < whole_.size() && whole_[first_end + 1] == '\n'))
+            return take_line(rest_);
+        const std::string_view line = rest_.substr(0, rest_.find('\r'));
+        rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
+        return line;
+    }
+
+    void read_format(std::string_view word) {
+        if (word == "ascii")
+            form_ = Form::text;
+        else if (word == "binary_little_endian")
+            form_ = Form::little_endian;
+        else if (word == "binary_big_endian")
+            form_ = Form::big_endian;
+        else
+            fail_in_header(fmt::format("format {}, expected ascii, binary_little_endian or binary_big_endian",
+                                       in_quotes(word)));
+    }
+
+    void read_element(std::string_view line) {
+        const std::string_view name = take_word(line);
+        const std::string_view word = take_word(line);
+        std::uint64_t count = 0;
+        if (name.empty() || parse_word(word, count) != std::errc())
+            fail_in_header(fmt::format("{} found, expected an element's name and count", in_quotes(word)));
+        constexpr std::size_t max_elements = 1000;
+        if (elements_.size() == max_elements) fail_in_header("more than 1000 elements");
+        elements_.push_back({name, count, {}});
+    }
+
+    void read_property(std::string_view line) {
+        if (elements_.empty()) fail_in_header("a property, expected an element before it");
+        const auto take_type = [&] {
+            const std::string_view word = take_word(line);
+            const Type* type = find_type(word);
+            if (type == nullptr) fail_in_header(fmt::format("{} is not a type", in_quotes(word)));
+            return type;
+        };
+        Property property{};
+        std::string_view rest = line;
+        if (take_word(rest) == "list") {
+            line = rest;
+            property.count_type = take_type();
+        }
+        property.type = take_type();
+        property.name = take_word(line);
+        elements_.back().properties.push_back(property);
+    }
+
+    /// The next word of the text, whatever lines it is on.
+    std::string_view next_word() {
+        constexpr std::string_view spaces = " \t\r\n";
+        rest_.remove_prefix(std::min(rest_.find_first_not_of(spaces), rest_.size()));
+        const std::string_view word = rest_.substr(0, rest_.find_first_of(spaces));
+        if (word.empty()) fail("the file ends within it");
+        rest_.remove_prefix(word.size());
+        return word;
+    }
+
+    /// The next value, in double, which holds every type's values.
+    double next(const Type& type) {
+        if (form_ == Form::text) {
+            const std::string_view word = next_word();
+            const std::optional<double> number = parse_coordinate(word);
+            if (!number) fail(fmt::format("{} found, expected a number", in_quotes(word)));
+            return *number;
+        }
+        if (rest_.size() < type.bytes) fail("the file ends within it");
+        std::uint64_t bits = 0;
+        for (std::size_t i = 0; i < type.bytes; ++i) {
+            const std::size_t place = form_ == Form::little_endian ? i : type.bytes - 1 - i;
+            bits |= std::uint64_t{static_cast<unsigned char>(rest_[place])} << (8 * i);
+        }
+        rest_.remove_prefix(type.bytes);
+        if (type.is_float && type.bytes == 8) return std::bit_cast<double>(bits);
+        if (type.is_float) return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+        const std::uint64_t sign = std::uint64_t{1} << (8 * type.bytes - 1);
+        const auto value = static_cast<double>(bits);
+        return type.is_signed && (bits & sign) != 0 ? value - 2 * static_cast<double>(sign) : value;
+    }
+
+    Index next_whole(const Type& type, std::string_view expected) { return whole(next(type), expected); }
+
+    Index whole(double number, std::string_view expected) const {
+        if (!(number >= 0 && number < double(no_index) && number == std::floor(number)))
+            fail(fmt::format("{} found, expected {}", number, expected));
+        return static_cast<Index>(number);
+    }
+
+    /// Each three corners in a row are a triangle, every other one turned over; -1 ends a strip, and a corner
+    /// twice leads to where it goes on.
+    void read_strips(const Element& element) {
+        for (const Property& property : element.properties) {
+            if (property.count_type == nullptr || !property.name.starts_with("vertex_ind")) {
+                pass_over(property);
+                continue;
+            }
+            const Index count = next_whole(*property.count_type, "the length of the strips");
+            corners_.clear();
+            for (Index i = 0; i < count; ++i) {
+                const double corner = next(*property.type);
+                if (corner == -1) {
+                    corners_.clear();
+                    continue;
+                }
+                corners_.push_back(whole(corner, "a vertex or -1"));
+                const std::size_t length = corners_.size();
+                if (length < 3) continue;
+                const std::size_t odd = length % 2 == 0 ? 1 : 0;
+                const std::array triangle{corners_[length - 3 + odd], corners_[length - 2 - odd],
+                                          corners_[length - 1]};
+                const auto& [a, b, c] = triangle;
+                if (a != b && b != c && c != a && !mesh_.add_face(triangle)) fail(too_many_triangles);
+            }
+        }
+    }
+
+    void pass_over(const Property& property) {
+        Index count = 1;
+        if (property.count_type != nullptr) count = next_whole(*property.count_type, "the length of a list");
+        for (Index i = 0; i < count; ++i) next(*property.type);
+    }
+
+    void read_vertex(const Element& element) {
+        std::array<std::optional<double>, 3> position;
+        std::array<std::optional<float>, 3> color;
+        constexpr std::array<std::string_view, 3> axes = {"x", "y", "z"};
+        constexpr std::array<std::string_view, 3> channels = {"red", "green", "blue"};
+        for (const Property& property : element.properties) {
+            const auto* const axis = std::ranges::find(axes, property.name);
+            const auto* const channel = std::ranges::find(channels, property.name);
+            if (property.count_type != nullptr || (axis == axes.end() && channel == channels.end())) {
+                pass_over(property);
+                continue;
+            }
+            const double value = next(*property.type);
+            if (axis != axes.end()) {
+                position[static_cast<std::size_t>(axis - axes.begin())] = value;
+            } else {
+                const double most =
+                    property.type->is_float ? 1 : std::ldexp(1, 8 * int(property.type->bytes)) - 1;
+                color[static_cast<std::size_t>(channel - channels.begin())] =
+                    static_cast<float>(value / most);
+            }
+        }
+        if (!position[0] || !position[1] || !position[2]) fail("expected the properties x, y and z");
+        if (!mesh_.add_vertex({*position[0], *position[1], *position[2]}, [&] { return place(); }))
+            fail(too_many_broken_vertices);
+        if (color[0] && color[1] && color[2]) mesh_.colors.emplace_back(*color[0], *color[1], *color[2]);
+    }
+
+    void read_face(const Element& element) {
+        bool has_corners = false;
+        for (const Property& property : element.properties) {
+            if (property.count_type == nullptr || !property.name.starts_with("vertex_ind")) {
+                pass_over(property);
+                continue;
+            }
+            const Index count = next_whole(*property.count_type, "the number of a face's corners");
+            if (count < 3 || count > max_polygon_corners)
+                fail(fmt::format("{} corners, expected 3 to {}", count, max_polygon_corners));
+            corners_.clear();
+            for (Index i = 0; i < count; ++i) corners_.push_back(next_whole(*property.type, "a vertex"));
+            if (!mesh_.add_face(corners_)) fail(too_many_triangles);
+            has_corners = true;
+        }
+        if (!has_corners) fail("expected the property list vertex_indices");
+    }
+
+    std::string_view whole_;
+    std::string_view rest_;
+    std::string_view name_;
+    std::string_view unknown_line_;  ///< of the header; empty for none
+    std::size_t line_number_ = 0;
+    Form form_ = Form::text;
+    std::vector<Element> elements_;
+    std::string_view element_;
+    std::uint64_t number_ = 0;
+    std::vector<Index> corners_;
+    PolygonMesh mesh_;
+};
+
+/// A text in UTF-16, or with a byte order mark.
+PolygonMesh read_converted(std::string_view bytes, std::string_view name) {
+    std::vector<std::string> remarks;
+    const std::string text = plain_text(std::string(bytes), remarks);
+    PolygonMesh mesh = PlyReader(text, name).read();
+    mesh.remarks.insert(mesh.remarks.begin(), remarks.begin(), remarks.end());
+    return mesh;
+}
+
+}  // namespace
+
+SurfaceFile parse_ply(std::string_view bytes, std::string_view name) {
+    if (bytes.starts_with("ply")) return surface_of(PlyReader(bytes, name).read(), name);
+    return surface_of(read_converted(bytes, name), name);
+}
+
+}  // namespace interleaf

@@ -1,0 +1,164 @@
+// The file browser: a window in front of all others to choose files to open, a folder, or where to save. All
+// of it can be done with the keyboard alone; docs/user-guide.md lists how.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/browser/folder_listing.h"
+#include "ui/browser/type_ahead.h"
+#include "ui/dialogs/dialog.h"
+#include "ui/widgets/list_selection.h"
+#include "ui/widgets/rect.h"
+#include "ui/widgets/text_field.h"
+
+namespace interleaf {
+
+enum class FilePurpose : std::uint8_t {
+    open,         ///< files that exist
+    open_folder,  ///< a folder that exists
+    save,         ///< a file to write
+    save_folder,  ///< a folder to write into, made by who asks
+};
+
+/// A folder to go to by one click.
+struct FilePlace {
+    std::string name;
+    std::filesystem::path folder;
+};
+
+struct FileRequest {
+    std::string title;   ///< "Open a family"
+    std::string action;  ///< on the button: "Open"
+    FilePurpose purpose = FilePurpose::open;
+    bool several = false;         ///< more than one file may be opened
+    std::vector<FileType> types;  ///< the first is shown at first; all files can always be shown
+    /// Whether a folder can be opened as a whole, like a file; null for none.
+    std::function<bool(const std::filesystem::path& folder)> opens_folder;
+    std::vector<FilePlace> places;
+    std::vector<std::filesystem::path> recent_folders;
+    std::filesystem::path folder;  ///< shown first; if it is not there, its nearest parent, or home if empty
+    std::string name;              ///< to save under, at first
+};
+
+struct FileChoice {
+    /// At least one, absolute. What was typed with a '*' is passed on as it is, and may exist or not.
+    std::vector<std::filesystem::path> files;
+    std::filesystem::path folder;  ///< that was shown, for next time
+};
+
+class FileBrowser {
+  public:
+    void open(FileRequest request);
+
+    /// While it is, the program's own shortcuts are off.
+    bool is_open() const { return open_; }
+
+    /// The file or folder of the cursor, or the folder that is shown if it is empty; none unless it is open.
+    std::optional<std::filesystem::path> cursor_path() const;
+
+    /// Draws it, if it is open, in the middle of \p area; call it in every frame from the same place. \return
+    /// what was chosen, once; to save, the user has agreed to replace what is there
+    std::optional<FileChoice> show(const Rect& area);
+
+  private:
+    /// What has the keyboard. Tab goes through those that are shown, in this order.
+    enum class Part : std::uint8_t {
+        list,
+        field,
+        type,
+        hidden,
+        new_folder,
+        cancel,
+        accept,
+        crumbs,
+        places,
+        headings,
+    };
+    enum class Asked : std::uint8_t { nothing, replace, new_folder };
+
+    // file_browser.cpp: what it does
+    void go_to(const std::filesystem::path& folder, const std::filesystem::path& cursor = {});
+    void go_up();
+    void read_again();
+    void arrange(const std::filesystem::path& cursor);
+    void activate_cursor();
+    void accept();
+    void accept_selection();
+    void accept_text();
+    void accept_name(std::filesystem::path path);
+    void choose(std::vector<std::filesystem::path> files);
+    void ask_for_new_folder();
+    void take_answer(const Answer& answer);
+    void suggest_name();
+    void complain(std::string text);
+    bool is_saving() const;
+    bool wants_folder() const;
+    bool opens(const std::filesystem::path& folder) const;
+    FileType type() const;
+    const FolderEntry* cursor_entry() const;
+    std::filesystem::path path_of(std::size_t row) const;
+
+    // file_browser_keys.cpp: the keyboard
+    void read_keys();
+    void read_list_keys();
+    void read_type_ahead();
+    void read_part_keys();
+    void move_part(int by);
+    void move_cursor(std::ptrdiff_t by);
+    bool is_shown(Part part) const;
+    void toggle_hidden();
+    void set_type(std::size_t type);
+    void sort_by(SortColumn column);
+    std::vector<FilePlace> all_places() const;
+
+    // file_browser_parts.cpp: what it looks like
+    void show_path(float width);
+    void show_places(float width, float height);
+    void show_list(float width, float height);
+    void show_nothing(float left, float top, float width, float height);
+    void show_field(float width);
+    void leave_field(std::size_t names);
+    void show_types(float width);
+    void show_buttons(float width);
+    void show_remark(float left, float width);
+    std::string summary() const;
+
+    FileRequest request_;
+    bool open_ = false;
+    bool is_new_ = false;  ///< the keys that opened it are still down
+    std::optional<FileChoice> choice_;
+
+    std::filesystem::path folder_;
+    FolderListing listing_;
+    std::vector<std::size_t> shown_;  ///< of its entries
+    ListSelection selection_;         ///< of what is shown
+    bool scroll_to_cursor_ = false;
+    SortOrder order_;
+    std::size_t type_ = 0;  ///< of the request's; behind them, all files
+    bool hidden_ = false;
+    bool types_unfolded_ = false;  ///< so that their list has the keyboard
+    TypeAhead type_ahead_;
+    std::size_t rows_in_sight_ = 1;
+
+    Part part_ = Part::list;
+    std::size_t crumb_ = 0;
+    std::size_t place_ = 0;
+    SortColumn column_ = SortColumn::name;
+    bool has_places_ = false;  ///< there is room for them
+    bool is_narrow_ = false;   ///< there is room for what cannot be left out
+    std::size_t columns_ = 3;  ///< there is room for
+    TextField field_;
+    std::string ambiguous_;  ///< what a Tab could not complete further
+    std::string remark_;     ///< what could not be done
+
+    Asked asked_ = Asked::nothing;
+    Dialog dialog_;
+    std::filesystem::path path_to_replace_;
+};
+
+}  // namespace interleaf

@@ -1,0 +1,92 @@
+#include "ui/browser/typed_path.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+#include <vector>
+
+#include "ui/widgets/file_name.h"
+
+namespace interleaf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string_view without_blanks(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const std::size_t begin = text.find_first_not_of(blanks);
+    if (begin == std::string_view::npos) return {};
+    text = text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+    const bool quoted =
+        text.size() >= 2 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
+    return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
+/// The names in \p folder that begin with \p beginning; with \p fold in any case.
+std::vector<std::string> names_beginning(const fs::path& folder, std::string_view beginning, bool fold) {
+    const std::string wanted = fold ? folded(beginning) : std::string(beginning);
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        std::string name = entry->path().filename().string();
+        if (name.starts_with('.') && !beginning.starts_with('.')) continue;
+        if (!is_editable(name)) continue;
+        if ((fold ? folded(name) : name).starts_with(wanted)) names.push_back(std::move(name));
+    }
+    return names;
+}
+
+/// What all \p names begin with, cut between characters.
+std::string common_beginning(const std::vector<std::string>& names) {
+    std::string_view common = names.front();
+    for (const std::string& name : names) {
+        const auto difference = std::ranges::mismatch(common, name).in1;
+        common = common.substr(0, static_cast<std::size_t>(difference - common.begin()));
+    }
+    std::size_t size = common.size();
+    const auto is_inside_character = [&](std::size_t place) {
+        const std::string& name = names.front();
+        return place < name.size() && (static_cast<unsigned char>(name[place]) & 0xc0U) == 0x80;
+    };
+    while (size > 0 && is_inside_character(size)) --size;
+    return std::string(common.substr(0, size));
+}
+
+}  // namespace
+
+fs::path home_folder() {
+    const char* const home = std::getenv("HOME");
+    return home != nullptr && fs::path(home).is_absolute() ? fs::path(home) : fs::path("/");
+}
+
+fs::path typed_path(std::string_view text, const fs::path& folder, const fs::path& home) {
+    text = without_blanks(text);
+    if (text == "~") return home;
+    fs::path path = text.starts_with("~/") ? home / text.substr(2) : folder / text;
+    path = path.lexically_normal();
+    return path.has_filename() || path == path.root_path() ? path : path.parent_path();
+}
+
+PathCompletion completed_path(std::string_view text, const fs::path& folder, const fs::path& home) {
+    if (text == "~") return {.text = "~/", .names = 1};
+    const std::size_t slash = text.rfind('/');
+    const std::size_t begin = slash == std::string_view::npos ? 0 : slash + 1;
+    const std::string_view before = text.substr(0, begin);
+    const std::string_view typed = text.substr(begin);
+    const fs::path in = before.empty() ? folder : typed_path(before, folder, home);
+
+    PathCompletion completion{.text = std::string(text), .names = 0};
+    std::vector<std::string> names = names_beginning(in, typed, false);
+    if (names.empty()) names = names_beginning(in, typed, true);
+    completion.names = names.size();
+    if (names.empty()) return completion;
+    std::string completed = common_beginning(names);
+    std::error_code ignored;
+    if (names.size() == 1 && fs::is_directory(in / completed, ignored)) completed += '/';
+    // Names that differ in the case of what was typed have less in common than that.
+    if (completed.size() >= typed.size()) completion.text = std::string(before) + completed;
+    return completion;
+}
+
+}  // namespace interleaf

@@ -1,0 +1,24 @@
+// Long work going on, in the middle of the window: how far it is, how long it will take, and a way to end it.
+#pragma once
+
+#include <string>
+
+#include "ui/widgets/rect.h"
+
+namespace interleaf {
+
+struct ProgressShown {
+    std::string title;
+    std::string stage;
+    double part;     ///< of the whole, 0 to 1
+    double seconds;  ///< since it began
+};
+
+/// Call it in every frame while the work goes on, from the same place, and once more with \p closing.
+/// \return whether it shall be cancelled: by the button or by Esc
+bool progress_dialog(const ProgressShown& shown, const Rect& area, bool closing);
+
+/// "about 12 s left"; empty before there is anything to go by.
+std::string time_left(double part, double seconds);
+
+}  // namespace interleaf

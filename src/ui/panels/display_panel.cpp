@@ -1,0 +1,101 @@
+#include "ui/panels/display_panel.h"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include "ui/panels/field_panel.h"
+#include "ui/widgets/choice.h"
+#include "ui/widgets/style.h"
+
+namespace interleaf {
+
+namespace {
+
+/// Buttons side by side, as wide as the panel, of which one is chosen.
+template <typename Choice, std::size_t count>
+void choice(const char* name, Choice& value, const std::pair<const char*, Choice> (&options)[count]) {
+    std::array<const char*, count> labels{};
+    std::size_t chosen = count;
+    for (std::size_t i = 0; i < count; ++i) {
+        labels[i] = options[i].first;
+        if (options[i].second == value) chosen = i;
+    }
+    const std::size_t now = interleaf::choice(name, labels, chosen, ImGui::GetContentRegionAvail().x);
+    if (now < count) value = options[now].second;
+}
+
+void level_legend(LevelRange levels) {
+    const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = scaled(10);
+    const unsigned count = levels.max - levels.min + 1;
+    const auto edge = [&](unsigned step) {
+        return corner.x + std::round(width * static_cast<float>(step) / static_cast<float>(count));
+    };
+    for (unsigned step = 0; step < count; ++step) {
+        ImGui::GetWindowDrawList()->AddRectFilled({edge(step), corner.y}, {edge(step + 1), corner.y + height},
+                                                  to_color(level_color(levels.min + step, levels)));
+    }
+    ImGui::Dummy({width, height});
+    heading(fmt::format("level {}", levels.min),
+            levels.max > levels.min ? fmt::format("{}", levels.max) : "");
+}
+
+std::string origin_name(KeySet origin, const Legend& legend) {
+    std::string name;
+    for (std::size_t i = 0; i < legend.active_names.size(); ++i) {
+        if ((origin & key_bit(i)) == 0) continue;
+        if (!name.empty()) name += " + ";
+        name += legend.active_names[i];
+    }
+    return name;
+}
+
+void origin_legend(const Legend& legend) {
+    ImGui::PushFont(small_font());
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float swatch = scaled(10);
+    const float indent = scaled(18);
+    for (const KeySet origin : legend.origins) {
+        const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+        const float height = ImGui::GetTextLineHeight();
+        const float top = corner.y + std::round((height - swatch) / 2);
+        ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + swatch, top + swatch},
+                                                  to_color(origin_color(origin, legend.active_keys)),
+                                                  scaled(2));
+        const std::string name = origin_name(origin, legend);
+        draw_text({corner.x + indent, corner.y}, width - indent, colors::text, name);
+        ImGui::Dummy({width, height});
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("bisected this far in %s", name.c_str());
+    }
+    ImGui::PopFont();
+}
+
+}  // namespace
+
+void display_panel(Display& display, const Legend& legend) {
+    heading("Shading");
+    choice("shading", display.shading, {{"Smooth", Shading::smooth}, {"Flat", Shading::flat}});
+    section_gap();
+    heading("Lines");
+    ImGui::Checkbox("Wireframe", &display.wireframe);
+    ImGui::Checkbox("Refinement edges", &display.refinement_edges);
+    ImGui::Checkbox("Root edges", &display.root_edges);
+    section_gap();
+    heading("Colour");
+    choice("color", display.coloring,
+           {{"Plain", Coloring::plain}, {"Level", Coloring::level}, {"Origin", Coloring::origin}});
+    if (legend.fields.empty())
+        choice("more color", display.coloring, {{"Checker", Coloring::checker}});
+    else
+        choice("more color", display.coloring, {{"Checker", Coloring::checker}, {"Field", Coloring::field}});
+    if (display.coloring == Coloring::level) level_legend(legend.levels);
+    if (display.coloring == Coloring::origin) origin_legend(legend);
+    if (display.coloring == Coloring::field)
+        field_panel(display, legend.fields, legend.key_without_field.value_or(""));
+}
+
+}  // namespace interleaf

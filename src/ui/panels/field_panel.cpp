@@ -1,0 +1,82 @@
+#include "ui/panels/field_panel.h"
+
+#include <cmath>
+#include <string>
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include "ui/widgets/scale_legend.h"
+#include "ui/widgets/style.h"
+
+namespace interleaf {
+
+namespace {
+
+void choose_field(Display& display, std::span<const FamilyField> fields) {
+    ImGui::SetNextItemWidth(-1);
+    if (!ImGui::BeginCombo("##field", display.field.c_str())) return;
+    for (const FamilyField& field : fields) {
+        const std::string& name = field.label.name;
+        const bool chosen = name == display.field;
+        const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+        // Drawn by hand: Dear ImGui takes what follows a "##" in a label for no part of it.
+        ImGui::PushID(&field);
+        if (ImGui::Selectable("", chosen)) display.field = name;
+        if (chosen) ImGui::SetItemDefaultFocus();
+        draw_text(corner, ImGui::GetItemRectSize().x, colors::text, name);
+        ImGui::PopID();
+    }
+    ImGui::EndCombo();
+}
+
+/// Each map with its colours beside its name.
+void choose_map(ColorMap& map) {
+    ImGui::SetNextItemWidth(-1);
+    if (!ImGui::BeginCombo("##map", std::string(name_of(map)).c_str())) return;
+    for (const ColorMap each : color_maps()) {
+        const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+        if (ImGui::Selectable(std::string(name_of(each)).c_str(), each == map)) map = each;
+        const float width = scaled(90);
+        const float height = ImGui::GetTextLineHeight();
+        draw_scale_colors(
+            {corner.x + ImGui::GetContentRegionAvail().x - width, corner.y + std::round(height * 0.2F)},
+            {width, std::round(height * 0.6F)}, {.map = each, .range = {}});
+    }
+    ImGui::EndCombo();
+}
+
+/// The ends of a locked range; what is no range, as while one is typed, is not taken.
+void lock_range(Display& display) {
+    ImGui::Checkbox("Lock range", &display.range_locked);
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Keeps these values. Otherwise the range is that of all keys.");
+    if (!display.range_locked) return;
+    float ends[] = {display.scale.range.min, display.scale.range.max};
+    ImGui::SetNextItemWidth(-1);
+    if (!ImGui::InputFloat2("##range", ends, "%.5g")) return;
+    if (std::isfinite(ends[0]) && std::isfinite(ends[1]) && ends[0] < ends[1])
+        display.scale.range = {ends[0], ends[1]};
+}
+
+}  // namespace
+
+void field_panel(Display& display, std::span<const FamilyField> fields, std::string_view key_without) {
+    choose_field(display, fields);
+    const FamilyField* const field = find_field(fields, display.field);
+    if (field == nullptr) return;
+    if (!key_without.empty()) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::PushStyleColor(ImGuiCol_Text, colors::notice);
+        ImGui::TextUnformatted(fmt::format("{} does not have this field.", key_without).c_str());
+        ImGui::PopStyleColor();
+        ImGui::PopTextWrapPos();
+    }
+    if (field->label.kind == FieldKind::color) return;
+    choose_map(display.scale.map);
+    ImGui::Spacing();
+    scale_legend(display.scale);
+    lock_range(display);
+}
+
+}  // namespace interleaf

@@ -1,0 +1,161 @@
+#include "ui/panels/keys_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include "render/palette.h"
+#include "ui/widgets/number_text.h"
+#include "ui/widgets/row_clipper.h"
+#include "ui/widgets/style.h"
+
+namespace interleaf {
+
+namespace {
+
+constexpr const char* payload_type = "key";
+constexpr const char* menu_name = "key menu";
+
+float key_row_height() {
+    return key_picture_side() + scaled(6);
+}
+
+std::string figures_text(const KeyRow& key) {
+    return fmt::format("{} leaves, {} {}", grouped(key.leaves), key.deepest,
+                       key.deepest == 1 ? "level" : "levels");
+}
+
+void draw_picture(ImDrawList& list, const KeyRow& row, glm::vec2 corner) {
+    const float side = key_picture_side();
+    const ImVec2 end{corner.x + side, corner.y + side};
+    list.AddRectFilled(to_imgui(corner), end, colors::well, scaled(4));
+    if (row.picture == 0) return;
+    list.AddImageRounded(texture_id(row.picture), to_imgui(corner), end, {0, 0}, {1, 1}, colors::white,
+                         scaled(4));
+}
+
+void draw_row(const KeyRow& row, std::size_t key, glm::vec2 corner, float width, bool is_active,
+              bool is_selected) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float inset = scaled(3);
+    draw_picture(list, row, corner + inset);
+    const float left = corner.x + inset + key_picture_side() + scaled(10);
+    const float line = ImGui::GetTextLineHeight();
+    const float top = corner.y + std::round(key_row_height() / 2 - line) - scaled(1);
+    const float dot = scaled(4);
+    list.AddCircleFilled({left + dot, top + line / 2 + 1}, dot,
+                         to_color(key_color(key), is_active ? 1.0F : 0.45F));
+    const float name_left = left + scaled(15);
+    draw_text({name_left, top}, corner.x + width - name_left - scaled(6),
+              is_active || is_selected ? colors::text : colors::dim_text, row.name);
+    ImGui::PushFont(small_font());
+    draw_text({left, top + line + scaled(2)}, corner.x + width - left - scaled(6),
+              is_selected ? colors::text : colors::dim_text, figures_text(row));
+    ImGui::PopFont();
+}
+
+void drag_row(const KeysPanel& panel, std::size_t key, KeysPanelResult& result) {
+    if (ImGui::BeginDragDropSource()) {
+        ImGui::SetDragDropPayload(payload_type, &key, sizeof key);
+        ImGui::TextUnformatted(panel.keys[key].name.c_str());
+        ImGui::EndDragDropSource();
+    }
+    if (const auto dropped = dropped_key(panel.keys.size())) {
+        result.dragged = dropped;
+        result.dropped_on = key;
+    }
+}
+
+/// The menu of the right mouse button on the row that is the last item, spaced as menus are.
+void show_row_menu(const KeysPanel& panel, ImVec2 spacing, KeysPanelResult& result) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, spacing);
+    if (ImGui::BeginPopupContextItem(menu_name)) {
+        result.menu_entry = menu_entries(panel.menu);
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar();
+}
+
+void show_rows(const KeysPanel& panel, KeysPanelResult& result) {
+    const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    const float width = ImGui::GetContentRegionAvail().x;
+    RowClipper clipper(panel.keys.size(), key_row_height());
+    bool is_first = true;
+    while (clipper.Step()) {
+        const auto begin = static_cast<std::size_t>(clipper.DisplayStart);
+        const auto end = static_cast<std::size_t>(clipper.DisplayEnd);
+        result.first = is_first ? begin : std::min(result.first, begin);
+        result.end = std::max(result.end, end);
+        is_first = false;
+        for (std::size_t key = begin; key < end; ++key) {
+            const bool is_active = std::ranges::find(panel.weights, key, &Weight::key) != panel.weights.end();
+            ImGui::PushID(static_cast<int>(key));
+            const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+            // Under the pointer, one that is not selected must not look as if it were.
+            const ImGuiCol hovered = panel.selected == key ? ImGuiCol_HeaderHovered : ImGuiCol_FrameBg;
+            ImGui::PushStyleColor(ImGuiCol_HeaderHovered, ImGui::GetStyleColorVec4(hovered));
+            const bool is_clicked =
+                ImGui::Selectable("##row", panel.selected == key, ImGuiSelectableFlags_AllowDoubleClick,
+                                  {width, key_row_height()});
+            ImGui::PopStyleColor();
+            if (is_clicked) {
+                result.chosen = key;
+                if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) result.renamed = key;
+            }
+            if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) result.chosen = key;
+            drag_row(panel, key, result);
+            show_row_menu(panel, spacing, result);
+            draw_row(panel.keys[key], key, corner, width, is_active, panel.selected == key);
+            ImGui::PopID();
+        }
+    }
+    ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+float key_picture_side() {
+    return scaled(40);
+}
+
+std::optional<std::size_t> dropped_key(std::size_t key_count) {
+    if (!ImGui::BeginDragDropTarget()) return std::nullopt;
+    std::optional<std::size_t> key;
+    if (const ImGuiPayload* const payload = ImGui::AcceptDragDropPayload(payload_type)) {
+        key.emplace();
+        std::memcpy(&*key, payload->Data, sizeof *key);
+    }
+    ImGui::EndDragDropTarget();
+    if (key && *key >= key_count) key.reset();  // the family has changed since it was taken
+    return key;
+}
+
+KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
+    KeysPanelResult result;
+    heading("Keys", fmt::format("{}", panel.keys.size()));
+    const float wanted = key_row_height() * static_cast<float>(panel.keys.size());
+    const float shown = std::min(wanted, std::max(height, key_row_height()));
+    const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+    // In a narrow window the panel scrolls, and the list may be out of sight.
+    const float bottom = std::min(corner.y + shown, ImGui::GetWindowDrawList()->GetClipRectMax().y);
+    const float top = std::max(corner.y, ImGui::GetWindowDrawList()->GetClipRectMin().y);
+    result.list = {corner.x, top, ImGui::GetContentRegionAvail().x, std::max(bottom - top, 0.0F)};
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::BeginChild("key list", {0, shown}, false, ImGuiWindowFlags_NoNav);
+    ImGui::PopStyleVar();
+    show_rows(panel, result);
+    ImGui::EndChild();
+    const float gap = scaled(2);
+    const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
+    result.add = ImGui::Button("Add...", {width, 0});
+    ImGui::SameLine(0, gap);
+    result.keep_blend = ImGui::Button("Keep blend", {width, 0});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Make the surface that is shown a key (Ctrl+K)");
+    return result;
+}
+
+}  // namespace interleaf

@@ -1,0 +1,83 @@
+#include "ui/panels/menu_bar.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include "ui/widgets/style.h"
+
+namespace interleaf {
+
+namespace {
+
+bool menu_item(const MenuEntry& entry) {
+    return ImGui::MenuItem(entry.name.c_str(), entry.shortcut.c_str(), entry.on, entry.enabled);
+}
+
+std::optional<std::size_t> show_submenu(const Submenu& submenu) {
+    std::optional<std::size_t> chosen;
+    if (!ImGui::BeginMenu(submenu.name.c_str(), !submenu.items.empty())) return chosen;
+    for (std::size_t item = 0; item < submenu.items.size(); ++item) {
+        ImGui::PushID(static_cast<int>(item));
+        if (ImGui::MenuItem(submenu.items[item].c_str())) chosen = item;
+        ImGui::PopID();
+    }
+    ImGui::EndMenu();
+    return chosen;
+}
+
+/// An arrow to the side that leads nowhere in the open menu opens the one beside it.
+void move_to_menu_beside(const std::vector<std::string>& menus, std::size_t open) {
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    const ImGuiDir direction = context.NavMoveDir;
+    const bool is_aside = direction == ImGuiDir_Left || direction == ImGuiDir_Right;
+    if (!is_aside || !ImGui::NavMoveRequestButNoResultYet()) return;
+    ImGui::NavMoveRequestCancel();
+    context.NavDisableMouseHover = true;  // or the menu under the pointer would open again
+    context.NavDisableHighlight = false;
+    const std::size_t step = direction == ImGuiDir_Right ? 1 : menus.size() - 1;
+    ImGui::OpenPopup(menus[(open + step) % menus.size()].c_str());
+}
+
+}  // namespace
+
+std::optional<std::size_t> menu_entries(std::span<const MenuEntry> entries) {
+    std::optional<std::size_t> chosen;
+    for (std::size_t entry = 0; entry < entries.size(); ++entry)
+        if (menu_item(entries[entry])) chosen = entry;
+    return chosen;
+}
+
+MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submenu, std::string_view title) {
+    MenuBarResult result;
+    if (!ImGui::BeginMainMenuBar()) return result;
+    std::vector<std::string> menus;
+    std::optional<std::size_t> open_menu;
+    for (std::size_t begin = 0; begin < entries.size();) {
+        const std::string menu(entries[begin].menu);
+        const bool open = ImGui::BeginMenu(menu.c_str());
+        if (open) open_menu = menus.size();
+        menus.push_back(menu);
+        std::size_t entry = begin;
+        for (; entry < entries.size() && entries[entry].menu == entries[begin].menu; ++entry) {
+            if (!open) continue;
+            if (menu_item(entries[entry])) result.chosen = entry;
+            if (submenu.menu == menu && submenu.after == entries[entry].name)
+                result.chosen_item = show_submenu(submenu);
+        }
+        if (open) ImGui::EndMenu();
+        begin = entry;
+    }
+    if (open_menu) move_to_menu_beside(menus, *open_menu);
+    const float left = ImGui::GetCursorPosX() + scaled(16);
+    const float right = ImGui::GetWindowWidth() - scaled(12);
+    const float width = std::min(text_size(title).x, right - left);
+    if (width > 0) {
+        const float top = ImGui::GetWindowPos().y + ImGui::GetStyle().FramePadding.y;
+        draw_text({right - width, top}, width + 1, colors::dim_text, title);
+    }
+    result.height = ImGui::GetWindowHeight();
+    ImGui::EndMainMenuBar();
+    return result;
+}
+
+}  // namespace interleaf

@@ -1,0 +1,258 @@
+#include "ui/panels/parameter_domain_panel.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/core.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include "render/palette.h"
+#include "ui/panels/keys_panel.h"
+#include "ui/widgets/plot_frame.h"
+#include "ui/widgets/style.h"
+
+namespace interleaf {
+
+namespace {
+
+/// ImDrawList has no triangle with a colour a vertex, but its vertices carry one and are interpolated.
+void fill_triangle(ImDrawList& list, const std::array<glm::vec2, 3>& corners,
+                   const std::array<ImU32, 3>& fills) {
+    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+    list.PrimReserve(3, 3);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        list.PrimVtx(to_imgui(corners[corner]), white, fills[corner]);
+    }
+}
+
+void draw_triangles(ImDrawList& list, const ParameterDomain& domain, const PlotFrame& frame) {
+    const auto pixel = [&](Index vertex) { return frame.pixel(domain.vertices()[vertex].at); };
+    const auto fill = [&](Index vertex) {
+        return to_color(0.78F * key_color(domain.vertices()[vertex].key));
+    };
+    for (const Triangle& t : domain.triangles()) {
+        fill_triangle(list, {pixel(t[0]), pixel(t[1]), pixel(t[2])}, {fill(t[0]), fill(t[1]), fill(t[2])});
+    }
+    for (const Triangle& t : domain.triangles()) {
+        list.AddTriangle(to_imgui(pixel(t[0])), to_imgui(pixel(t[1])), to_imgui(pixel(t[2])),
+                         IM_COL32(12, 13, 16, 110), scaled(1));
+    }
+}
+
+void draw_path(ImDrawList& list, std::span<const glm::dvec2> path, const PlotFrame& frame) {
+    for (const glm::dvec2 at : path) list.PathLineTo(to_imgui(frame.pixel(at)));
+    list.PathStroke(IM_COL32(255, 255, 255, 150), ImDrawFlags_None, scaled(2));
+}
+
+/// A vertex with its key's name, on the side that is away from the middle of the domain.
+void draw_vertex(ImDrawList& list, glm::vec2 pixel, const Key& key, ImU32 color, const Rect& area,
+                 float middle) {
+    list.AddCircleFilled(to_imgui(pixel), scaled(5), colors::dark);
+    list.AddCircleFilled(to_imgui(pixel), scaled(4), color);
+
+    const float padding = scaled(4);
+    const float room = area.width / 2 - 2 * padding;
+    glm::vec2 size = text_size(key.name);
+    size.x = std::min(size.x, room);
+    const float gap = scaled(11);
+    glm::vec2 corner{pixel.x - size.x / 2, pixel.y > middle + 1 ? pixel.y + gap : pixel.y - gap - size.y};
+    corner.x =
+        std::clamp(corner.x, area.x + padding, std::max(area.right() - padding - size.x, area.x + padding));
+    list.AddRectFilled(to_imgui(corner - glm::vec2(padding, 0)),
+                       to_imgui(corner + size + glm::vec2(padding, 1)), IM_COL32(12, 13, 16, 170), scaled(4));
+    draw_text(corner, size.x + 1, colors::text, key.name);
+}
+
+void draw_point(ImDrawList& list, glm::vec2 pixel, bool held) {
+    const ImVec2 at = to_imgui(pixel);
+    list.AddCircle(at, scaled(held ? 9 : 8), colors::dark, 0, scaled(5));
+    list.AddCircle(at, scaled(held ? 9 : 8), colors::white, 0, scaled(2.5F));
+    list.AddCircleFilled(at, scaled(2), colors::white);
+}
+
+/// A vertex that the pointer is on or near; none where it is on none.
+std::optional<Index> vertex_near(const ParameterDomain& domain, const PlotFrame& frame, glm::vec2 pointer) {
+    std::optional<Index> nearest;
+    float distance = scaled(10);
+    for (Index vertex = 0; vertex < domain.vertices().size(); ++vertex) {
+        const float here = glm::distance(frame.pixel(domain.vertices()[vertex].at), pointer);
+        if (here >= distance) continue;
+        nearest = vertex;
+        distance = here;
+    }
+    return nearest;
+}
+
+/// The corners of the domain's bounding box, as they were when the mouse took hold of it: moving a vertex
+/// must not move the plane under the pointer.
+std::array<DomainVertex, 2> box_corners(const ParameterDomain& domain) {
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const std::array<ImGuiID, 4> ids{ImGui::GetID("low x"), ImGui::GetID("low y"), ImGui::GetID("high x"),
+                                     ImGui::GetID("high y")};
+    const bool is_held = ImGui::GetActiveID() == ImGui::GetID("domain");
+    if (is_held) {
+        return {{{{storage.GetFloat(ids[0]), storage.GetFloat(ids[1])}, 0},
+                 {{storage.GetFloat(ids[2]), storage.GetFloat(ids[3])}, 0}}};
+    }
+    glm::dvec2 low = domain.vertices().front().at;
+    glm::dvec2 high = low;
+    for (const DomainVertex& vertex : domain.vertices()) {
+        low = glm::min(low, vertex.at);
+        high = glm::max(high, vertex.at);
+    }
+    storage.SetFloat(ids[0], static_cast<float>(low.x));
+    storage.SetFloat(ids[1], static_cast<float>(low.y));
+    storage.SetFloat(ids[2], static_cast<float>(high.x));
+    storage.SetFloat(ids[3], static_cast<float>(high.y));
+    return {{{low, 0}, {high, 0}}};
+}
+
+/// What the menu of the right mouse button is about, from when it opens until it closes.
+struct MenuPlace {
+    std::optional<Index> vertex;
+    glm::dvec2 at{0};
+};
+
+/// The keys of the family to choose from; \p present has a mark.
+std::optional<std::size_t> choose_key(const Family& family, std::optional<std::size_t> present) {
+    std::optional<std::size_t> chosen;
+    for (std::size_t key = 0; key < family.keys.size(); ++key) {
+        ImGui::PushID(static_cast<int>(key));
+        if (ImGui::MenuItem(family.keys[key].name.c_str(), nullptr, present == key)) chosen = key;
+        ImGui::PopID();
+    }
+    return chosen;
+}
+
+void show_menu(const Family& family, const MenuPlace& place, ParameterDomainResult& result) {
+    if (place.vertex && *place.vertex < family.domain->vertices().size()) {
+        heading("Key at this vertex");
+        if (const auto key = choose_key(family, family.domain->vertices()[*place.vertex].key))
+            result.assigned = VertexKey{*place.vertex, *key};
+        ImGui::Separator();
+        if (ImGui::MenuItem("Remove vertex")) result.removed = place.vertex;
+    } else {
+        heading("Add a vertex here, of key");
+        if (const auto key = choose_key(family, std::nullopt)) result.added = AddedVertex{place.at, *key};
+    }
+}
+
+/// What the mouse does on the canvas, which is the last item.
+void read_mouse(const Family& family, const DomainPanel& panel, const PlotFrame& frame,
+                ParameterDomainResult& result) {
+    const ParameterDomain& domain = *family.domain;
+    const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID held_vertex = ImGui::GetID("held vertex");
+    const auto none = static_cast<int>(no_index);
+    if (ImGui::IsItemActivated()) {
+        const auto vertex = panel.edits ? vertex_near(domain, frame, pointer) : std::nullopt;
+        storage.SetInt(held_vertex, vertex ? static_cast<int>(*vertex) : none);
+    }
+    if (ImGui::IsItemActive()) {
+        const auto vertex = static_cast<Index>(storage.GetInt(held_vertex, none));
+        if (!panel.edits) {
+            result.moved_to = frame.point(pointer);
+        } else if (vertex < domain.vertices().size() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+            result.moved_vertex = MovedVertex{vertex, frame.point(pointer)};
+        }
+    }
+    if (const auto key = dropped_key(family.keys.size())) {
+        if (const auto vertex = vertex_near(domain, frame, pointer)) {
+            result.assigned = VertexKey{*vertex, *key};
+        } else {
+            result.added = AddedVertex{frame.point(pointer), *key};
+        }
+    }
+}
+
+/// The menu of the right mouse button over the canvas, which is the last item.
+void show_canvas_menu(const Family& family, const PlotFrame& frame, ParameterDomainResult& result) {
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID vertex_id = ImGui::GetID("menu vertex");
+    const ImGuiID x_id = ImGui::GetID("menu x");
+    const ImGuiID y_id = ImGui::GetID("menu y");
+    const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+        const auto vertex = vertex_near(*family.domain, frame, pointer);
+        storage.SetInt(vertex_id, vertex ? static_cast<int>(*vertex) : -1);
+        storage.SetFloat(x_id, pointer.x);
+        storage.SetFloat(y_id, pointer.y);
+        ImGui::OpenPopup("domain menu");
+    }
+    if (!ImGui::BeginPopup("domain menu")) return;
+    MenuPlace place{std::nullopt, frame.point({storage.GetFloat(x_id), storage.GetFloat(y_id)})};
+    const int vertex = storage.GetInt(vertex_id, -1);
+    if (vertex >= 0) place.vertex = static_cast<Index>(vertex);
+    show_menu(family, place, result);
+    ImGui::EndPopup();
+}
+
+}  // namespace
+
+ParameterDomainResult parameter_domain_panel(const Family& family, const DomainPanel& panel) {
+    const ParameterDomain& domain = *family.domain;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float heading_height = ImGui::GetTextLineHeightWithSpacing();
+
+    // The names of the vertices need room above and below, half of the point to the sides.
+    const float margin = scaled(30);
+    const float side_margin = scaled(14);
+    const float width = ImGui::GetContentRegionAvail().x;
+    const Rect widest{corner.x + side_margin, corner.y + heading_height + margin, width - 2 * side_margin,
+                      std::min(scaled(260), 0.4F * ImGui::GetWindowHeight())};
+    const std::array<DomainVertex, 2> box = box_corners(domain);
+    const Rect plot = PlotFrame(box, widest).rect();
+    const Rect area{corner.x, corner.y + heading_height, width, std::round(plot.height) + 2 * margin};
+    const PlotFrame frame(box, {plot.x, widest.y, plot.width, plot.height});
+
+    ImGui::SetCursorScreenPos({area.x, area.y});
+    ImGui::InvisibleButton("domain", {area.width, area.height});
+    const bool held = ImGui::IsItemActive() && !panel.edits;
+    const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
+    const bool is_hovered = ImGui::IsItemHovered();
+    ParameterDomainResult result;
+    result.plot = frame.rect();
+    result.snap = glm::distance(frame.point({0, 0}), frame.point({scaled(6), 0}));
+    read_mouse(family, panel, frame, result);
+    show_canvas_menu(family, frame, result);
+    // Shown where it will be after this frame, so that it does not trail behind the pointer.
+    std::optional<DomainPoint> shown = panel.point;
+    if (result.moved_to) {
+        shown = domain.locate(*result.moved_to, panel.point ? panel.point->triangle : no_index);
+    }
+
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({area.x, area.y}, {area.right(), area.bottom()}, colors::well, scaled(4));
+    if (panel.edits)
+        list.AddRect({area.x, area.y}, {area.right(), area.bottom()}, colors::notice, scaled(4), 0,
+                     scaled(1));
+    draw_triangles(list, domain, frame);
+    draw_path(list, panel.path, frame);
+    ImGui::PushFont(small_font());
+    const float middle = frame.rect().y + frame.rect().height / 2;
+    const auto near = panel.edits && is_hovered ? vertex_near(domain, frame, pointer) : std::nullopt;
+    for (Index v = 0; v < domain.vertices().size(); ++v) {
+        const DomainVertex& vertex = domain.vertices()[v];
+        draw_vertex(list, frame.pixel(vertex.at), family.keys[vertex.key], to_color(key_color(vertex.key)),
+                    area, middle);
+        if (panel.edits)
+            list.AddCircle(to_imgui(frame.pixel(vertex.at)), scaled(near == v ? 8 : 6), colors::notice, 0,
+                           scaled(1.5F));
+    }
+    ImGui::PopFont();
+    if (shown && !panel.edits) draw_point(list, frame.pixel(shown->at), held);
+
+    const ImVec2 after = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos(corner);
+    heading("Parameter domain", panel.edits ? "drag vertices (D)"
+                                : shown     ? fmt::format("{:.3f}, {:.3f}", shown->at.x, shown->at.y)
+                                            : std::string());
+    ImGui::SetCursorScreenPos(after);
+    return result;
+}
+
+}  // namespace interleaf

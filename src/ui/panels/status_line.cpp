@@ -1,0 +1,31 @@
+#include "ui/panels/status_line.h"
+
+#include <cmath>
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include "ui/widgets/number_text.h"
+#include "ui/widgets/style.h"
+
+namespace interleaf {
+
+void status_line(const Rect& rect, const StatusFigures& figures) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(12), 0});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+    begin_panel("status", rect);
+    ImGui::PushFont(small_font());
+    const std::string text = fmt::format(
+        "{} {} active   ·   {} leaves   ·   {} vertices   ·   rebuilt in {:.1f} ms   ·   frame {:.1f} ms",
+        figures.active_keys, figures.active_keys == 1 ? "key" : "keys", grouped(figures.leaves),
+        grouped(figures.vertices), figures.rebuild_milliseconds, figures.frame_milliseconds);
+    const glm::vec2 corner{rect.x + scaled(12),
+                           rect.y + std::round((rect.height - ImGui::GetTextLineHeight()) / 2)};
+    draw_text(corner, rect.width - 2 * scaled(12), colors::dim_text, text);
+    ImGui::PopFont();
+    end_panel();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace interleaf

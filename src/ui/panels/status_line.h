@@ -1,0 +1,20 @@
+// The status line: what is shown, and how long it took.
+#pragma once
+
+#include <cstddef>
+
+#include "ui/widgets/rect.h"
+
+namespace interleaf {
+
+struct StatusFigures {
+    std::size_t active_keys;
+    std::size_t leaves;  ///< of the union
+    std::size_t vertices;
+    double rebuild_milliseconds;  ///< of the last rebuild of the union
+    double frame_milliseconds;
+};
+
+void status_line(const Rect& rect, const StatusFigures& figures);
+
+}  // namespace interleaf

@@ -1,0 +1,46 @@
+// The timeline: its keys as marks, the time to scrub, and the buttons of playback.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "family/family.h"
+#include "ui/widgets/rect.h"
+
+namespace interleaf {
+
+struct TimelineState {
+    double time;  ///< seconds
+    bool playing;
+    bool loops;
+    bool drives;              ///< the morph
+    std::string_view remark;  ///< why it does not
+};
+
+/// A key at a time.
+struct MovedTime {
+    std::size_t place;  ///< in the timeline
+    double to;          ///< seconds
+};
+
+struct KeyTime {
+    std::size_t key;
+    double time;  ///< seconds
+};
+
+struct TimelineResult {
+    std::optional<double> seek_to;  ///< seconds
+    bool toggle_playing = false;
+    bool toggle_loop = false;
+    std::optional<MovedTime> moved;         ///< held by the pointer, by its name
+    std::optional<KeyTime> added;           ///< dropped on the track
+    std::optional<std::size_t> asked_time;  ///< a place whose time is to be typed
+    std::optional<std::size_t> removed;     ///< a place
+    Rect track;                             ///< from begin to end
+};
+
+/// \pre  the family has a timeline
+TimelineResult timeline_panel(const Rect& rect, const Family& family, const TimelineState& state);
+
+}  // namespace interleaf

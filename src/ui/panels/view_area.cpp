@@ -1,0 +1,39 @@
+#include "ui/panels/view_area.h"
+
+#include <cmath>
+
+#include <imgui.h>
+
+#include "ui/widgets/style.h"
+
+namespace interleaf {
+
+ViewInput view_area(const Rect& rect, const char* name) {
+    ViewInput input;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::SetNextWindowBgAlpha(0);
+    begin_panel(name, rect);
+    if (rect.width >= 1 && rect.height >= 1) {
+        ImGui::InvisibleButton("surface", {rect.width, rect.height},
+                               ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                                   ImGuiButtonFlags_MouseButtonMiddle);
+        const ImGuiIO& io = ImGui::GetIO();
+        input.pointer = from_imgui(io.MousePos);
+        // On the frame of the press the way also holds what the pointer did before it.
+        if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) {
+            const bool pans = !ImGui::IsMouseDown(ImGuiMouseButton_Left) || io.KeyShift;
+            (pans ? input.pan : input.orbit) = from_imgui(io.MouseDelta) / rect.height;
+        }
+        input.pointed_at = ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown();
+        if (ImGui::IsItemHovered()) {
+            input.zoom = std::pow(1.12F, io.MouseWheel);
+            input.frame = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+        }
+    }
+    end_panel();
+    ImGui::PopStyleVar(2);
+    return input;
+}
+
+}  // namespace interleaf

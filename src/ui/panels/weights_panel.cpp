@@ -1,0 +1,42 @@
+#include "ui/panels/weights_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include "render/palette.h"
+#include "ui/widgets/style.h"
+
+namespace interleaf {
+
+void weights_panel(const Family& family, const Weights& weights) {
+    heading("Weights");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float name_width = std::round(width * 0.38F);
+    const float number_width = text_size("-0.000").x;
+    for (std::size_t key = 0; key < family.keys.size(); ++key) {
+        const auto weight = std::ranges::find(weights, key, &Weight::key);
+        const bool active = weight != weights.end();
+        const ImU32 text = active ? colors::text : colors::dim_text;
+        const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+        const float height = ImGui::GetTextLineHeight();
+
+        draw_text(corner, name_width - scaled(8), text, family.keys[key].name);
+        const Rect bar{corner.x + name_width, corner.y + std::round(height * 0.3F),
+                       width - name_width - number_width - scaled(8), std::round(height * 0.5F)};
+        list.AddRectFilled({bar.x, bar.y}, {bar.right(), bar.bottom()}, colors::well, scaled(2));
+        if (active && weight->value > 0) {
+            const float part = std::min(static_cast<float>(weight->value), 1.0F);
+            list.AddRectFilled({bar.x, bar.y}, {bar.x + part * bar.width, bar.bottom()},
+                               to_color(key_color(key)), scaled(2));
+        }
+        const std::string number = active ? fmt::format("{:.3f}", weight->value) : "–";
+        draw_text({corner.x + width - text_size(number).x, corner.y}, number_width, text, number);
+        ImGui::Dummy({width, height});
+    }
+}
+
+}  // namespace interleaf

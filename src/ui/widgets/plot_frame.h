@@ -1,0 +1,32 @@
+// The map between the plane of a parameter domain and the pixels it is drawn on: one scale for both axes, v
+// up.
+#pragma once
+
+#include <span>
+
+#include <glm/vec2.hpp>
+
+#include "family/parameter_domain.h"
+#include "ui/widgets/rect.h"
+
+namespace interleaf {
+
+class PlotFrame {
+  public:
+    /// Fits the bounding box of \p vertices into \p area, centred.
+    PlotFrame(std::span<const DomainVertex> vertices, const Rect& area);
+
+    glm::vec2 pixel(glm::dvec2 point) const;
+    glm::dvec2 point(glm::vec2 pixel) const;
+
+    /// The pixels of the bounding box.
+    Rect rect() const;
+
+  private:
+    glm::dvec2 min_;
+    glm::dvec2 max_;
+    glm::dvec2 corner_;  ///< pixel of (min x, max y)
+    double scale_;       ///< pixels a unit
+};
+
+}  // namespace interleaf

@@ -1,0 +1,81 @@
+#include "ui/widgets/scale_legend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include "ui/widgets/scale_ticks.h"
+#include "ui/widgets/style.h"
+
+namespace interleaf {
+
+namespace {
+
+/// Numbers below the bar, with marks; those that would touch a number that is there already are left out.
+class Numbers {
+  public:
+    Numbers(glm::vec2 corner, float width, const ValueRange& range)
+        : corner_(corner), width_(width), range_(range) {}
+
+    void put(double value, const std::string& text) {
+        const double length = static_cast<double>(range_.max) - range_.min;
+        const float x = width_ * static_cast<float>((value - range_.min) / length);
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddRectFilled({corner_.x + std::floor(std::min(x, width_ - 1)), corner_.y},
+                           {corner_.x + std::floor(std::min(x, width_ - 1)) + 1, corner_.y + scaled(4)},
+                           colors::dim_text);
+        const float text_width = text_size(text).x;
+        const float left = std::clamp(x - text_width / 2, 0.0F, std::max(width_ - text_width, 0.0F));
+        const auto touches = [&](const glm::vec2& span) {
+            return left < span.y + scaled(8) && span.x < left + text_width + scaled(8);
+        };
+        if (std::ranges::any_of(spans_, touches)) return;
+        spans_.emplace_back(left, left + text_width);
+        draw_text({corner_.x + left, corner_.y + scaled(5)}, text_width + 1, colors::text, text);
+    }
+
+  private:
+    glm::vec2 corner_;
+    float width_;
+    ValueRange range_;
+    std::vector<glm::vec2> spans_;
+};
+
+}  // namespace
+
+void draw_scale_colors(glm::vec2 corner, glm::vec2 size, const ColorScale& scale) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto count = static_cast<int>(std::max(size.x, 1.0F));
+    for (int n = 0; n < count; ++n) {
+        const float part = (static_cast<float>(n) + 0.5F) / static_cast<float>(count);
+        const float value = std::lerp(scale.range.min, scale.range.max, part);
+        const float x = corner.x + static_cast<float>(n);
+        list.AddRectFilled({x, corner.y}, {x + 1, corner.y + size.y}, to_color(scale.color(value)));
+    }
+}
+
+void scale_legend(const ColorScale& scale) {
+    const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = scaled(12);
+    draw_scale_colors(corner, {width, height}, scale);
+    ImGui::PushFont(small_font());
+    Numbers numbers({corner.x, corner.y + height}, width, scale.range);
+    if (scale.range.max > scale.range.min) {
+        numbers.put(scale.range.min, fmt::format("{:.4g}", scale.range.min));
+        numbers.put(scale.range.max, fmt::format("{:.4g}", scale.range.max));
+        for (const double tick : scale_ticks(scale.range.min, scale.range.max, 5))
+            numbers.put(tick, fmt::format("{:.4g}", tick));
+    } else {
+        draw_text({corner.x, corner.y + height + scaled(5)}, width, colors::text,
+                  fmt::format("{:.4g} everywhere", scale.range.min));
+    }
+    ImGui::Dummy({width, height + scaled(6) + ImGui::GetTextLineHeight()});
+    ImGui::PopFont();
+}
+
+}  // namespace interleaf

@@ -1,0 +1,65 @@
+// How the user interface looks: colours, spacing, the two sizes of its typeface, and the few pieces all
+// panels are made of.
+#pragma once
+
+#include <string_view>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <imgui.h>
+
+#include "ui/widgets/rect.h"
+
+namespace interleaf {
+
+/// What is drawn by hand takes its colours from here.
+namespace colors {
+inline constexpr ImU32 text = IM_COL32(222, 226, 232, 255);
+inline constexpr ImU32 dim_text = IM_COL32(146, 154, 168, 255);
+inline constexpr ImU32 well = IM_COL32(20, 22, 27, 255);  ///< behind bars and canvases
+inline constexpr ImU32 accent = IM_COL32(92, 164, 255, 255);
+inline constexpr ImU32 notice = IM_COL32(240, 190, 90, 255);
+inline constexpr ImU32 dark = IM_COL32(12, 13, 16, 255);
+inline constexpr ImU32 white = IM_COL32(255, 255, 255, 255);
+}  // namespace colors
+
+/// Sets Dear ImGui's style and makes the typeface at \p scale; \p density is framebuffer pixels a screen
+/// coordinate.
+void apply_style(float scale, float density);
+
+/// \p length at scale 1, in screen coordinates at the present scale.
+float scaled(float length);
+
+/// The typeface for headings, legends and marks.
+ImFont* small_font();
+
+/// How Dear ImGui names the OpenGL texture \p name.
+ImTextureID texture_id(unsigned name);
+
+ImU32 to_color(glm::vec3 color, float alpha = 1);
+ImVec2 to_imgui(glm::vec2 point);
+glm::vec2 from_imgui(ImVec2 point);
+
+/// Begins a window that fills \p rect; ends with end_panel().
+void begin_panel(const char* name, const Rect& rect);
+void end_panel();
+
+/// The distance between two parts of a panel.
+void section_gap();
+
+/// A heading above a part of a panel; \p remark at its right end.
+void heading(std::string_view title, std::string_view remark = {});
+
+/// Draws \p text from \p position on, cut off with an ellipsis at \p max_width.
+void draw_text(glm::vec2 position, float max_width, ImU32 color, std::string_view text);
+
+/// Width and height of \p text in the present typeface.
+glm::vec2 text_size(std::string_view text);
+
+/// Shows \p text in as many lines as the window's width asks for.
+void wrapped_text(std::string_view text, ImU32 color);
+
+/// The height of \p text in lines \p width wide; 0 for none.
+float wrapped_height(std::string_view text, float width);
+
+}  // namespace interleaf

@@ -1,0 +1,108 @@
+#include "ui/widgets/text_field.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include "ui/widgets/modal.h"
+
+namespace interleaf {
+
+namespace {
+
+/// What Ctrl+Z would take back in the active widget, or the last one that was, is about the text that it had,
+/// and Dear ImGui does not see to that: in another text its places lie past the end.
+void forget_steps() {
+    ImStb::StbUndoState& steps = ImGui::GetCurrentContext()->InputTextState.Stb.undostate;
+    steps.undo_point = 0;
+    steps.undo_char_point = 0;
+    steps.redo_point = STB_TEXTEDIT_UNDOSTATECOUNT;
+    steps.redo_char_point = STB_TEXTEDIT_UNDOCHARCOUNT;
+}
+
+}  // namespace
+
+/// What the widget's callback works on.
+struct TextField::Edit {
+    TextField& field;
+    const Completion& completion;
+    bool tabbed = false;
+};
+
+void TextField::set(std::string text, std::size_t selected) {
+    text_ = std::move(text);
+    selected_ = std::min(selected, text_.size());
+    has_new_text_ = true;
+    is_set_now_ = true;
+}
+
+/// The widget takes a frame or two to become active; what is typed meanwhile must not be lost.
+void TextField::take_early_letters() {
+    const std::string typed = typed_letters();
+    if (typed.empty()) return;
+    text_ = selected_ > 0 ? typed + text_.substr(selected_) : text_ + typed;
+    selected_ = 0;
+    has_new_text_ = true;
+}
+
+int TextField::edit(ImGuiInputTextCallbackData* data) {
+    Edit& edit = *static_cast<Edit*>(data->UserData);
+    const auto replace = [&](const std::string& text) {
+        data->DeleteChars(0, data->BufTextLen);
+        data->InsertChars(0, text.data(), text.data() + text.size());
+        forget_steps();
+    };
+    if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
+        if (ImGui::GetIO().KeyShift) return 0;  // goes back to the part before
+        const std::string before(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+        const std::string after = edit.completion ? edit.completion(before) : before;
+        edit.tabbed = after == before;
+        if (!edit.tabbed) replace(after);
+    } else if (std::exchange(edit.field.has_new_text_, false)) {
+        // The widget holds a text of its own while it is active.
+        const std::string& text = edit.field.text_;
+        if (text != data->Buf) replace(text);
+        // From here on the selection is the widget's, which changes the text.
+        const std::size_t selected = std::exchange(edit.field.selected_, 0);
+        data->SelectionStart = 0;
+        data->SelectionEnd = data->CursorPos = selected > 0 ? static_cast<int>(selected) : data->BufTextLen;
+        if (selected == 0) data->ClearSelection();
+    }
+    return 0;
+}
+
+TextFieldResult TextField::show(const char* name, const char* hint, float width, bool focused,
+                                const Completion& completion) {
+    // Not while a button of the mouse is down: it would be taken from what was pressed, whose click would be
+    // lost.
+    const bool takes_focus = focused && !had_focus_ && !ImGui::IsAnyMouseDown();
+    if (takes_focus) ImGui::SetKeyboardFocusHere();
+    // What was typed in the frame that set the text has led to it.
+    if (!std::exchange(is_set_now_, false) && focused && !was_active_) take_early_letters();
+    Edit edit{.field = *this, .completion = completion};
+    if (has_new_text_) forget_steps();  // before a Ctrl+Z that is down already
+    // The callback may set the widget's text from text_, which the widget writes to.
+    ImGui::SetNextItemWidth(width);
+    TextFieldResult result;
+    result.entered =
+        ImGui::InputTextWithHint(name, hint, &text_,
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways |
+                                     ImGuiInputTextFlags_CallbackCompletion,
+                                 &TextField::edit, &edit);
+    result.tabbed = edit.tabbed;
+    const bool is_active = ImGui::IsItemActive();
+    was_active_ = is_active;
+    result.clicked =
+        !focused && is_active && ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    if (focused || is_active) draw_focus();
+    if (!focused && is_active && !result.clicked) ImGui::ClearActiveID();
+    // Where a click beside it has taken the keyboard from it, it takes it back.
+    const bool has_lost_it = had_focus_ && ImGui::IsItemDeactivated();
+    had_focus_ = (takes_focus || (focused && had_focus_) || result.clicked) && !has_lost_it;
+    return result;
+}
+
+}  // namespace interleaf

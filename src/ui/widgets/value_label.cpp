@@ -1,0 +1,35 @@
+#include "ui/widgets/value_label.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "ui/widgets/style.h"
+
+namespace interleaf {
+
+void value_label(glm::vec2 pointer, const Rect& area, glm::vec3 color, std::string_view text) {
+    ImGui::PushFont(small_font());
+    const glm::vec2 padding(scaled(8), scaled(4));
+    const float swatch = scaled(10);
+    const float gap = scaled(6);
+    const glm::vec2 size = text_size(text) + 2.0F * padding + glm::vec2(swatch + gap, 0);
+    // Right of the pointer and below it, where that is within the area.
+    const glm::vec2 offset(scaled(14), scaled(16));
+    const auto place = [](float at, float shift, float length, float begin, float end) {
+        const float after = at + shift;
+        return after + length <= end ? after : std::max(at - shift / 2 - length, begin);
+    };
+    const glm::vec2 corner(place(pointer.x, offset.x, size.x, area.x, area.right()),
+                           place(pointer.y, offset.y, size.y, area.y, area.bottom()));
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    list.AddRectFilled(to_imgui(corner), to_imgui(corner + size), IM_COL32(20, 22, 27, 235), scaled(4));
+    const glm::vec2 square(corner.x + padding.x, corner.y + std::round((size.y - swatch) / 2));
+    list.AddRectFilled(to_imgui(square), to_imgui(square + swatch), to_color(color), scaled(2));
+    list.AddText(to_imgui(corner + padding + glm::vec2(swatch + gap, 0)), colors::text, text.data(),
+                 text.data() + text.size());
+    ImGui::PopFont();
+}
+
+}  // namespace interleaf

@@ -1,0 +1,70 @@
+// Which field is shown, and on what scale.
+#include "app/document/shown_field.h"
+
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "hierarchy/error.h"
+
+using namespace interleaf;
+
+namespace {
+
+const std::vector<FamilyField> fields = {
+    {{"color", FieldKind::color}, 0, 1}, {{"T", FieldKind::scalar}, -2, 7}, {{"p", FieldKind::scalar}, 1, 3}};
+
+}  // namespace
+
+TEST_CASE("a display without a field names the first, one with a field keeps it") {
+    Display display;
+    fit_display(display, fields);
+    CHECK(display.field == "color");
+    CHECK(shown_field(display, fields) == nullptr);
+    display.coloring = Coloring::field;
+    CHECK(shown_field(display, fields) == &fields[0]);
+    display.field = std::string("p");
+    fit_display(display, fields);
+    CHECK(shown_field(display, fields) == &fields[2]);
+    CHECK(display.scale.range == ValueRange{1, 3});
+    display.field = std::string("of another family");
+    fit_display(display, fields);
+    CHECK(display.field == "color");
+}
+
+TEST_CASE("a locked range stays, another follows the field") {
+    Display display;
+    display.field = std::string("T");
+    fit_display(display, fields);
+    CHECK(display.scale.range == ValueRange{-2, 7});
+    display.range_locked = true;
+    display.field = std::string("p");
+    fit_display(display, fields);
+    CHECK(display.scale.range == ValueRange{-2, 7});
+    display.range_locked = false;
+    fit_display(display, fields);
+    CHECK(display.scale.range == ValueRange{1, 3});
+}
+
+TEST_CASE("where keys have no fields the surface is plain") {
+    Display display;
+    display.coloring = Coloring::field;
+    display.field = std::string("T");
+    fit_display(display, {});
+    CHECK(display.coloring == Coloring::plain);
+    CHECK(display.field.empty());
+    display.coloring = Coloring::checker;
+    fit_display(display, {});
+    CHECK(display.coloring == Coloring::checker);
+}
+
+TEST_CASE("only a field that is to be shown must be there") {
+    Display display;
+    display.field = std::string("none");
+    CHECK_NOTHROW(require_field(display, fields));
+    display.coloring = Coloring::field;
+    CHECK_THROWS_AS(require_field(display, fields), UsageError);
+    CHECK_THROWS_AS(require_field(display, {}), UsageError);
+    display.field = std::string("p");
+    CHECK_NOTHROW(require_field(display, fields));
+}

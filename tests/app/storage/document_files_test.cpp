@@ -1,0 +1,356 @@
+// Tests of the document's files, as far as they need no window: what is opened, saved and asked.
+#include "app/storage/document_files.h"
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include <doctest/doctest.h>
+
+#include "app/document/edit_commands.h"
+#include "app/environment.h"
+#include "app/sample_family.h"
+#include "hierarchy/adaptive_mesh.h"
+#include "io/family/family_file.h"
+#include "io/file/folder_lock.h"
+#include "io/hierarchy/hierarchy_file.h"
+#include "io/scratch_folder.h"
+
+using namespace interleaf;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The first root bisected, and what that takes.
+Hierarchy bisected_key(const RootComplex& roots, const std::vector<glm::vec3>& corners) {
+    std::vector<glm::vec3> positions = corners;
+    AdaptiveMesh mesh(roots, corners, [&](Index a, Index b, Index) {
+        positions.push_back(0.5F * (positions[a] + positions[b]));
+        return positions.back();
+    });
+    mesh.refine({{Index{0}}});
+    return mesh.freeze();
+}
+
+/// Whether \p condition is fulfilled within ten seconds.
+bool comes_true(const std::function<bool()>& condition) {
+    for (int i = 0; i < 1000; ++i) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+}
+
+/// Saves, and waits until that is done.
+void save(DocumentFiles& files) {
+    files.grant(FileWish::save);
+    REQUIRE(comes_true([&] {
+        files.look_after(0);
+        return !files.is_saving();
+    }));
+}
+
+void change(ViewerState& state) {
+    edit(
+        state, "Rename", [](const Family&) { return named("changed"); }, 0);
+}
+
+}  // namespace
+
+TEST_CASE("a document is saved where it was read from only if it is one family in a folder") {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "torus");
+    CHECK_FALSE(family_folder({folder / "torus"}));  // a folder of keys or meshes is no place of a family
+    put(folder / "torus" / "family.json", "{}");
+    CHECK(family_folder({folder / "torus"}) == folder / "torus");
+    CHECK(family_folder({folder / "torus" / ""}) == folder / "torus");
+    fs::create_directories(folder / "odd" / "family.json");
+    CHECK_FALSE(family_folder({folder / "odd"}));
+    put(folder / "odd" / "family.json" / "family.json", "{}");
+    CHECK(family_folder({folder / "odd" / "family.json"}) == folder / "odd" / "family.json");
+    CHECK(family_folder({folder / "torus" / "family.json"}) == folder / "torus");
+    CHECK_FALSE(family_folder({}));
+    CHECK_FALSE(family_folder({folder / "a.obj"}));
+    CHECK_FALSE(family_folder({folder / "a.ilh", folder / "b.ilh"}));
+    CHECK_FALSE(family_folder({folder / "torus", folder / "torus"}));
+    CHECK(family_folder({"family.json"}) == fs::current_path());
+}
+
+TEST_CASE("opening replaces a document without changes, and what the window shows of it stays") {
+    const ScratchFolder folder;
+    write_family(named("second"), folder / "second");
+    ViewerState state(named("first"));
+    state.session.display.wireframe = !state.session.display.wireframe;
+    state.help_shown = true;
+    const Display display = state.session.display;
+    DocumentFiles files(state, {}, true);
+    files.open({folder / "second"});
+    CHECK_FALSE(files.is_asking());
+    CHECK(state.document.family().name == "second");
+    CHECK(state.document.folder() == folder / "second");
+    CHECK_FALSE(state.document.is_changed());
+    CHECK(state.document.undo_step() == nullptr);
+    CHECK(state.session.display == display);
+    CHECK(state.help_shown);
+    CHECK(files.recent_files().front() == folder / "second");
+}
+
+TEST_CASE("a folder of keys is opened and added as if they had been chosen together, and read again") {
+    const ScratchFolder folder;
+    write_family(named("second"), folder / "second");
+    fs::remove(folder / "second" / "family.json");
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, true);
+    files.open({folder / "second"});
+    CHECK(state.message.empty());
+    CHECK(state.document.family().keys.size() == 5);
+    CHECK_FALSE(state.document.folder());
+    CHECK(files.recent_files().front() == folder / "second");
+    files.add_keys({folder / "second"}, 0);
+    CHECK(state.document.family().keys.size() == 10);
+    undo(state, 0);
+    files.grant(FileWish::reopen);
+    CHECK(state.document.family().keys.size() == 5);
+    CHECK(state.document.undo_step() == nullptr);
+}
+
+TEST_CASE("a folder of meshes is offered to be fitted") {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "meshes");
+    for (const char* name : {"meshes/m2.off", "meshes/m10.off", "meshes/note.txt"})
+        put(folder / name, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, true);
+    files.open({folder / "meshes"});
+    REQUIRE(files.fitting().offered() != nullptr);
+    CHECK(files.fitting().offered()->choices().turns.size() == 2);
+    CHECK(state.document.family().name == "first");
+}
+
+TEST_CASE("before changes are lost by opening, reading again or quitting, it asks, and nothing happens yet") {
+    const ScratchFolder folder;
+    write_family(named("second"), folder / "second");
+    for (const FileWish wish : {FileWish::open, FileWish::reopen, FileWish::quit, FileWish::none}) {
+        ViewerState state(named("first"));
+        DocumentFiles files(state, {}, true);
+        change(state);
+        if (wish == FileWish::none) {
+            files.open({folder / "second"});
+        } else {
+            files.grant(wish);
+        }
+        CHECK(files.is_asking());
+        CHECK(state.document.family().name == "changed");
+        CHECK(state.document.is_changed());
+        CHECK_FALSE(state.quit_wanted);
+    }
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, true);
+    files.grant(FileWish::quit);
+    CHECK_FALSE(files.is_asking());
+    CHECK(state.quit_wanted);
+}
+
+TEST_CASE("a document with a folder is saved there at once, one without asks where") {
+    const ScratchFolder folder;
+    ViewerState state(named("first"), folder / "first");
+    DocumentFiles files(state, {}, true);
+    change(state);
+    save(files);
+    CHECK_FALSE(files.is_asking());
+    CHECK(state.message.empty());
+    CHECK_FALSE(state.document.is_changed());
+    CHECK(read_family(folder / "first").name == "changed");
+    undo(state, 0);
+    CHECK(state.document.is_changed());
+
+    ViewerState homeless(named("first"));
+    DocumentFiles its_files(homeless, {}, true);
+    its_files.grant(FileWish::save);
+    CHECK(its_files.is_asking());
+}
+
+TEST_CASE("where it cannot be saved the document stays changed, and it says so") {
+    const ScratchFolder folder;
+    put(folder / "file", "in the way");
+    ViewerState state(named("first"), folder / "file");
+    DocumentFiles files(state, {}, true);
+    change(state);
+    save(files);
+    CHECK_FALSE(state.message.empty());
+    CHECK(state.document.is_changed());
+    CHECK(content(folder / "file") == "in the way");
+}
+
+TEST_CASE("while it is saved the document can be edited, and what was edited meanwhile is not saved") {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "first");
+    ViewerState state(named("first"), folder / "first");
+    DocumentFiles files(state, {}, true);
+    change(state);
+    std::optional<FolderLock> other(folder / "first");  // holds the save up
+    files.grant(FileWish::save);
+    CHECK(files.is_saving());
+    CHECK_FALSE(files.is_asking());
+    files.look_after(10);
+    CHECK(state.document.is_changed());
+    edit(
+        state, "Rename", [](const Family&) { return named("changed again"); }, 0);
+    CHECK_FALSE(fs::exists(folder / "first" / "family.json"));
+    other.reset();
+    REQUIRE(comes_true([&] {
+        files.look_after(0);
+        return !files.is_saving();
+    }));
+    CHECK(state.message.empty());
+    CHECK(read_family(folder / "first").name == "changed");
+    CHECK(state.document.is_changed());
+    undo(state, 0);
+    CHECK_FALSE(state.document.is_changed());
+    redo(state, 0);
+
+    // Leaving waits for it.
+    files.grant(FileWish::save);
+    files.grant(FileWish::quit);
+    CHECK_FALSE(files.is_saving());
+    CHECK_FALSE(files.is_asking());
+    CHECK(state.quit_wanted);
+    CHECK(read_family(folder / "first").name == "changed again");
+}
+
+TEST_CASE("what cannot be opened or added leaves the document as it is, and it says why") {
+    const ScratchFolder folder;
+    put(folder / "bad.ilh", "not a hierarchy");
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, true);
+    const auto before = state.document.snapshot();
+    for (const fs::path& file : {folder / "bad.ilh", folder / "none.ilh"}) {
+        CAPTURE(file.string());
+        files.open({file});
+        CHECK(state.message.text.find(file.filename().string()) != std::string::npos);
+        state.message.clear();
+        files.add_keys({file}, 0);
+        CHECK(state.message.text.find(file.filename().string()) != std::string::npos);
+        state.message.clear();
+        CHECK(state.document.snapshot() == before);
+        CHECK(files.recent_files().empty());
+    }
+}
+
+TEST_CASE("what goes wrong with the settings while another document is opened is still said") {
+    const ScratchFolder folder;
+    put(folder / "config", "in the way");
+    const EnvironmentChange config("XDG_CONFIG_HOME", (folder / "config").string());
+    const EnvironmentChange own("XDG_STATE_HOME", (folder / "state").string());
+    write_family(named("second"), folder / "second");
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, false);
+    CHECK(state.message.empty());
+    files.open({folder / "second"});
+    CHECK(state.document.family().name == "second");
+    CHECK(state.message.text.find((folder / "config").string()) != std::string::npos);
+}
+
+TEST_CASE("that an autosave cannot be removed is said, also when another document is opened meanwhile") {
+    const ScratchFolder folder;
+    const EnvironmentChange config("XDG_CONFIG_HOME", (folder / "config").string());
+    const EnvironmentChange own("XDG_STATE_HOME", (folder / "state").string());
+    write_family(named("second"), folder / "second");
+    ViewerState state(named("first"), folder / "first");
+    DocumentFiles files(state, {}, false);
+    change(state);
+    files.look_after(1);
+    files.look_after(3);
+    const fs::path all = folder / "state" / "interleaf" / "recovery";
+    fs::path autosave;
+    REQUIRE(comes_true([&] {
+        if (!fs::exists(all) || fs::is_empty(all)) return false;
+        autosave = fs::directory_iterator(all)->path();
+        return fs::exists(autosave / "recovery.json");
+    }));
+    fs::remove(autosave / "family" / "family.json");
+    fs::create_directories(autosave / "family" / "family.json" / "in the way");
+    files.grant(FileWish::save);
+    files.open({folder / "second"});
+    CHECK(state.document.family().name == "second");
+    double now = 4;
+    CHECK(comes_true([&] {
+        files.look_after(++now);
+        return state.message.text.find(autosave.string()) != std::string::npos;
+    }));
+}
+
+TEST_CASE("keys that do not match are kept with the message, and go with it") {
+    const ScratchFolder folder;
+    const RootComplex roots(4, {{0, 1, 2}, {2, 1, 3}});
+    const RootComplex turned(4, {{1, 2, 0}, {2, 1, 3}});
+    const std::vector<glm::vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    write_hierarchy(bisected_key(roots, corners), folder / "a.ilh");
+    write_hierarchy(bisected_key(turned, corners), folder / "b.ilh");
+
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, true);
+    const auto before = state.document.snapshot();
+    files.open({folder / "a.ilh", folder / "b.ilh"});
+    REQUIRE(state.message.mismatch);
+    CHECK(state.message.text.find("refinement edge") != std::string::npos);
+    CHECK(state.message.mismatch->key.name == "b");
+    CHECK(state.message.mismatch->reference.name == "a");
+    CHECK(state.message.mismatch->mismatch.root == 0);
+    CHECK(state.document.snapshot() == before);
+    files.open({folder / "none.ilh"});
+    CHECK_FALSE(state.message.empty());
+    CHECK(state.message.mismatch == nullptr);
+
+    // Added, they do not match those of the document, either.
+    files.add_keys({folder / "a.ilh"}, 0);
+    REQUIRE(state.message.mismatch);
+    CHECK(state.message.mismatch->key.name == "a 2");
+    CHECK(state.message.mismatch->mismatch.kind == RootMismatch::Kind::counts);
+    CHECK(state.document.snapshot() == before);
+    state.message.clear();
+    CHECK(state.message.mismatch == nullptr);
+}
+
+TEST_CASE("keys of a family are added to the document as a step of it") {
+    const ScratchFolder folder;
+    write_family(named("second"), folder / "second");
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, true);
+    files.add_keys({folder / "second"}, 0);
+    CHECK(state.message.empty());
+    CHECK(state.document.family().keys.size() == 10);
+    CHECK(state.document.family().name == "first");
+    CHECK(state.document.family().timeline == sample_family().timeline);
+    REQUIRE(state.document.undo_step());
+    CHECK(*state.document.undo_step() == "Add 5 keys");
+}
+
+TEST_CASE(
+    "a file changed by others is reported once, in a while, and read again on demand; own saving is not") {
+    const ScratchFolder folder;
+    write_family(named("first"), folder / "first");
+    ViewerState state(read_family(folder / "first"), folder / "first");
+    DocumentFiles files(state, {folder / "first"}, true);
+    change(state);
+    save(files);
+    files.look_after(10);
+    CHECK(state.message.empty());
+
+    write_family(named("other"), folder / "first");
+    const fs::path file = folder / "first" / "family.json";
+    fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(5));
+    files.look_after(11);
+    CHECK(state.message.empty());
+    files.look_after(13);
+    CHECK(state.message.text.find(file.string()) != std::string::npos);
+    state.message.clear();
+    files.look_after(20);
+    CHECK(state.message.empty());
+    files.grant(FileWish::reopen);
+    CHECK(state.document.family().name == "other");
+    CHECK(state.document.folder() == folder / "first");
+    CHECK_FALSE(state.document.is_changed());
+}

@@ -1,0 +1,116 @@
+// Smoothing: what it must keep of a sampled surface, and that it makes leaves better.
+#include "fit/sampling/leaf_smoothing.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+#include "fit/fit_quality.h"
+#include "fit/mesh/surface_distance.h"
+#include "fit/star_shapes.h"
+#include "hierarchy/checker.h"
+
+using namespace interleaf;
+using namespace interleaf::testing;
+
+namespace {
+
+/// A sampled surface before and after.
+struct Smoothed {
+    MappedMesh mapped;
+    SphereRoots roots = project_to_sphere(cube());
+    MappedSurface located{mapped.mesh, mapped.points};
+    SampledSurface before;
+    SampledSurface after;
+
+    Smoothed(MappedMesh mesh, Index leaves) : mapped(std::move(mesh)) {
+        before = sample_surface(located, roots, {.leaves = leaves}, {});
+        after = before;
+        smooth_leaves(located, roots.complex.vertex_count(), after, {});
+    }
+    Smoothed(const Smoothed&) = delete;  // located refers to mapped
+    Smoothed& operator=(const Smoothed&) = delete;
+    ~Smoothed() = default;
+
+    FitQuality quality(const SampledSurface& surface) const { return measure_quality(located, surface, {}); }
+};
+
+std::vector<MappedMesh> meshes_to_smooth() {
+    return {bumpy_ellipsoid(4), ball_with_spike(4), six_arms(4)};
+}
+
+double farthest_vertex(const SurfaceMesh& mesh, const SampledSurface& surface) {
+    std::vector<Triangle> triangles;
+    for (const Leaf& leaf : surface.leaves) triangles.push_back(leaf.vertices);
+    const std::vector<glm::dvec3> positions(surface.positions.begin(), surface.positions.end());
+    const SurfaceDistance distance(triangles, positions);
+    Index nearest = no_index;
+    double farthest = 0;
+    for (const glm::dvec3& position : mesh.positions)
+        farthest = std::max(farthest, distance(position, nearest));
+    return farthest;
+}
+
+}  // namespace
+
+TEST_CASE("smoothing makes no measure of a key worse") {
+    for (MappedMesh& mesh : meshes_to_smooth())
+        for (const Index leaves : {500U, 3000U}) {
+            const Smoothed smoothed(mesh, leaves);
+            CAPTURE(mesh.points.size());
+            CAPTURE(leaves);
+            const FitQuality before = smoothed.quality(smoothed.before);
+            const FitQuality after = smoothed.quality(smoothed.after);
+            CHECK(after.least_angle >= before.least_angle - 1e-3);
+            CHECK(after.flipped_leaves <= before.flipped_leaves);
+            CHECK(after.hausdorff <= 1.02 * before.hausdorff);
+            CHECK(after.euler == 2);
+            CHECK(farthest_vertex(smoothed.mapped.mesh, smoothed.after) <=
+                  farthest_vertex(smoothed.mapped.mesh, smoothed.before) + 1e-9);
+        }
+}
+
+TEST_CASE("smoothing makes the least angle of a body with arms larger") {
+    const Smoothed smoothed(six_arms(5), 3000);
+    const FitQuality before = smoothed.quality(smoothed.before);
+    REQUIRE(before.least_angle < 15);
+    CHECK(smoothed.quality(smoothed.after).least_angle > before.least_angle + 1);
+}
+
+TEST_CASE(
+    "smoothed leaves stay one to one with their parts of the sphere, and their vertices on the surface") {
+    for (MappedMesh& mesh : meshes_to_smooth()) {
+        const Smoothed smoothed(std::move(mesh), 3000);
+        const SampledSurface& surface = smoothed.after;
+        const auto& points = surface.sphere_points;
+        for (const auto& [vertices, level] : surface.leaves)
+            CHECK(side_of_arc(points[vertices[0]], points[vertices[1]], points[vertices[2]]) > 0);
+        const SurfaceDistance distance(smoothed.mapped.mesh.triangles, smoothed.mapped.mesh.positions);
+        Index nearest = no_index;
+        for (const glm::vec3& position : surface.positions) CHECK(distance(position, nearest) < 1e-6);
+        CHECK(
+            check(hierarchy_from_leaves(smoothed.roots.complex, surface.leaves, surface.positions)).empty());
+    }
+}
+
+TEST_CASE("smoothing leaves root vertices where they are, and does the same each time") {
+    const Smoothed first(ball_with_spike(4), 3000);
+    const Smoothed again(ball_with_spike(4), 3000);
+    const std::size_t roots = first.roots.complex.vertex_count();
+    CHECK(std::memcmp(first.before.positions.data(), first.after.positions.data(),
+                      roots * sizeof(glm::vec3)) == 0);
+    const std::size_t bytes = first.after.positions.size() * sizeof(glm::vec3);
+    CHECK(std::memcmp(first.before.positions.data(), first.after.positions.data(), bytes) != 0);
+    REQUIRE(first.after.positions.size() == again.after.positions.size());
+    CHECK(std::memcmp(first.after.positions.data(), again.after.positions.data(), bytes) == 0);
+}
+
+TEST_CASE("a surface without bad leaves is left as it is") {
+    const Smoothed smoothed(unit_sphere_mesh(4), 3000);
+    const std::size_t bytes = smoothed.before.positions.size() * sizeof(glm::vec3);
+    CHECK(std::memcmp(smoothed.before.positions.data(), smoothed.after.positions.data(), bytes) == 0);
+}

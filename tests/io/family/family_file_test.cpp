@@ -1,0 +1,343 @@
+#include "io/family/family_file.h"
+
+#include <algorithm>
+
+#include "messages.h"
+#include <doctest/doctest.h>
+
+#include "io/hierarchy/hierarchy_file.h"
+#include "io/mesh/mesh_file.h"
+#include "io/samples.h"
+#include "io/scratch_folder.h"
+
+namespace interleaf {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void check_same(const Family& a, const Family& b) {
+    CHECK(a.name == b.name);
+    REQUIRE(a.keys.size() == b.keys.size());
+    for (std::size_t i = 0; i < a.keys.size(); ++i) {
+        CAPTURE(i);
+        CHECK(a.keys[i].name == b.keys[i].name);
+        CHECK(is_same(*a.keys[i].hierarchy, *b.keys[i].hierarchy));
+    }
+    CHECK(a.timeline == b.timeline);
+    CHECK(a.domain == b.domain);
+    CHECK(a.origin == b.origin);
+}
+
+/// A family file in \p folder beside the keys a.ilh, b.ilh of one root complex, and other.ilh of another.
+class KeyFolder {
+  public:
+    KeyFolder() {
+        std::mt19937 random(1);
+        write_hierarchy(random_hierarchy(random, false, 3), folder_ / "a.ilh");
+        write_hierarchy(random_hierarchy(random, false, 9), folder_ / "b.ilh");
+        write_hierarchy(random_hierarchy(random, true, 0), folder_ / "other.ilh");
+    }
+    fs::path operator/(std::string_view name) const { return folder_ / name; }
+    std::string error_of(std::string_view json) const {
+        put(folder_ / "family.json", json);
+        return input_error_of([&] { read_family(folder_ / "family.json"); });
+    }
+    Family family(std::string_view json) const {
+        put(folder_ / "family.json", json);
+        return read_family(folder_.path());
+    }
+
+  private:
+    ScratchFolder folder_;
+};
+
+/// A family file with the given list of keys and further members.
+std::string with_keys(std::string_view keys, std::string_view members = "") {
+    return std::string(R"({"format": "interleaf-family", "version": 1, "name": "f", "keys": )")
+        .append(keys)
+        .append(members)
+        .append("}");
+}
+
+std::string with_file(std::string_view file) {
+    return with_keys(std::string(R"([{"name": "a", "file": ")").append(file).append("\"}]"));
+}
+
+std::string with_members(std::string_view members) {
+    return with_keys(R"([{"name": "a", "file": "a.ilh"}, {"name": "b", "file": "b.ilh"}])",
+                     std::string(", ").append(members));
+}
+
+std::string with_origin(std::string_view origin) {
+    std::string json = with_members(std::string(R"("origin": )").append(origin));
+    json.replace(json.find("1,"), 1, "2");
+    return json;
+}
+
+std::string with_timeline(std::string_view keys) {
+    return with_members(
+        std::string(R"("timeline": {"interpolation": "linear", "keys": )").append(keys).append("}"));
+}
+
+std::string with_domain(std::string_view triangles) {
+    return with_members(
+        std::string(R"("domain": {"vertices": [{"at": [0, 0], "key": "a"}, )"
+                    R"({"at": [1, 0], "key": "b"}, {"at": [0, 1], "key": "a"}], "triangles": )")
+            .append(triangles)
+            .append("}"));
+}
+
+}  // namespace
+
+TEST_CASE("a family file holds what was written") {
+    for (unsigned seed = 0; seed < 10; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        const ScratchFolder folder;
+        Family family = sample_family(random);
+        if (seed % 2 == 1) family.timeline.reset();
+        if (seed % 3 == 1) family.domain.reset();
+        if (seed % 4 > 1) family.origin = {static_cast<double>(random() % 10'000'000), -0.5, 1e300};
+        write_family(family, folder / "new/fämily");
+        check_same(read_family(folder / "new/fämily"), family);
+        check_same(read_family(folder / "new/fämily/family.json"), family);
+    }
+}
+
+TEST_CASE("a family has an origin from version 2 on, which is written where it is not 0") {
+    std::mt19937 random(1);
+    const ScratchFolder folder;
+    Family family = sample_family(random);
+    write_family(family, folder / "f");
+    CHECK(contains(content(folder / "f/family.json"), "\"version\": 1,"));
+    CHECK_FALSE(contains(content(folder / "f/family.json"), "origin"));
+    family.origin = {500'000, 5'400'000, -0.25};
+    write_family(family, folder / "f");
+    CHECK(contains(content(folder / "f/family.json"), "\"version\": 2,"));
+    CHECK(contains(content(folder / "f/family.json"), "\"origin\": [500000.0,5400000.0,-0.25]"));
+
+    const KeyFolder keys;
+    CHECK(keys.family(with_origin("[1, -2.5, 3e6]")).origin == glm::dvec3(1, -2.5, 3e6));
+    CHECK(keys.family(with_members(R"("origin": [1, 2, 3])")).origin == glm::dvec3(0));
+}
+
+TEST_CASE("key files are called by their keys and nothing is written outside the folder") {
+    std::mt19937 random(1);
+    const ScratchFolder folder;
+    write_family(sample_family(random), folder / "f");
+    CHECK(folder.entry_count() == 1);
+    CHECK(fs::exists(folder / "f/Würfel.ilh"));
+    CHECK(fs::exists(folder / "f/---a-b.ilh"));
+    CHECK(fs::exists(folder / "f/..-a-b.ilh") == false);
+
+    Family long_names;
+    long_names.keys.push_back(
+        {std::string(99, 'x') + "ä" + std::string(300, 'y'), random_hierarchy(random, false, 0)});
+    long_names.keys.push_back(
+        {std::string(99, 'x') + "ö" + std::string(300, 'y'), random_hierarchy(random, false, 1)});
+    write_family(long_names, folder / "long");
+    CHECK(fs::exists(folder / ("long/" + std::string(99, 'x') + ".ilh")));
+    CHECK(fs::exists(folder / ("long/" + std::string(99, 'x') + "-2.ilh")));
+    check_same(read_family(folder / "long"), long_names);
+}
+
+TEST_CASE("writing over a family leaves only the new one's files and those of others") {
+    std::mt19937 random(2);
+    const ScratchFolder folder;
+    Family family = sample_family(random);
+    write_family(family, folder.path());
+    put(folder / "notes.ilh", "not ours");
+    const std::size_t count = folder.entry_count();
+
+    write_family(family, folder.path());
+    CHECK(folder.entry_count() == count);
+    CHECK(fs::exists(folder / "Würfel.ilh"));
+
+    family.keys[0].hierarchy = random_hierarchy(random, false, 30);
+    write_family(family, folder.path());
+    CHECK(folder.entry_count() == count);
+    CHECK(fs::exists(folder / "Würfel-2.ilh"));
+    CHECK_FALSE(fs::exists(folder / "Würfel.ilh"));
+    check_same(read_family(folder.path()), family);
+    CHECK(content(folder / "notes.ilh") == "not ours");
+}
+
+TEST_CASE("an old family stays readable when the new one cannot be completed") {
+    std::mt19937 random(3);
+    const ScratchFolder folder;
+    const Family old_family = sample_family(random);
+    write_family(old_family, folder / "f");
+    // A folder in the place where family.json is renamed to makes the last step fail.
+    fs::rename(folder / "f/family.json", folder / "f/saved.json");
+    fs::create_directory(folder / "f/family.json");
+    Family new_family = old_family;
+    new_family.keys[0].hierarchy = random_hierarchy(random, false, 30);
+    CHECK(contains(machine_error_of([&] { write_family(new_family, folder / "f"); }), "Is a directory"));
+    check_same(read_family(folder / "f/saved.json"), old_family);
+}
+
+TEST_CASE("a family that could not be read again is not written") {
+    std::mt19937 random(4);
+    const ScratchFolder folder;
+    const auto error_with = [&](auto&& change) {
+        Family family = sample_family(random);
+        change(family);
+        return input_error_of([&] { write_family(family, folder / "f"); });
+    };
+    CHECK(contains(error_with([](Family& f) { f.keys[0].name = "\xff"; }), "the name of key 0 is not UTF-8"));
+    CHECK(contains(error_with([](Family& f) { f.keys[1].name = "a\nb"; }), "the name of key 1"));
+    CHECK(contains(error_with([](Family& f) { f.name = "\x1b[2J"; }), "the family's name"));
+    CHECK(contains(error_with([](Family& f) { f.keys[1].name = f.keys[0].name; }), "Würfel"));
+    CHECK(contains(error_with([](Family& f) { f.keys.clear(); }), "at least one"));
+    CHECK_FALSE(fs::exists(folder / "f"));
+}
+
+TEST_CASE("a single key or mesh is a family of one") {
+    std::mt19937 random(5);
+    const ScratchFolder folder;
+    const Hierarchy hierarchy = random_hierarchy(random, true, 12);
+    write_hierarchy(hierarchy, folder / "Kugel ü.ilh");
+    const Family one = read_family(folder / "Kugel ü.ilh");
+    CHECK(one.keys.size() == 1);
+    CHECK(one.name == "Kugel ü");
+    CHECK(one.keys[0].name == "Kugel ü");
+    CHECK(is_same(*one.keys[0].hierarchy, hierarchy));
+    CHECK_FALSE(one.timeline.has_value());
+    CHECK_FALSE(one.domain.has_value());
+
+    const std::vector<Triangle> triangle{{2, 0, 1}};
+    const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    put(folder / "mesh.OBJ", obj_text(triangle, positions));
+    CHECK(std::ranges::equal(read_family(folder / "mesh.OBJ").keys[0].hierarchy->positions, positions));
+
+    put(folder / "key.stl", "");
+    CHECK(contains(input_error_of([&] { read_family(folder / "key.stl"); }), "ends in .json, .ilh or .obj"));
+    CHECK(contains(input_error_of([&] { read_family(folder.path()); }), "is a folder without family.json"));
+}
+
+TEST_CASE("unknown members are passed over, timeline and domain may be missing") {
+    const KeyFolder folder;
+    const Family family = folder.family(with_members(R"("note": {"by": "us"})"));
+    CHECK(family.keys.size() == 2);
+    CHECK_FALSE(family.timeline.has_value());
+    CHECK_FALSE(family.domain.has_value());
+    CHECK(folder.family(with_timeline(R"([{"time": 0, "key": "b"}])")).timeline->keys()[0].key == 1);
+    CHECK(folder.family(with_domain("[[0, 1, 2]]")).domain->vertices()[1].key == 1);
+}
+
+TEST_CASE("a hostile family file is refused with its place and what was expected") {
+    struct Case {
+        std::string json;
+        std::string_view expected;
+    };
+    std::string too_many = "[[0, 1, 2]";
+    for (int i = 0; i < 4096; ++i) too_many += ", [0, 1, 2]";
+    const std::vector<Case> cases{
+        {"", "family.json: parse error at line 1, column 1"},
+        {"{\n  \"format\": oops}", "family.json: parse error at line 2, column 1"},
+        {std::string(200'000, '['), "family.json: parse error"},
+        {R"({"format": 1e999})", "family.json: line 1: number overflow"},
+        {"{\"format\": \"\xff\"}", "family.json: parse error"},
+        {"[]", "family.json: document: is an array, expected an object"},
+        {"{}", "family.json: document: has no \"format\""},
+        {R"({"format": "other"})", R"(format: is "other", expected "interleaf-family")"},
+        {R"({"format": "interleaf-family"})", "has no \"version\""},
+        {R"({"format": "interleaf-family", "version": 3})", "version: is 3, expected 1 or 2"},
+        {R"({"format": "interleaf-family", "version": 1.5})", "version: is 1.5, expected 1 or 2"},
+        {R"({"format": "interleaf-family", "version": "1"})", "version: is \"1\", expected a number"},
+        {R"({"format": "interleaf-family", "version": 1, "keys": []})", "has no \"name\""},
+        {R"({"format": "interleaf-family", "version": 1, "name": "\u001b[2J", "keys": []})",
+         R"(name: is "\u001b[2J", expected a name without control characters)"},
+        {R"({"format": "interleaf-family", "version": 1, "name": "a\u009b2J", "keys": []})",
+         R"(name: is "a\u009b2J", expected a name without control characters)"},
+        {with_keys("{}"), "keys: is an object, expected an array"},
+        {with_keys("[]"), "keys: the family has no key"},
+        {with_keys("[7]"), "keys[0]: is 7, expected an object"},
+        {with_keys(R"([{"name": "a"}])"), "keys[0]: has no \"file\""},
+        {with_keys(R"([{"name": "", "file": "a.ilh"}])"),
+         "keys[0].name: is \"\", expected a name that is not empty"},
+        {with_keys(R"([{"name": "a", "file": "a.ilh"}, {"name": "a", "file": "b.ilh"}])"),
+         "keys[1].name: is \"a\", as keys[0]"},
+        {with_keys(R"([{"name": "a", "file": "a.ilh"}, {"name": "b", "file": "./a.ilh"}])"),
+         "keys[1].file: is the file of keys[0], too"},
+        {with_keys(R"([{"name": "a", "file": "a.ilh"}, {"name": "o", "file": "other.ilh"}])"),
+         "family.json: keys[1]: key o: 7 root triangles, 6 root vertices, 3 boundary edges, 1 component, "
+         "expected 8 root triangles, 6 root vertices, 0 boundary edges, 1 component as key a has"},
+        {with_file("missing.ilh"), "keys[0].file: is \"missing.ilh\": No such file"},
+        {with_file("family.json"), "family.json: signature: is not that of a hierarchy file"},
+        {with_file(""), "keys[0].file: is \"\", expected a path relative to the family's folder"},
+        {with_file("/etc/passwd"), "keys[0].file: is \"/etc/passwd\", expected a path relative"},
+        {with_file("../a.ilh"), "keys[0].file: is \"../a.ilh\", expected a path relative"},
+        {with_file("x/../a.ilh"), "expected a path relative"},
+        {with_file("a.ilh\\u0000.txt"), "expected a path relative"},
+        {with_file("."), "is a folder, expected a file"},
+        {with_origin("7"), "origin: is 7, expected an array"},
+        {with_origin("[1, 2]"), "origin: is an array, expected three numbers"},
+        {with_origin("[1, 2, 3, 4]"), "origin: is an array, expected three numbers"},
+        {with_origin("[1, 2, null]"), "origin[2]: is null, expected a number"},
+        {with_origin("[1, 2, 1e999]"), "1e999"},
+        {with_members(R"("timeline": [])"), "timeline: is an array, expected an object"},
+        {with_members(R"("timeline": null)"), "timeline: is null, expected an object"},
+        {with_members(R"("timeline": {"keys": []})"), "timeline: has no \"interpolation\""},
+        {with_members(R"("timeline": {"interpolation": "cubic", "keys": []})"),
+         R"(timeline.interpolation: is "cubic", expected "linear")"},
+        {with_timeline("[]"), "family.json: timeline: "},
+        {with_timeline(R"([{"key": "a"}])"), "timeline.keys[0]: has no \"time\""},
+        {with_timeline(R"([{"time": "0", "key": "a"}])"),
+         "timeline.keys[0].time: is \"0\", expected a number"},
+        {with_timeline(R"([{"time": 0, "key": "a"}, {"time": 1, "key": "c"}])"),
+         "timeline.keys[1].key: is \"c\", expected the name of a key"},
+        {with_timeline(R"([{"time": 0, "key": 0}])"), "timeline.keys[0].key: is 0, expected a text"},
+        {with_timeline(R"([{"time": 1, "key": "a"}, {"time": 1, "key": "b"}])"), "family.json: timeline: "},
+        {with_members(R"("domain": {"vertices": [], "triangles": []})"), "domain.triangles: 0 triangles"},
+        {with_members(R"("domain": {"vertices": [{"at": [0], "key": "a"}], "triangles": []})"),
+         "domain.vertices[0].at: is an array, expected two numbers"},
+        {with_members(R"("domain": {"vertices": [{"at": [0, 0], "key": "z"}], "triangles": []})"),
+         "domain.vertices[0].key: is \"z\", expected the name of a key"},
+        {with_domain("[[0, 1]]"), "domain.triangles[0]: is an array, expected three vertices"},
+        {with_domain("[[0, 1, 3]]"), "domain.triangles[0][2]: is 3, expected a whole number from 0, below 3"},
+        {with_domain("[[0, 1, -1]]"), "domain.triangles[0][2]: is -1, expected"},
+        {with_domain("[[0, 1, 4294967297]]"), "domain.triangles[0][2]: is 4294967297, expected"},
+        {with_domain("[[0, 1, 2.0]]"), "domain.triangles[0][2]: is 2.0, expected a whole number"},
+        {with_domain("[[0, 1, 1]]"), "family.json: domain: "},
+        {with_domain("[[0, 1, 2], [1, 2, 0]]"), "family.json: domain: "},
+        {with_domain(too_many + "]"), "domain.triangles: 4097 triangles, expected 1 to 4096"},
+    };
+    const KeyFolder folder;
+    for (const Case& hostile : cases) {
+        const std::string error = folder.error_of(hostile.json);
+        INFO("expected: ", hostile.expected, "   got: ", error);
+        CHECK(contains(error, hostile.expected));
+        CHECK_FALSE(contains(error, "\x1b"));
+    }
+}
+
+TEST_CASE("a link may lead to a key inside the family's folder and nowhere else") {
+    const KeyFolder folder;
+    fs::create_directory(folder / "family-other");
+    fs::rename(folder / "other.ilh", folder / "family-other/o.ilh");
+    fs::create_directory(folder / "family");
+    fs::rename(folder / "a.ilh", folder / "family/a.ilh");
+    put(folder / "family/family.json", with_file("link.ilh"));
+    const auto error = [&] { return input_error_of([&] { read_family(folder / "family"); }); };
+
+    fs::create_symlink("a.ilh", folder / "family/link.ilh");
+    CHECK(error().empty());
+    fs::remove(folder / "family/link.ilh");
+    fs::create_symlink("../b.ilh", folder / "family/link.ilh");
+    CHECK(contains(error(), "keys[0].file: is \"link.ilh\", a link out of the family's folder"));
+
+    // A folder whose name begins as the family's does is outside, too.
+    put(folder / "family/family.json", with_file("up/o.ilh"));
+    fs::create_directory_symlink("../family-other", folder / "family/up");
+    CHECK(contains(error(), "a link out of the family's folder"));
+}
+
+TEST_CASE("a family file beyond the limit is refused by its size") {
+    const KeyFolder folder;
+    CHECK(contains(folder.error_of(std::string((16 << 20) + 1, ' ')),
+                   "size: 16777217 bytes, expected at most 16777216"));
+}
+
+}  // namespace interleaf

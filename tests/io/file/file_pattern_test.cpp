@@ -1,0 +1,152 @@
+#include "io/file/file_pattern.h"
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "io/scratch_folder.h"
+
+namespace interleaf {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> names_of(const std::vector<fs::path>& files) {
+    std::vector<std::string> names;
+    for (const fs::path& file : files) names.push_back(file.filename().string());
+    return names;
+}
+
+/// Whether a pattern matches, by recursion over its first character.
+bool matches_literally(std::string_view name, std::string_view pattern) {
+    if (pattern.empty()) return name.empty();
+    if (pattern.front() == '*')
+        return matches_literally(name, pattern.substr(1)) ||
+               (!name.empty() && matches_literally(name.substr(1), pattern));
+    return !name.empty() && name.front() == pattern.front() &&
+           matches_literally(name.substr(1), pattern.substr(1));
+}
+
+}  // namespace
+
+TEST_CASE("numbers in names are ordered as numbers") {
+    const std::vector<std::string> ordered = {"",
+                                              "a",
+                                              "a0",
+                                              "a00",
+                                              "a1",
+                                              "a01",
+                                              "a2",
+                                              "a2b3",
+                                              "a2b10",
+                                              "a10",
+                                              "a10b",
+                                              "a99999999999999999999",
+                                              "a100000000000000000000",
+                                              "ab",
+                                              "b",
+                                              "flow.2.obj",
+                                              "flow.10.obj"};
+    for (std::size_t i = 0; i < ordered.size(); ++i)
+        for (std::size_t j = 0; j < ordered.size(); ++j) {
+            CAPTURE(ordered[i]);
+            CAPTURE(ordered[j]);
+            if (i == 4 || i == 5 || j == 4 || j == 5) continue;
+            CHECK(is_before_naturally(ordered[i], ordered[j]) == (i < j));
+        }
+    CHECK(is_before_naturally("a01", "a1"));
+    CHECK_FALSE(is_before_naturally("a1", "a01"));
+}
+
+TEST_CASE("the natural order is a strict order of all texts") {
+    std::mt19937 random(1);
+    const std::string letters = "01290a.-~";
+    const auto text = [&] {
+        std::string result;
+        for (auto n = random() % 5; n > 0; --n) result += letters[random() % letters.size()];
+        return result;
+    };
+    for (int n = 0; n < 20000; ++n) {
+        const std::string a = text(), b = text(), c = text();
+        CAPTURE(a);
+        CAPTURE(b);
+        CAPTURE(c);
+        REQUIRE(is_before_naturally(a, b) + is_before_naturally(b, a) == (a == b ? 0 : 1));
+        if (is_before_naturally(a, b) && is_before_naturally(b, c)) REQUIRE(is_before_naturally(a, c));
+    }
+}
+
+TEST_CASE("files that differ in numbers alone are a series") {
+    CHECK(is_numbered_series({"flow.2.obj", "flow.10.obj"}));
+    CHECK(is_numbered_series({"a/x9", "a/x10"}));
+    CHECK_FALSE(is_numbered_series({"star.ilh", "bone.ilh"}));
+    CHECK_FALSE(is_numbered_series({"flow.2.obj", "flow.b.obj"}));
+}
+
+TEST_CASE("a pattern stands for the files that match, in natural order") {
+    const ScratchFolder folder;
+    for (const char* name :
+         {"flow.10.obj", "flow.2.obj", "flow.1.obj", "flow.obj", ".flow.3.obj", "flow.3.OBJ"})
+        put(folder / name, "");
+    fs::create_directory(folder / "flow.4.obj");
+    CHECK(names_of(matching_files(folder / "flow.*.obj")) ==
+          std::vector<std::string>{"flow.1.obj", "flow.2.obj", "flow.10.obj"});
+    CHECK(names_of(matching_files(folder / "*1*.obj")) ==
+          std::vector<std::string>{"flow.1.obj", "flow.10.obj"});
+    CHECK(names_of(matching_files(folder / ".*")) == std::vector<std::string>{".flow.3.obj"});
+    CHECK(matching_files("missing.obj") == std::vector<fs::path>{"missing.obj"});
+    put(folder / "odd*.obj", "");
+    put(folder / "odd1.obj", "");
+    CHECK(names_of(matching_files(folder / "odd*.obj")) == std::vector<std::string>{"odd*.obj"});
+
+    const auto error = [](const fs::path& path) { return input_error_of([&] { matching_files(path); }); };
+    CHECK(error(folder / "no*.obj").ends_with("/no*.obj: no file matches"));
+    CHECK(error(folder / "missing/*.obj").ends_with("/missing: there is no such folder"));
+    CHECK(error(folder / "flow.1.obj/*").ends_with(": there is no such folder"));
+    CHECK(
+        error(folder / "m*/a.*.obj").ends_with("expected * in the name of files alone, not of their folder"));
+}
+
+TEST_CASE("what a pattern matches is what it says literally") {
+    std::mt19937 random(2);
+    const ScratchFolder folder;
+    std::vector<std::string> names;
+    for (int n = 0; n < 30; ++n) {
+        std::string name = "x";
+        for (auto length = random() % 5; length > 0; --length) name += "ab"[random() % 2];
+        put(folder / name, "");
+        names.push_back(name);
+    }
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    for (int n = 0; n < 300; ++n) {
+        std::string pattern = "x";
+        for (auto length = random() % 5; length > 0; --length) pattern += "ab*"[random() % 3];
+        if (pattern.find('*') == std::string::npos) continue;
+        CAPTURE(pattern);
+        std::vector<std::string> expected;
+        for (const std::string& name : names)
+            if (matches_literally(name, pattern)) expected.push_back(name);
+        std::vector<std::string> found;
+        if (expected.empty()) {
+            REQUIRE(input_error_of([&] { matching_files(folder / pattern); }) != "");
+        } else {
+            found = names_of(matching_files(folder / pattern));
+            std::ranges::sort(found);
+            REQUIRE(found == expected);
+        }
+    }
+}
+
+TEST_CASE("a pattern of many asterisks takes no time to speak of") {
+    const ScratchFolder folder;
+    put(folder / std::string(200, 'a'), "");
+    std::string pattern;
+    for (int n = 0; n < 100; ++n) pattern += "*a";
+    CHECK_FALSE(input_error_of([&] { matching_files(folder / (pattern + "b")); }).empty());
+}
+
+}  // namespace interleaf

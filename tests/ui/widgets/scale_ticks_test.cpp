@@ -1,0 +1,37 @@
+#include "ui/widgets/scale_ticks.h"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+using namespace interleaf;
+
+TEST_CASE("ticks are the multiples of a round number") {
+    CHECK(scale_ticks(-1, 1, 5) == std::vector<double>{-1, -0.5, 0, 0.5, 1});
+    CHECK(scale_ticks(0, 10, 6) == std::vector<double>{0, 2, 4, 6, 8, 10});
+    CHECK(scale_ticks(0, 10, 5) == std::vector<double>{0, 5, 10});
+    CHECK(scale_ticks(31, 39, 4) == std::vector<double>{32, 34, 36, 38});
+    CHECK(scale_ticks(1, 1, 5).empty());
+    CHECK(scale_ticks(2, 1, 5).empty());
+    CHECK(scale_ticks(0, 1, 0).empty());
+}
+
+TEST_CASE("ticks lie within, ascend, and are as many as asked for at most, at any scale") {
+    for (int exponent = -38; exponent <= 38; ++exponent)
+        for (const double begin : {-2.0, -0.3, 0.0, 0.7, 1000.0})
+            for (std::size_t most = 1; most < 8; ++most) {
+                CAPTURE(exponent);
+                CAPTURE(begin);
+                const double min = begin * std::pow(10.0, exponent);
+                const double max = (begin + 1.37) * std::pow(10.0, exponent);
+                const std::vector<double> ticks = scale_ticks(min, max, most);
+                CHECK(ticks.size() <= most);
+                if (most >= 5) CHECK(ticks.size() >= 2);
+                double before = min - 1e-9 * (max - min);
+                for (const double tick : ticks) {
+                    CHECK(tick >= before);
+                    before = tick;
+                }
+                CHECK(before <= max + 1e-9 * (max - min));
+            }
+}
