@@ -12,7 +12,7 @@ namespace {
 
 /// Vertices that may look for better places on a refined mesh, per leaf: on a body so long that most leaves
 /// stay needles, further rounds take their time and mend little.
-constexpr std::size_t tries_per_leaf = 1;
+constexpr double tries_per_leaf = 0.5;
 
 }  // namespace
 
@@ -36,9 +36,9 @@ std::span<const glm::dvec3> AlignedMap::rotated(const glm::dmat3& rotation) {
 
 void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& surface,
             const Progress& progress) {
-    smooth_leaves(
-        map.mapped, roots.complex.vertex_count(), surface, progress,
-        map.is_refined() ? tries_per_leaf * surface.leaves.size() : std::numeric_limits<std::size_t>::max());
+    smooth_leaves(map.mapped, roots.complex.vertex_count(), surface, progress,
+                  map.is_refined() ? static_cast<std::size_t>(tries_per_leaf * double(surface.leaves.size()))
+                                   : std::numeric_limits<std::size_t>::max());
 }
 
 FitQuality quality_of(const AlignedMap& map, const SampledSurface& surface, const Progress& progress) {

@@ -27,15 +27,19 @@ constexpr double needle_part = 0.3;
 /// A map needs no better one when less than this part of its leaves is to be smoothed.
 constexpr double few_faulty = 0.05;
 
-/// Where more than this part of its leaves is to be smoothed, smoothing takes seconds and mends little,
+/// Where more than this part of its leaves is to be smoothed, smoothing takes seconds and mends little.
 constexpr double many_faulty = 0.3;
 
-/// and where more than this part is, a map is bad.
+/// A map is bad where more than this part of its leaves is to be smoothed, or where more leaves are flipped
+/// than this multiple of those for which it would be refused.
 constexpr double most_faulty = 0.4;
+constexpr double most_flipped_part = 3;
 
 /// Equilateral triangles that the refined mesh is as fine as. A finer mesh makes better leaves, but on a long
 /// thin body its map may be the one that shrinks a limb: then a coarser one is tried.
 constexpr double fine_triangles = 2000;
+/// The same where needles have more than needle_part.
+constexpr double fine_triangles_of_needles = 3000;
 constexpr double coarse_triangles = 1000;
 
 /// A key is poor with a smaller least angle, in degrees, or more than this part of the flipped leaves for
@@ -44,15 +48,26 @@ constexpr double poor_angle = 5;
 constexpr double poor_flipped_part = 0.25;
 constexpr double farther_than_poor = 1.1;
 
+/// Before smoothing, a key is poor for sure with these.
+constexpr double hopeless_angle = 1;
+constexpr double hopeless_flipped_part = 1.5;
+
 /// A map that is tried.
 struct Candidate {
     std::unique_ptr<const AlignedMap> map;
     SampledSurface surface;  ///< of judged_leaves(), not smoothed
     std::size_t faulty = 0;  ///< leaves that are to be smoothed
+    FitQuality shapes{};     ///< of that surface, without distances
     MapMethod method = MapMethod::progressive;
 
     double faulty_part() const { return double(faulty) / double(surface.leaves.size()); }
-    bool is_bad() const { return faulty_part() > most_faulty; }
+    /// Of the flipped leaves for which it would be refused.
+    double flipped_part(const FitLimits& limits) const {
+        return double(shapes.flipped_leaves) / (limits.flipped_part * double(surface.leaves.size()));
+    }
+    bool is_bad(const FitLimits& limits) const {
+        return faulty_part() > most_faulty || flipped_part(limits) > most_flipped_part;
+    }
 };
 
 SampledSurface sampled(const AlignedMap& map, const SphereRoots& roots, const Progress& progress) {
@@ -89,8 +104,17 @@ Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, const MapChoi
     stopwatch.lap("alignment");
     made.surface = sampled(*made.map, options.roots, part_of(progress, 0.9, 1));
     made.faulty = count_faulty_leaves(made.map->mapped, made.surface);
+    made.shapes = measure_shapes(made.map->mapped, made.surface);
     stopwatch.lap("sampling");
     return made;
+}
+
+/// Of two maps, before smoothing.
+bool is_better(const Candidate& a, const Candidate& b, const FitLimits& limits) {
+    const double flipped = a.flipped_part(limits);
+    const double flipped_of_b = b.flipped_part(limits);
+    if (std::max(flipped, flipped_of_b) > most_flipped_part) return flipped < flipped_of_b;
+    return a.faulty < b.faulty;
 }
 
 bool is_no_worse(const FitQuality& a, const FitQuality& b, double farther = 1) {
@@ -113,11 +137,15 @@ bool is_to_take(const JudgedMap& refined, const JudgedMap& as_it_is, const FitLi
 /// Whether the same is sure before the key of the mesh as it is has been smoothed. Smoothing brings no key
 /// nearer to the surface. Where it mends little, the figures are as they will be; elsewhere no leaf may be
 /// left that it might mend.
-bool is_sure_to_take(const JudgedMap& refined, const Candidate& as_it_is, const Progress& progress) {
+bool is_sure_to_take(const JudgedMap& refined, const Candidate& as_it_is, const FitLimits& limits,
+                     const Progress& progress) {
+    const bool is_hopeless =
+        as_it_is.shapes.least_angle < hopeless_angle || as_it_is.flipped_part(limits) > hopeless_flipped_part;
     const bool is_mended_little = as_it_is.faulty_part() > many_faulty;
     const bool is_best = refined.quality.least_angle >= smoothed_angle && refined.quality.flipped_leaves == 0;
-    return (is_mended_little || is_best) &&
-           is_no_worse(refined.quality, quality_of(*as_it_is.map, as_it_is.surface, progress));
+    return (is_hopeless || is_mended_little || is_best) &&
+           is_no_worse(refined.quality, quality_of(*as_it_is.map, as_it_is.surface, progress),
+                       is_hopeless ? farther_than_poor : 1);
 }
 
 }  // namespace
@@ -154,28 +182,32 @@ JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
         }
     };
     std::optional<Candidate> as_it_is;
-    if (shapes.needles < needle_part) {
+    const bool has_needles = shapes.needles > needle_part;
+    if (!has_needles) {
         as_it_is = try_to_map({}, 0, 0.2);
         if (as_it_is && as_it_is->faulty_part() < few_faulty) return judged_in(*std::move(as_it_is), 0.8, 1);
     }
     std::optional<Candidate> refined;
     for (const auto& [triangles, begin, end] :
-         {std::array{fine_triangles, 0.2, 0.45}, std::array{coarse_triangles, 0.45, 0.6}}) {
+         {std::array{has_needles ? fine_triangles_of_needles : fine_triangles, 0.2, 0.45},
+          std::array{coarse_triangles, 0.45, 0.6}}) {
         ProgressMeter meter(progress);
         meter.enter("refining the mesh", begin);
         SurfaceMesh fine = refine(mesh, {.triangles = triangles}, meter);
         stopwatch.lap("refining");
         std::optional<Candidate> made = try_to_map(std::move(fine), begin, end);
-        if (made && (!refined || made->faulty < refined->faulty)) refined = std::move(made);
-        if (refined && !refined->is_bad()) break;
+        if (made && (!refined || is_better(*made, *refined, options.limits))) refined = std::move(made);
+        if (refined && !refined->is_bad(options.limits)) break;
     }
-    if (shapes.needles >= needle_part && (!refined || refined->is_bad())) as_it_is = try_to_map({}, 0.6, 0.7);
+    if (has_needles && (!refined || refined->is_bad(options.limits))) as_it_is = try_to_map({}, 0.6, 0.7);
     if (!as_it_is && !refined) throw InputError(fault);
     if (!as_it_is) return judged_in(*std::move(refined), 0.8, 1);
-    if (!refined || refined->faulty >= as_it_is->faulty) return judged_in(*std::move(as_it_is), 0.8, 1);
+    if (!refined || !is_better(*refined, *as_it_is, options.limits))
+        return judged_in(*std::move(as_it_is), 0.8, 1);
     JudgedMap judged_refined = judged_in(*std::move(refined), 0.7, 0.8);
-    if (as_it_is->is_bad()) return judged_refined;
-    const bool is_sure = is_sure_to_take(judged_refined, *as_it_is, part_of(progress, 0.8, 0.85));
+    if (as_it_is->is_bad(options.limits)) return judged_refined;
+    const bool is_sure =
+        is_sure_to_take(judged_refined, *as_it_is, options.limits, part_of(progress, 0.8, 0.85));
     stopwatch.lap("choosing the map");
     if (is_sure) return judged_refined;
     JudgedMap judged_as_it_is = judged_in(*std::move(as_it_is), 0.85, 1);

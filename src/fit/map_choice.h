@@ -1,7 +1,8 @@
 // Which map to the sphere a mesh is sampled by: its own, or that of a finer mesh of the same surface.
 //
 // Where much of the surface lies in large or long triangles, a refined mesh (surface_refinement.h) is mapped
-// too. Both keys are smoothed and measured, and the refined map is taken where no figure of its key is worse.
+// too. The refined map is taken where no figure of its key is worse. Where the other key is poor, or its map
+// so bad that smoothing takes seconds, the refined key may be a little farther from the surface.
 #pragma once
 
 #include <memory>
