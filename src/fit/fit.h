@@ -15,6 +15,7 @@
 #include "fit/progress.h"
 #include "fit/sphere_roots.h"
 #include "fit/spherical_map.h"
+#include "fit/stopwatch.h"
 #include "fit/surface_mesh.h"
 #include "hierarchy/hierarchy.h"
 
@@ -37,12 +38,6 @@ struct FitOptions {
 
     bool keep_largest = false;  ///< of several parts, however much of the area is lost
     bool fill_holes = false;    ///< however much area that adds
-};
-
-/// How long a stage took.
-struct StageTime {
-    std::string stage;
-    double seconds;
 };
 
 struct FitReport {
