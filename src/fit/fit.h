@@ -13,6 +13,7 @@
 #include "fit/clean_up/clean_up.h"
 #include "fit/fit_quality.h"
 #include "fit/mesh/progress.h"
+#include "fit/mesh/stopwatch.h"
 #include "fit/mesh/surface_mesh.h"
 #include "fit/sphere_map/sphere_roots.h"
 #include "fit/sphere_map/spherical_map.h"
@@ -37,12 +38,6 @@ struct FitOptions {
 
     bool keep_largest = false;  ///< of several parts, however much of the area is lost
     bool fill_holes = false;    ///< however much area that adds
-};
-
-/// How long a stage took.
-struct StageTime {
-    std::string stage;
-    double seconds;
 };
 
 struct FitReport {

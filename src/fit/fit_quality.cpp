@@ -70,6 +70,13 @@ Distances distances(const MeshView& from, const SurfaceDistance& distance, const
     return found;
 }
 
+std::vector<Triangle> triangles_of(const SampledSurface& surface) {
+    std::vector<Triangle> triangles;
+    triangles.reserve(surface.leaves.size());
+    for (const Leaf& leaf : surface.leaves) triangles.push_back(leaf.vertices);
+    return triangles;
+}
+
 }  // namespace
 
 double box_diagonal(const SurfaceMesh& mesh) {
@@ -85,6 +92,16 @@ double hausdorff_distance(const MeshView& a, const MeshView& b, const Progress& 
     return std::max(there.largest, back.largest);
 }
 
+FitQuality measure_shapes(const MappedSurface& mapped, const SampledSurface& surface) {
+    const std::vector<Triangle> triangles = triangles_of(surface);
+    FitQuality quality;
+    quality.least_angle = measure(triangles, surface.positions).min_angle;
+    quality.flipped_leaves = static_cast<std::size_t>(std::ranges::count_if(
+        triangles, [&](const Triangle& leaf) { return is_turned_over(leaf, surface, mapped); }));
+    quality.euler = euler_number(triangles);
+    return quality;
+}
+
 FitQuality measure_quality(const MappedSurface& mapped, const SampledSurface& surface,
                            const Progress& progress) {
     return measure_quality(mapped, mapped.mesh, surface, progress);
@@ -92,9 +109,7 @@ FitQuality measure_quality(const MappedSurface& mapped, const SampledSurface& su
 
 FitQuality measure_quality(const MappedSurface& mapped, const SurfaceMesh& original,
                            const SampledSurface& surface, const Progress& progress) {
-    std::vector<Triangle> triangles;
-    triangles.reserve(surface.leaves.size());
-    for (const Leaf& leaf : surface.leaves) triangles.push_back(leaf.vertices);
+    const std::vector<Triangle> triangles = triangles_of(surface);
     const std::vector<glm::dvec3> positions(surface.positions.begin(), surface.positions.end());
     const MeshView key{triangles, positions};
     const MeshView flat_original{original.triangles, original.positions};
@@ -106,13 +121,9 @@ FitQuality measure_quality(const MappedSurface& mapped, const SurfaceMesh& origi
     const Distances to_key = distances(flat_original, SurfaceDistance(triangles, positions), progress, 0);
     const Distances to_surface =
         distances(key, from_original ? *from_original : mapped.distance, progress, 0.5);
-    FitQuality quality;
+    FitQuality quality = measure_shapes(mapped, surface);
     quality.hausdorff = std::max(to_key.largest, to_surface.largest) / diagonal;
     quality.root_mean_square = std::sqrt((to_key.mean_square + to_surface.mean_square) / 2) / diagonal;
-    quality.least_angle = measure(triangles, surface.positions).min_angle;
-    quality.flipped_leaves = static_cast<std::size_t>(std::ranges::count_if(
-        triangles, [&](const Triangle& leaf) { return is_turned_over(leaf, surface, mapped); }));
-    quality.euler = euler_number(triangles);
     return quality;
 }
 

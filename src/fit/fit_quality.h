@@ -33,6 +33,9 @@ struct FitQuality {
     int euler = 0;
 };
 
+/// Measures all but the distances, which stay 0.
+FitQuality measure_shapes(const MappedSurface& mapped, const SampledSurface& surface);
+
 /// Measures at the vertices of both, and on grids over their triangles: some 100,000 places each, more where
 /// the meshes are finer. So distances are as large as found, and may be a little larger between these places.
 /// \throw Cancelled

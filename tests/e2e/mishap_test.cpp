@@ -1,6 +1,7 @@
 // End-to-end tests of what has ended the program once, and of what happens where something goes wrong that
 // nothing was prepared for.
 #include <fstream>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -93,7 +94,7 @@ TEST_CASE("what is typed while a button of the mouse is held beside the field is
     viewer.set_button(1, false);
     viewer.type("d");
     // The steps that can be taken back are those since the text was put together.
-    for (const KeyName key : {XK_z, XK_z, XK_z, XK_y, XK_y, XK_y}) {
+    for (const KeyName key : std::initializer_list<KeyName>{XK_z, XK_z, XK_z, XK_y, XK_y, XK_y}) {
         viewer.press(key, XK_Control_L);
         check_alive(viewer);
     }
@@ -115,7 +116,7 @@ TEST_CASE("what is typed in one question cannot be taken back in the next") {
     viewer.wait_for("its own", [](const State& s) { return s["document"]["keys"][1] == "bone"; });
     viewer.press(XK_F2);
     wait_for_question(viewer);
-    for (const KeyName key : {XK_z, XK_y, XK_z}) {
+    for (const KeyName key : std::initializer_list<KeyName>{XK_z, XK_y, XK_z}) {
         viewer.press(key, XK_Control_L);
         check_alive(viewer);
     }

@@ -65,4 +65,11 @@ bool is_same(const Hierarchy& a, const Hierarchy& b) {
                               [](const Field& f, const Field& g) { return is_same(f, g); });
 }
 
+bool is_same(const Family& a, const Family& b) {
+    return a.name == b.name && a.timeline == b.timeline && a.domain == b.domain && a.origin == b.origin &&
+           std::ranges::equal(a.keys, b.keys, [](const Key& key, const Key& other) {
+               return key.name == other.name && is_same(*key.hierarchy, *other.hierarchy);
+           });
+}
+
 }  // namespace interleaf

@@ -19,5 +19,6 @@ Hierarchy with_fields(Hierarchy hierarchy, std::mt19937& random, std::size_t cou
 
 /// Whether all that a file holds is equal, floats by their bits.
 bool is_same(const Hierarchy& a, const Hierarchy& b);
+bool is_same(const Family& a, const Family& b);
 
 }  // namespace interleaf

@@ -42,7 +42,7 @@ class MorphSurface {
     /// of a colour. None where it does not, and without a field.
     std::optional<glm::vec3> field_at(const Ray& ray, const Weights& weights);
 
-    /// The extent of the surface with \p weights.
+    /// The extent of the surface with \p weights. \pre they are those of the last update()
     Extent extent(const Weights& weights) const;
 
     const SurfaceFigures& figures() const { return figures_; }

@@ -98,6 +98,7 @@ class Viewer {
     void show_document(float menu_height, double now);
     void show_keys_and_display(double now);
     void move_camera(const ViewInput& input);
+    void frame_camera();
     const FamilyField* shown() const { return shown_field(state_.session.display, fields_); }
     void draw_surface();
     void draw_portraits();
@@ -245,6 +246,7 @@ void Viewer::frame() {
             settling_ = std::max(settling_, 1);
         comparison_.show_value();
     } else {
+        frame_camera();
         draw_surface();
         draw_portraits();
         show_value();
@@ -397,8 +399,13 @@ void Viewer::show_keys_and_display(double now) {
 
 void Viewer::move_camera(const ViewInput& input) {
     interleaf::move_camera(camera_, input, layout_.view, picture_.target());
+    if (input.frame) state_.framing = Framing::surface;
+}
+
+/// \pre the surface is that of the present weights
+void Viewer::frame_camera() {
     const Framing framing = std::exchange(state_.framing, Framing::none);
-    if (input.frame || framing == Framing::surface)
+    if (framing == Framing::surface)
         camera_.frame(surface_.extent(state_.session.weights()), aspect_of(layout_.view));
     else if (framing == Framing::all_keys)
         camera_.frame(portraits_.extent(), aspect_of(layout_.view));

@@ -16,9 +16,6 @@
 namespace interleaf {
 namespace {
 
-/// Leaves with a smaller angle than this, in degrees, are smoothed.
-constexpr double wanted_angle = 18;
-
 constexpr int most_rounds = 6;
 
 /// Parts of the way to a neighbour that are tried, towards it and away from it.
@@ -48,8 +45,8 @@ double largest_cosine(const TriangleCorners& corners) {
     return largest;
 }
 
-double cosine_of_wanted_angle() {
-    return std::cos(wanted_angle * std::numbers::pi / 180);
+double cosine_of_smoothed_angle() {
+    return std::cos(smoothed_angle * std::numbers::pi / 180);
 }
 
 TriangleCorners corners_of(const Triangle& leaf, const SampledSurface& surface) {
@@ -164,7 +161,7 @@ class Smoothing {
         surface_.positions[vertex] = place.position;
     }
 
-    const double good_cosine_ = cosine_of_wanted_angle();
+    const double good_cosine_ = cosine_of_smoothed_angle();
     const MappedSurface& mapped_;
     SampledSurface& surface_;
     std::vector<Triangle> leaves_;
@@ -330,7 +327,7 @@ void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, Samp
 }
 
 std::size_t count_faulty_leaves(const MappedSurface& mapped, const SampledSurface& surface) {
-    const double good_cosine = cosine_of_wanted_angle();
+    const double good_cosine = cosine_of_smoothed_angle();
     return static_cast<std::size_t>(std::ranges::count_if(surface.leaves, [&](const Leaf& leaf) {
         return is_faulty(leaf.vertices, surface, mapped, good_cosine);
     }));

@@ -16,6 +16,9 @@
 
 namespace interleaf {
 
+/// Leaves with a smaller angle than this, in degrees, are smoothed.
+inline constexpr double smoothed_angle = 18;
+
 /// Moves vertices of \p surface so that its least angle does not fall and no more leaves are turned over
 /// (surface_sampling.h). The mesh over a star that has changed is nearer to it than the farthest place of the
 /// mesh was, at its vertices and on a grid over the leaves; between these it may be a little farther.

@@ -38,12 +38,6 @@ Family family_of_two(unsigned seed, int rounds) {
     return family;
 }
 
-bool is_same(const Family& a, const Family& b) {
-    return std::ranges::equal(a.keys, b.keys, [](const Key& key, const Key& other) {
-        return key.name == other.name && is_same(*key.hierarchy, *other.hierarchy);
-    });
-}
-
 /// Runs \p action in a process of its own. \return its exit status
 pid_t start(const std::function<int()>& action) {
     const pid_t child = ::fork();

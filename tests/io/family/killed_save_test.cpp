@@ -73,13 +73,6 @@ void kill_at_random(const Action& action, useconds_t longest, std::mt19937& rand
     kill_and_wait(child);
 }
 
-bool is_same(const Family& a, const Family& b) {
-    return a.name == b.name && a.timeline == b.timeline && a.domain == b.domain &&
-           std::ranges::equal(a.keys, b.keys, [](const Key& key, const Key& other) {
-               return key.name == other.name && is_same(*key.hierarchy, *other.hierarchy);
-           });
-}
-
 /// Whether every run makes the same system calls, so that what is new stays new. The sanitizer's allocator
 /// makes some when it sees fit.
 constexpr bool calls_repeat = !is_sanitized;

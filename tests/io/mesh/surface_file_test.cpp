@@ -520,7 +520,7 @@ TEST_CASE("polygons that are not convex, and of many corners, are divided in eve
                 CHECK(area_of(surface) == doctest::Approx(area));
             }
         }
-    for (const std::size_t corners : {1001, 20'000}) {
+    for (const std::size_t corners : {std::size_t{1001}, std::size_t{20'000}}) {
         const PolygonFiles files(comb(corners));
         for (const SurfaceFile& surface : files.surfaces()) {
             CHECK(surface.triangles.size() == corners - 2);

@@ -1,0 +1,53 @@
+// A surface with its map to the sphere, turned as it is to be sampled.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "fit/fit_quality.h"
+#include "fit/mesh/progress.h"
+#include "fit/mesh/surface_mesh.h"
+#include "fit/sampling/mapped_surface.h"
+#include "fit/sampling/surface_sampling.h"
+#include "fit/sphere_map/sphere_roots.h"
+
+namespace interleaf {
+
+/// Aligns the map to space (alignment.h), and then turns it.
+struct AlignedMap {
+    /// \param original_mesh  outlives this
+    /// \param fine_mesh      a finer mesh of the same surface (surface_refinement.h), to which \p map
+    /// belongs;
+    ///                       without triangles where \p map is of the original
+    /// \param map            points of the unit sphere, one per vertex, one to one
+    /// \param rotation       after the alignment
+    AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
+               const glm::dmat3& rotation);
+    AlignedMap(const AlignedMap&) = delete;
+    AlignedMap& operator=(const AlignedMap&) = delete;
+
+    bool is_refined() const { return !fine.triangles.empty(); }
+    const SurfaceMesh& mesh() const { return is_refined() ? fine : original; }
+
+    const SurfaceMesh& original;
+    const SurfaceMesh fine;
+    std::vector<glm::dvec3> points;
+    const double mean_cosine;  ///< as aligned, before the rotation
+    const MappedSurface mapped;
+
+  private:
+    double align();
+    std::span<const glm::dvec3> rotated(const glm::dmat3& rotation);
+};
+
+/// smooth_leaves() with bounded work on a refined mesh.
+void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& surface,
+            const Progress& progress);
+
+/// measure_quality() against the original mesh.
+FitQuality quality_of(const AlignedMap& map, const SampledSurface& surface, const Progress& progress);
+
+}  // namespace interleaf

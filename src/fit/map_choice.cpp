@@ -1,0 +1,218 @@
+#include "fit/map_choice.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "fit/mesh/progress_meter.h"
+#include "fit/sampling/leaf_smoothing.h"
+#include "fit/sphere_map/surface_refinement.h"
+#include "hierarchy/error.h"
+
+namespace interleaf {
+namespace {
+
+/// A mesh is refined where large triangles have this part of its area,
+constexpr double large_part = 0.4;
+
+/// and its own map is only tried where the refined one is bad, where needles have this part: a long fan of
+/// needles takes the longest to map, to the worst map.
+constexpr double needle_part = 0.3;
+
+/// A map needs no better one when less than this part of its leaves is to be smoothed.
+constexpr double few_faulty = 0.05;
+
+/// Where more than this part of its leaves is to be smoothed, smoothing takes seconds and mends little.
+constexpr double many_faulty = 0.3;
+
+/// A map is bad where more than this part of its leaves is to be smoothed, or where more leaves are flipped
+/// than this multiple of those for which it would be refused.
+constexpr double most_faulty = 0.4;
+constexpr double most_flipped_part = 3;
+
+/// Equilateral triangles that the refined mesh is as fine as. A finer mesh makes better leaves, but on a long
+/// thin body its map may be the one that shrinks a limb: then a coarser one is tried.
+constexpr double fine_triangles = 2000;
+/// The same where needles have more than needle_part.
+constexpr double fine_triangles_of_needles = 3000;
+constexpr double coarse_triangles = 1000;
+
+/// A key is poor with a smaller least angle, in degrees, or more than this part of the flipped leaves for
+/// which it would be refused. A better one may be farther from the surface by this factor.
+constexpr double poor_angle = 5;
+constexpr double poor_flipped_part = 0.25;
+constexpr double farther_than_poor = 1.1;
+
+/// Before smoothing, a key is poor for sure with these.
+constexpr double hopeless_angle = 1;
+constexpr double hopeless_flipped_part = 1.5;
+
+/// A map that is tried.
+struct Candidate {
+    std::unique_ptr<const AlignedMap> map;
+    SampledSurface surface;  ///< of judged_leaves(), not smoothed
+    std::size_t faulty = 0;  ///< leaves that are to be smoothed
+    FitQuality shapes{};     ///< of that surface, without distances
+    MapMethod method = MapMethod::progressive;
+
+    double faulty_part() const { return double(faulty) / double(surface.leaves.size()); }
+    /// Of the flipped leaves for which it would be refused.
+    double flipped_part(const FitLimits& limits) const {
+        return double(shapes.flipped_leaves) / (limits.flipped_part * double(surface.leaves.size()));
+    }
+    bool is_bad(const FitLimits& limits) const {
+        return faulty_part() > most_faulty || flipped_part(limits) > most_flipped_part;
+    }
+};
+
+SampledSurface sampled(const AlignedMap& map, const SphereRoots& roots, const Progress& progress) {
+    return sample_surface(map.mapped, roots, {.leaves = judged_leaves(roots)}, progress);
+}
+
+JudgedMap judged(Candidate candidate, const SphereRoots& roots, Stopwatch& stopwatch,
+                 const Progress& progress) {
+    smooth(*candidate.map, roots, candidate.surface, part_of(progress, 0, 0.3));
+    stopwatch.lap("smoothing");
+    const FitQuality quality = quality_of(*candidate.map, candidate.surface, part_of(progress, 0.3, 1));
+    stopwatch.lap("measuring");
+    return {std::move(candidate.map), std::move(candidate.surface), quality, candidate.method};
+}
+
+/// Maps one mesh or another of the same surface, centers, checks and samples.
+/// \param fine  without triangles for the original
+Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, const MapChoiceOptions& options,
+                    Stopwatch& stopwatch, const Progress& progress) {
+    const bool is_refined = !fine.triangles.empty();
+    const SurfaceMesh& mesh = is_refined ? fine : original;
+    constexpr double crowded = 0.01;
+    SphericalMap map =
+        map_to_sphere(mesh, part_of(progress, 0, 0.9), options.keeps, is_refined ? crowded : 0);
+    stopwatch.lap("map to the sphere");
+    center_map(mesh, map.points);
+    if (const std::string fault = fault_of_map(mesh, map.points); !fault.empty())
+        throw InputError(fmt::format("the centred map to the sphere is not valid: {}", fault));
+    stopwatch.lap("centring");
+    Candidate made;
+    made.method = map.method;
+    made.map =
+        std::make_unique<AlignedMap>(original, std::move(fine), std::move(map.points), options.rotation);
+    stopwatch.lap("alignment");
+    made.surface = sampled(*made.map, options.roots, part_of(progress, 0.9, 1));
+    made.faulty = count_faulty_leaves(made.map->mapped, made.surface);
+    made.shapes = measure_shapes(made.map->mapped, made.surface);
+    stopwatch.lap("sampling");
+    return made;
+}
+
+/// Of two maps, before smoothing.
+bool is_better(const Candidate& a, const Candidate& b, const FitLimits& limits) {
+    const double flipped = a.flipped_part(limits);
+    const double flipped_of_b = b.flipped_part(limits);
+    if (std::max(flipped, flipped_of_b) > most_flipped_part) return flipped < flipped_of_b;
+    return a.faulty < b.faulty;
+}
+
+bool is_no_worse(const FitQuality& a, const FitQuality& b, double farther = 1) {
+    return a.hausdorff <= farther * b.hausdorff && a.root_mean_square <= farther * b.root_mean_square &&
+           a.least_angle >= b.least_angle && a.flipped_leaves <= b.flipped_leaves;
+}
+
+/// Whether a refined mesh makes the key to be taken, and not the mesh as it is.
+bool is_to_take(const JudgedMap& refined, const JudgedMap& as_it_is, const FitLimits& limits) {
+    const auto is_accepted = [&](const JudgedMap& judged) {
+        return fault_of_fit(judged.quality, judged.surface.leaves.size(), limits).empty();
+    };
+    if (!is_accepted(refined) || !is_accepted(as_it_is)) return is_accepted(refined);
+    const double flipped_limit = limits.flipped_part * double(as_it_is.surface.leaves.size());
+    const bool is_poor = as_it_is.quality.least_angle < poor_angle ||
+                         double(as_it_is.quality.flipped_leaves) > poor_flipped_part * flipped_limit;
+    return is_no_worse(refined.quality, as_it_is.quality, is_poor ? farther_than_poor : 1);
+}
+
+/// Whether the same is sure before the key of the mesh as it is has been smoothed. Smoothing brings no key
+/// nearer to the surface. Where it mends little, the figures are as they will be; elsewhere no leaf may be
+/// left that it might mend.
+bool is_sure_to_take(const JudgedMap& refined, const Candidate& as_it_is, const FitLimits& limits,
+                     const Progress& progress) {
+    const bool is_hopeless =
+        as_it_is.shapes.least_angle < hopeless_angle || as_it_is.flipped_part(limits) > hopeless_flipped_part;
+    const bool is_mended_little = as_it_is.faulty_part() > many_faulty;
+    const bool is_best = refined.quality.least_angle >= smoothed_angle && refined.quality.flipped_leaves == 0;
+    return (is_hopeless || is_mended_little || is_best) &&
+           is_no_worse(refined.quality, quality_of(*as_it_is.map, as_it_is.surface, progress),
+                       is_hopeless ? farther_than_poor : 1);
+}
+
+}  // namespace
+
+Index judged_leaves(const SphereRoots& roots) {
+    return std::max<Index>(20000, roots.complex.triangle_count());
+}
+
+JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots, Stopwatch& stopwatch,
+                const Progress& progress) {
+    Candidate made;
+    made.surface = sampled(*map, roots, part_of(progress, 0, 0.15));
+    stopwatch.lap("sampling");
+    made.map = std::move(map);
+    return judged(std::move(made), roots, stopwatch, part_of(progress, 0.15, 1));
+}
+
+JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, Stopwatch& stopwatch,
+                     const Progress& progress) {
+    const auto judged_in = [&](Candidate made, double begin, double end) {
+        return judged(std::move(made), options.roots, stopwatch, part_of(progress, begin, end));
+    };
+    const TriangleShapes shapes = triangle_shapes(mesh);
+    if (shapes.large < large_part)
+        return judged_in(candidate(mesh, {}, options, stopwatch, part_of(progress, 0, 0.8)), 0.8, 1);
+
+    std::string fault;
+    const auto try_to_map = [&](SurfaceMesh fine, double begin, double end) -> std::optional<Candidate> {
+        try {
+            return candidate(mesh, std::move(fine), options, stopwatch, part_of(progress, begin, end));
+        } catch (const InputError& error) {
+            fault = error.what();
+            return std::nullopt;
+        }
+    };
+    std::optional<Candidate> as_it_is;
+    const bool has_needles = shapes.needles > needle_part;
+    if (!has_needles) {
+        as_it_is = try_to_map({}, 0, 0.2);
+        if (as_it_is && as_it_is->faulty_part() < few_faulty) return judged_in(*std::move(as_it_is), 0.8, 1);
+    }
+    std::optional<Candidate> refined;
+    for (const auto& [triangles, begin, end] :
+         {std::array{has_needles ? fine_triangles_of_needles : fine_triangles, 0.2, 0.45},
+          std::array{coarse_triangles, 0.45, 0.6}}) {
+        ProgressMeter meter(progress);
+        meter.enter("refining the mesh", begin);
+        SurfaceMesh fine = refine(mesh, {.triangles = triangles}, meter);
+        stopwatch.lap("refining");
+        std::optional<Candidate> made = try_to_map(std::move(fine), begin, end);
+        if (made && (!refined || is_better(*made, *refined, options.limits))) refined = std::move(made);
+        if (refined && !refined->is_bad(options.limits)) break;
+    }
+    if (has_needles && (!refined || refined->is_bad(options.limits))) as_it_is = try_to_map({}, 0.6, 0.7);
+    if (!as_it_is && !refined) throw InputError(fault);
+    if (!as_it_is) return judged_in(*std::move(refined), 0.8, 1);
+    if (!refined || !is_better(*refined, *as_it_is, options.limits))
+        return judged_in(*std::move(as_it_is), 0.8, 1);
+    JudgedMap judged_refined = judged_in(*std::move(refined), 0.7, 0.8);
+    if (as_it_is->is_bad(options.limits)) return judged_refined;
+    const bool is_sure =
+        is_sure_to_take(judged_refined, *as_it_is, options.limits, part_of(progress, 0.8, 0.85));
+    stopwatch.lap("choosing the map");
+    if (is_sure) return judged_refined;
+    JudgedMap judged_as_it_is = judged_in(*std::move(as_it_is), 0.85, 1);
+    return is_to_take(judged_refined, judged_as_it_is, options.limits) ? std::move(judged_refined)
+                                                                       : std::move(judged_as_it_is);
+}
+
+}  // namespace interleaf

@@ -1,0 +1,20 @@
+// The colors of a mesh at the points of a sampled surface.
+#pragma once
+
+#include <vector>
+
+#include "fit/mesh/surface_mesh.h"
+#include "fit/sampling/mapped_surface.h"
+#include "fit/sampling/surface_sampling.h"
+#include "hierarchy/hierarchy.h"
+
+namespace interleaf {
+
+/// \param mesh     with the colors
+/// \param mapped   \p mesh itself, or a finer mesh of the same surface (surface_refinement.h)
+/// \param surface  sampled from \p mapped
+/// \return the field "color"; none for a mesh without colors
+std::vector<Field> sampled_colors(const SurfaceMesh& mesh, const MappedSurface& mapped,
+                                  const SampledSurface& surface);
+
+}  // namespace interleaf
