@@ -39,7 +39,8 @@ TEST_CASE("a mesh over 100 diagonals from 0 counts from whole numbers in its mid
         const std::vector<glm::dvec3> positions = triangle_at({place(random), place(random), place(random)});
         const glm::dvec3 origin = origin_for(positions, std::vector<Triangle>{{0, 1, 2}});
         REQUIRE(origin == glm::round(origin));
-        for (std::size_t corner = 0; corner < 3; ++corner) REQUIRE(glm::distance(positions[corner], origin) < 2.5);
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            REQUIRE(glm::distance(positions[corner], origin) < 2.5);
     }
 }
 
