@@ -73,7 +73,7 @@ Hierarchy key_of(const RootComplex& roots, const PolygonMesh& lines, const std::
                             name, vertex + 1, origin.x, origin.y, origin.z));
         positions.emplace_back(local);
     }
-    Hierarchy key = unrefined(roots, std::move(positions));
+    Hierarchy key = unrefined(roots, positions);
     if (!lines.colors.empty()) key.fields.push_back(color_field(lines.colors, used));
     return key;
 }

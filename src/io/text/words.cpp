@@ -76,8 +76,8 @@ std::optional<double> parse_coordinate(std::string_view word) {
         const float other = std::nextafter(nearest, offset < 0 ? -HUGE_VALF : HUGE_VALF);
         if (offset != 0 && std::abs(double{other} - *number) == std::abs(offset)) {
             float exact = 0;
-            parse_word(without_plus(word), exact);
-            if (exact != nearest) number = std::nextafter(*number, double{exact});
+            if (parse_word(without_plus(word), exact) == std::errc() && exact != nearest)
+                number = std::nextafter(*number, double{exact});
         }
         return number;
     }
