@@ -15,23 +15,23 @@
 namespace interleaf {
 namespace {
 
-struct Edge {
+struct MeshEdge {
     Index low;
     Index high;
-    auto operator<=>(const Edge&) const = default;
+    auto operator<=>(const MeshEdge&) const = default;
 };
 
 /// Whether each vertex is at an edge of only one triangle.
 std::vector<char> find_rims(std::size_t vertex_count, std::span<const Triangle> triangles,
                             ProgressMeter& meter) {
-    std::vector<Edge> edges;
+    std::vector<MeshEdge> edges;
     edges.reserve(3 * triangles.size());
     for (const Triangle& triangle : triangles)
         for (std::size_t k = 0; k < 3; ++k) {
             const auto [low, high] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
             edges.push_back({low, high});
         }
-    std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
+    std::sort(edges.begin(), edges.end(), [&](const MeshEdge& a, const MeshEdge& b) {
         meter.step(1);
         return a < b;
     });
