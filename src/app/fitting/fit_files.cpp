@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "family/origin.h"
+#include "fit/mesh/stopwatch.h"
 #include "hierarchy/error.h"
 #include "io/file/file_pattern.h"
 
@@ -50,13 +51,16 @@ FittedMesh MeshFitter::fit_next(const Progress& progress) {
     SurfaceFile surface = read_surface(file);
     FittedMesh fitted;
     fitted.remarks = std::move(surface.remarks);
+    std::vector<StageTime> times;
+    Stopwatch stopwatch(times);
     try {
         CleanMesh clean = clean_next(std::move(surface), [&](std::string_view stage, double part) {
             return !progress || progress(stage, fitting_begins * part);
         });
+        stopwatch.lap("clean-up");
         if (!task_.reference) task_.reference = extent_of(clean.mesh);
         place(clean, *task_.reference, task_.placing);
-        if (next_ > 0) fitted.warning = fault_of_placing(*task_.reference, extent_of(clean.mesh));
+        fitted.warning = fault_of_placing(*task_.reference, extent_of(clean.mesh));
         if (!task_.rotations.empty()) task_.options.rotation = task_.rotations[next_];
         fitted.key = fit(std::move(clean), task_.options, [&](std::string_view stage, double part) {
             return !progress || progress(stage, fitting_begins + (1 - fitting_begins) * part);
@@ -67,6 +71,8 @@ FittedMesh MeshFitter::fit_next(const Progress& progress) {
         for (const std::string& remark : fitted.remarks) text += fmt::format(" ({})", remark);
         throw InputError(text);
     }
+    std::vector<StageTime>& stages = fitted.key.report.times;
+    stages.insert(stages.begin(), times.begin(), times.end());
     if (next_ == 0 && origin() != glm::dvec3(0)) fitted.remarks.push_back(origin_sentence(origin()));
     ++next_;
     return fitted;
