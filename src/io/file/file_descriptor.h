@@ -1,4 +1,4 @@
-// An open file of the operating system that closes itself.
+// A file descriptor of the operating system, closed by its destructor.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,8 @@ class FileDescriptor {
   public:
     FileDescriptor() = default;
 
-    /// Opens \p file with the flags and mode of open(2). See is_open() for the outcome; errno says why not.
+    /// Opens \p file with the flags and mode of open(2). If that fails, is_open() is false and errno holds
+    /// the reason.
     FileDescriptor(const std::filesystem::path& file, int flags, unsigned mode = 0);
     FileDescriptor(FileDescriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
     FileDescriptor& operator=(FileDescriptor&& other) noexcept {
@@ -23,14 +24,15 @@ class FileDescriptor {
     bool is_open() const { return number_ >= 0; }
     int number() const { return number_; }
 
-    /// Closes it at once. \return whether the system had nothing to complain about
+    /// Closes the file now.
+    /// \return whether the system reported no error
     bool close();
 
   private:
     int number_ = -1;
 };
 
-/// Throws a MachineError "FILE: ACTION: what the system says about errno".
+/// Throws a MachineError "FILE: ACTION: the system's text for errno".
 [[noreturn]] void throw_system_error(const std::filesystem::path& file, std::string_view action);
 
 }  // namespace interleaf
