@@ -1,6 +1,6 @@
-// Keeps others from saving a family into the same folder at the same time: two that choose file names, and
-// remove files, by turns would mix their families up. The system takes the lock off when the process ends,
-// however it ends.
+// A lock that keeps two processes from saving a family into the same folder at the same time. Without it,
+// both would choose file names and remove files in turn, and mix up their families. The system releases the
+// lock when the process ends, however it ends.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,9 @@ namespace interleaf {
 
 class FolderLock {
   public:
-    /// Waits until nobody else holds it. File systems without locks do without.
-    /// \throw MachineError naming \p folder if somebody holds it for ten seconds, or it cannot be opened
+    /// Waits until no other process holds the lock. Does nothing on file systems without locks.
+    /// \throw MachineError naming \p folder if another process holds the lock for ten seconds, or if the
+    ///                     folder cannot be opened
     explicit FolderLock(const std::filesystem::path& folder);
 
   private:
