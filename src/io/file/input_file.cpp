@@ -12,7 +12,7 @@
 
 namespace interleaf {
 
-// Without O_NONBLOCK, opening a named pipe would wait for its writer.
+// O_NONBLOCK keeps open() from waiting for the writer of a named pipe.
 InputFile::InputFile(std::filesystem::path file)
     : path_(std::move(file)), descriptor_(path_, O_RDONLY | O_NONBLOCK) {
     if (!descriptor_.is_open()) throw_system_error(path_, "cannot open");
