@@ -1,4 +1,4 @@
-// A regular file that is open for reading, and whose size is known before a byte of it is read.
+// A regular file, open for reading, whose size is known before any byte is read.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,9 @@ class InputFile {
 
     std::uint64_t size() const { return size_; }
 
-    /// Fills \p bytes from where the last read ended.
-    /// \throw InputError   if the file ends before
-    /// \throw MachineError if it cannot be read
+    /// Fills \p bytes, starting where the last read ended.
+    /// \throw InputError   if the file has fewer bytes left
+    /// \throw MachineError if the file cannot be read
     void read(std::span<std::byte> bytes);
 
   private:
@@ -30,8 +30,8 @@ class InputFile {
     std::uint64_t size_ = 0;
 };
 
-/// The whole of a text file.
-/// \throw InputError   if it is not a regular file or larger than \p size_limit bytes
+/// The whole content of a text file.
+/// \throw InputError   if \p file is not a regular file, or is larger than \p size_limit bytes
 /// \throw MachineError if it cannot be opened or read
 std::string read_text(const std::filesystem::path& file, std::uint64_t size_limit);
 
