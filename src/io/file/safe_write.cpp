@@ -32,16 +32,16 @@ void write_in_place(std::span<const std::byte> bytes, const std::filesystem::pat
     if (!descriptor.close()) throw_system_error(target, cannot_write);
 }
 
-/// Makes the rename last through a power failure. Some file systems and permissions do not allow it; the file
-/// is whole all the same, so that is no error.
+/// Makes the rename survive a power failure. Some file systems and permissions do not allow this. The file is
+/// whole anyway, so a failure is not an error.
 void flush_folder(const std::filesystem::path& folder) {
     const FileDescriptor descriptor(folder, O_RDONLY | O_DIRECTORY);
     if (descriptor.is_open()) ::fsync(descriptor.number());
 }
 
-/// What \p file is called behind all symbolic links, whether it exists or not.
+/// The path of \p file with all symbolic links followed, whether the file exists or not.
 std::filesystem::path behind_links(const std::filesystem::path& file) {
-    constexpr int most_links = 40;  // as the system has it
+    constexpr int most_links = 40;  // the limit of the system
     std::filesystem::path target = file;
     std::error_code error;
     for (int links = 0; std::filesystem::is_symlink(target, error); ++links) {
@@ -54,9 +54,9 @@ std::filesystem::path behind_links(const std::filesystem::path& file) {
     return target;
 }
 
-/// Gives \p file the owner, as far as we may, and the permissions of the file it is to replace.
+/// Gives \p file the permissions of the file that it replaces, and its owner if the system permits.
 bool take_after(const FileDescriptor& file, const struct stat& old) {
-    if (::fchown(file.number(), old.st_uid, old.st_gid) != 0) errno = 0;  // then it is ours, as any new file
+    if (::fchown(file.number(), old.st_uid, old.st_gid) != 0) errno = 0;  // then we own it, as any new file
     return ::fchmod(file.number(), old.st_mode & 07777) == 0;
 }
 
@@ -67,12 +67,12 @@ void write_file(const std::filesystem::path& file, std::span<const std::byte> by
     struct stat status {};
     const bool exists = ::stat(target.c_str(), &status) == 0;
     if (exists && !S_ISREG(status.st_mode)) return write_in_place(bytes, target);
-    // Its folder would let us replace a file that may not be written.
+    // A writable folder would let us replace even a write-protected file.
     if (exists && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
         throw_system_error(target, cannot_write);
 
     const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-    // Nobody else gets to read on the way what only its owner may.
+    // A file that only its owner may read stays private while it is written.
     TemporaryFile temporary(folder, exists ? 0600 : 0666);
     if (!temporary.is_open()) throw_system_error(target, cannot_write);
     write_all(temporary.descriptor(), bytes, target);
