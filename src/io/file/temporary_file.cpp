@@ -12,7 +12,7 @@ namespace interleaf {
 
 namespace {
 
-/// Whether \p path is still the name of the file that is open.
+/// Whether \p path still names the open file \p file.
 bool is_called(const FileDescriptor& file, const std::filesystem::path& path) {
     struct stat open_file {};
     struct stat named {};
@@ -20,8 +20,8 @@ bool is_called(const FileDescriptor& file, const std::filesystem::path& path) {
            open_file.st_dev == named.st_dev && open_file.st_ino == named.st_ino;
 }
 
-/// Removes \p path if it is a file of ours that no process has locked. While we hold its lock nobody else may
-/// remove it, and its writer, who would rename it, has ended.
+/// Removes \p path if it is a file of this user that no process has locked. While we hold the lock, no other
+/// process removes the file, and its writer has ended, so nobody renames it.
 bool remove_if_left_behind(const std::filesystem::path& path) {
     const FileDescriptor file(path, O_WRONLY | O_NOFOLLOW | O_NONBLOCK);
     struct stat status {};
@@ -30,12 +30,12 @@ bool remove_if_left_behind(const std::filesystem::path& path) {
            is_called(file, path) && ::unlink(path.c_str()) == 0;
 }
 
-/// An empty file that is ours and locked. File systems without locks do without: nothing is removed there,
-/// either.
+/// A new, empty, locked file. On a file system without locks the file is not locked, but no process removes
+/// files there, either.
 FileDescriptor locked_new_file(const std::filesystem::path& path, unsigned mode) {
     FileDescriptor file(path, O_WRONLY | O_CREAT | O_EXCL, mode);
     if (!file.is_open()) return file;
-    // Between the two calls somebody may have taken it for left behind.
+    // Before the lock, another process may have removed the file as one left behind.
     const bool is_lost = ::flock(file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     if (!is_lost && is_called(file, path)) return file;
     errno = EEXIST;
