@@ -1,8 +1,9 @@
-// A file that is written beside its target and then takes the target's place.
+// A file that is written beside its target and then replaces the target.
 //
-// It is called .interleaf-N, with the first N that no living process uses: a lock tells, which the system
-// takes off when a process ends, however it ends. So what a killed process left is removed by whoever writes
-// into that folder next, and never is there more of it than there were writers at one time.
+// Its name is .interleaf-N, with the first N that no running process uses. Each process locks its temporary
+// file, and the system releases the lock when the process ends, however it ends. So the next writer in the
+// folder can remove the file of a killed process, and there are never more such files than there were
+// simultaneous writers.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +14,8 @@ namespace interleaf {
 
 class TemporaryFile {
   public:
-    /// Makes an empty file in \p folder with the permissions \p mode, less the umask. See is_open() for the
-    /// outcome; errno says why not.
+    /// Makes an empty file in \p folder with the permissions \p mode, minus the umask. If that fails,
+    /// is_open() is false and errno holds the reason.
     TemporaryFile(const std::filesystem::path& folder, unsigned mode);
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -25,7 +26,7 @@ class TemporaryFile {
     bool is_open() const { return descriptor_.is_open(); }
     const FileDescriptor& descriptor() const { return descriptor_; }
 
-    /// \return whether it is the file \p target now; errno says why not
+    /// \return whether the file has the name \p target now; otherwise errno holds the reason
     bool rename_to(const std::filesystem::path& target);
 
   private:
