@@ -1,4 +1,4 @@
-// Texts put together with something between them.
+// Joins texts with a separator between them.
 #pragma once
 
 #include <span>
