@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What \p value is, in a few words.
+/// A short description of \p value.
 std::string description(const json& value) {
     switch (value.type()) {
         case json::value_t::object:
@@ -26,8 +26,8 @@ std::string description(const json& value) {
     }
 }
 
-/// "line 3: " where \p message says that a number of \p text is too large; others know their place. Ends of
-/// such messages are "'1e999'".
+/// "line 3: " if \p message says that a number in \p text is too large. Such a message ends in "'1e999'" and
+/// names no place; all other messages name theirs.
 std::string place_of_overflow(std::string_view message, std::string_view text) {
     if (!message.starts_with("number overflow")) return {};
     const std::string_view rest = message.substr(std::min(message.find('\'') + 1, message.size()));
@@ -35,7 +35,8 @@ std::string place_of_overflow(std::string_view message, std::string_view text) {
     return fmt::format("line {}: ", 1 + std::ranges::count(text.substr(0, place), '\n'));
 }
 
-/// At least the number of values in \p text: each but the first follows a comma or begins an array or object.
+/// An upper bound of the number of values in \p text. Every value but the first follows a comma or begins an
+/// array or object.
 std::size_t most_values_in(std::string_view text) {
     std::size_t count = 1;
     bool in_string = false;
@@ -102,9 +103,8 @@ json parse_json(std::string_view text, std::string_view file) {
     try {
         return json::parse(text);
     } catch (const json::exception& error) {
-        // "[json.exception.parse_error.101] parse error at line 1, column 2: ...": the bracket is for
-        // programmers.
-        // It quotes what it read last, however long that was.
+        // "[json.exception.parse_error.101] parse error at line 1, column 2: ...": we drop the bracket, which
+        // is for programmers. The message quotes the last text read, which may be long, so we cut it.
         const std::string_view what = error.what();
         constexpr std::size_t longest_shown = 200;
         const std::string_view shown = what.substr(what.find("] ") + 2);
