@@ -1,5 +1,5 @@
-// A value of a JSON document that knows its place in it, so that every error says where it is: "FILE:
-// keys[2].file: ...".
+// A value of a JSON document that knows its place in the document, so that every error names that place:
+// "FILE: keys[2].file: ...".
 #pragma once
 
 #include <cstddef>
@@ -13,20 +13,20 @@
 
 namespace interleaf {
 
-/// Every function that asks for something throws an InputError naming the place, what is there and what was
-/// expected.
+/// Every function throws an InputError if the value is not what the function expects. The error names the
+/// place, what is there and what was expected.
 class JsonPlace {
   public:
-    /// The whole of \p document, which must outlive this; \p file stands for it in messages.
+    /// The whole \p document, which must outlive this object. Messages call it \p file.
     JsonPlace(const nlohmann::json& document, std::string file) : value_(&document), file_(std::move(file)) {}
 
     /// The member \p name of this object.
     JsonPlace member(std::string_view name) const;
 
-    /// The same; none if there is no such member.
+    /// The member \p name of this object; none if there is no such member.
     std::optional<JsonPlace> optional_member(std::string_view name) const;
 
-    /// Number of elements of this array.
+    /// The number of elements of this array.
     std::size_t size() const;
 
     /// Element \p index of this array.
@@ -34,7 +34,7 @@ class JsonPlace {
 
     std::string string() const;
 
-    /// This number; every number in a document is finite.
+    /// This number. Every number in a document is finite.
     double number() const;
 
     /// This number, which must be whole and in [0, \p limit).
@@ -43,7 +43,7 @@ class JsonPlace {
     /// Throws an InputError "FILE: PLACE: WHAT".
     [[noreturn]] void fail(std::string_view what) const;
 
-    /// Throws an InputError that says what this is and that \p what was expected.
+    /// Throws an InputError that describes this value and says that \p what was expected.
     [[noreturn]] void fail_expecting(std::string_view what) const;
 
   private:
@@ -55,16 +55,16 @@ class JsonPlace {
     std::string path_;
 };
 
-/// Most values, arrays and objects among them, of a document: an empty object of 3 bytes takes 120 bytes of
-/// memory.
+/// The largest number of values in a document, counting arrays and objects. The limit is needed because an
+/// empty object of 3 bytes takes 120 bytes of memory.
 inline constexpr std::size_t most_json_values = 500'000;
 
-/// The document in \p text.
-/// \throw InputError naming \p file and the line, unless it is JSON of at most most_json_values values
+/// Parses the document in \p text. Messages call it \p file.
+/// \throw InputError naming \p file and the line, unless \p text is JSON with at most most_json_values values
 nlohmann::json parse_json(std::string_view text, std::string_view file);
 
-/// The beginning of \p text in quotation marks, in ASCII with everything else escaped: fit to be shown on a
-/// terminal, whatever it holds.
+/// The beginning of \p text in quotation marks, as ASCII with all other characters escaped. So it is safe to
+/// print on a terminal.
 std::string in_quotes(std::string_view text);
 
 }  // namespace interleaf
