@@ -13,7 +13,7 @@ namespace interleaf {
 
 namespace {
 
-/// Keeps what a hierarchy decides.
+/// Records the decisions of a hierarchy.
 class DecisionWriter {
   public:
     explicit DecisionWriter(const Hierarchy& hierarchy) : hierarchy_(hierarchy) {
@@ -38,7 +38,7 @@ class DecisionWriter {
     std::size_t count_ = 0;
 };
 
-/// Gives what is decided, one after the other.
+/// Gives the stored decisions, one after the other.
 class DecisionReader {
   public:
     explicit DecisionReader(std::span<const std::byte> decisions) : decisions_(decisions) {}

@@ -1,9 +1,9 @@
-// The walk over the preorder that finds which nodes are open, and makes the connectivity of a hierarchy as
-// they are decided: the one way of reading and of writing bisection_decisions.h.
+// The walk over the preorder that finds the open nodes and makes the connectivity from their decisions. The
+// reader and the writer of bisection_decisions.h both use it.
 //
-// Every edge is a record that both its sides share, with its midpoint and its halves once it has some. The
-// first visit makes them, the second finds them: no search, no hashing, 16 bytes a leaf for them while it
-// walks.
+// Both sides of an edge share one record of that edge. The record holds the edge's midpoint and halves, if it
+// has any. The first visit makes them and the second visit finds them, without search or hashing. During the
+// walk the records take 16 bytes per leaf.
 #pragma once
 
 #include <algorithm>
@@ -23,13 +23,13 @@
 
 namespace interleaf::bisection_walk {
 
-/// An edge, known to both its sides. Without initial values, so that making many touches no memory.
+/// An edge, shared by both its sides. It has no initial values, so making many edges touches no memory.
 struct Edge {
-    static constexpr Index open = no_index;       ///< halves: it may yet get a midpoint
-    static constexpr Index whole = no_index - 1;  ///< halves: it belongs to a leaf, so it stays as it is
+    static constexpr Index open = no_index;       ///< halves: the edge may still get a midpoint
+    static constexpr Index whole = no_index - 1;  ///< halves: the edge belongs to a leaf and gets no midpoint
 
     Index midpoint;
-    Index halves;  ///< the first of two edges in a row, from the first visit's first end on
+    Index halves;  ///< the first of two consecutive edges; it begins at the first end of the first visit
 };
 
 inline constexpr Edge new_edge = {no_index, Edge::open};
@@ -37,11 +37,11 @@ inline constexpr MidpointStar no_star = {{no_index, no_index}, {no_index, no_ind
 
 struct Node {
     Triangle vertices;
-    Triangle edges;  ///< opposite the vertices
+    Triangle edges;  ///< each opposite the vertex of the same number
     unsigned level;
 };
 
-/// Writes single bits into words, the lowest bit of the first word first.
+/// Writes single bits into words, starting with the lowest bit of the first word.
 class BitWriter {
   public:
     explicit BitWriter(Buffer<std::uint64_t>& words) : words_(words) {}
@@ -79,8 +79,8 @@ inline std::vector<Triangle> root_edges(const RootComplex& roots, Index& edge_co
     return edges;
 }
 
-/// \p Decisions has bool peek(position), what is decided about the node at a position of the preorder if it
-/// is open, and take(open), called after it.
+/// \p Decisions has two functions. bool peek(position) gives the decision about the node at a position of the
+/// preorder, which counts only if the node is open. take(open) follows each peek() and says whether it is.
 template <typename Decisions>
 class Walk {
   public:
@@ -99,8 +99,8 @@ class Walk {
         std::fill_n(edges_.begin(), edge_count_, new_edge);
     }
 
-    /// \throw InputError unless the decisions make just the counted nodes and vertices, at most max_level
-    /// deep
+    /// \throw InputError unless the decisions give exactly the counted nodes and vertices, at most max_level
+    ///                   deep
     Connectivity run() {
         for (Index root = 0; root < root_edges_.size(); ++root)
             walk_root({roots_.triangles()[root], root_edges_[root], 0});
@@ -114,7 +114,7 @@ class Walk {
 
   private:
     void walk_root(Node node) {
-        std::array<Node, max_level + 1> second_children;  // of the nodes above, those still to be visited
+        std::array<Node, max_level + 1> second_children;  // of the nodes above, not visited yet
         std::size_t waiting = 0;
         for (;;) {
             if (is_bisected(node)) {
@@ -129,7 +129,7 @@ class Walk {
 
     bool has_midpoint(Index edge) const { return edges_[edge].midpoint != no_index; }
 
-    // Without branches but the caller's: what a node is can hardly be foreseen.
+    // The only branch is the caller's, because the kind of a node is hard to predict.
     bool is_bisected(const Node& node) {
         const bool first = has_midpoint(node.edges[0]);
         const bool second = has_midpoint(node.edges[1]);
@@ -148,7 +148,7 @@ class Walk {
         for (const Index edge : node.edges) edges_[edge].halves = Edge::whole;
     }
 
-    /// Makes \p node its first child, and \p second its second.
+    /// Replaces \p node by its first child, and sets \p second to its second child.
     void bisect_node(Node& node, Node& second) {
         if (node.level == max_level)
             throw InputError(
@@ -164,13 +164,14 @@ class Walk {
         result_.midpoints[next_midpoint_++] = midpoint;
         const Index inner = edge_count_++;
         edges_[inner] = new_edge;
-        // Opposite the vertices of the children (l, k, i) and (l, i, j) lie ki, il, lk and ij, jl, li.
+        // The edges opposite the vertices are ki, il, lk in the child (l, k, i), and ij, jl, li in (l, i, j).
         const auto children = bisect(node.vertices, midpoint);
         second = {children[1], {ij, near_j, inner}, node.level + 1};
         node = {children[0], {ki, inner, near_k}, node.level + 1};
     }
 
-    /// Visits the refinement edge (j, k) of \p node. \return its halves at j and at k
+    /// Visits the refinement edge (j, k) of \p node.
+    /// \return the halves of the edge at j and at k
     std::pair<Index, Index> split_edge(const Node& node) {
         const auto [i, j, k] = node.vertices;
         Edge& edge = edges_[node.edges[0]];

@@ -1,6 +1,7 @@
-// Rows of three numbers as planes of bytes: all lowest bytes of the first column, all second bytes of it, and
-// so on. Numbers are differences from what was expected, small ones of either sign become small ones without
-// sign (0, -1, 1, -2, ... are 0, 1, 2, 3, ...); so the planes of high bytes are nearly all zero.
+// Rows of three numbers, stored as planes of bytes: all lowest bytes of the first column, then all second
+// bytes of that column, and so on. The numbers are differences from expected values. Signed differences
+// become unsigned numbers (0, -1, 1, -2, ... become 0, 1, 2, 3, ...), so small differences give small
+// numbers, and nearly all bytes of the high planes are zero.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@ class BytePlanes {
     static constexpr std::size_t columns = 3;
     static constexpr std::size_t bytes_a_row = columns * sizeof(std::uint32_t);
 
-    /// Over \p bytes, bytes_a_row for each row.
+    /// The planes in \p bytes, which holds bytes_a_row bytes per row.
     explicit BytePlanes(std::span<std::byte> bytes) : bytes_(bytes), rows_(bytes.size() / bytes_a_row) {}
 
     std::size_t rows() const { return rows_; }

@@ -25,8 +25,8 @@ using Parts = std::vector<Bytes>;
 
 constexpr std::int32_t no_grid = 0x7fffffff;
 
-/// What follows the header. Then come, where there are fields, the size of their frame and their table; then
-/// the frames, and the checksum of all that.
+/// The part after the header. If there are fields, the size of their frame and their table follow. Then come
+/// the frames, and the checksum of everything before it.
 struct Extension {
     std::uint64_t decisions = 0;
     std::uint64_t connectivity_size = 0;  ///< bytes of the first frame
@@ -36,7 +36,7 @@ struct Extension {
 };
 static_assert(sizeof(Extension) == 32);
 
-/// All that stands before the frames.
+/// Everything between the header and the frames.
 struct Preamble {
     Extension extension;
     std::uint64_t fields_size = 0;  ///< bytes of the third frame; none without fields
@@ -45,8 +45,8 @@ struct Preamble {
 
 constexpr std::uint64_t smallest_file = sizeof(Header) + sizeof(Extension) + sizeof(std::uint32_t);
 
-/// Most bytes of the plain file that \p size bytes may stand for: so the memory that a reader takes is
-/// bounded by the size of what it reads.
+/// The largest plain file, in bytes, that a compressed file of \p size bytes may stand for. So the size of
+/// the file limits the memory that its reader takes.
 constexpr std::uint64_t most_content(std::uint64_t size) {
     return (std::uint64_t{16} << 20) + 64 * size;
 }
@@ -58,8 +58,8 @@ bool has_countable_edges(const Header& header) {
            no_index - 1;
 }
 
-/// The sizes of the frames together.
-/// \throw InputError where that leaves 64 bits
+/// The sum of the sizes of the frames.
+/// \throw InputError if the sum does not fit 64 bits
 std::uint64_t frames_size(const Preamble& preamble, std::string_view name) {
     std::uint64_t sum = 0;
     for (const std::uint64_t size :
@@ -70,7 +70,7 @@ std::uint64_t frames_size(const Preamble& preamble, std::string_view name) {
     return sum;
 }
 
-/// Reads the size of the fields' frame and their table.
+/// Reads the size of the fields' frame, and the field table.
 void read_labels(const Header& header, hierarchy_format::SummedInput& input, std::uint64_t size,
                  std::string_view name, Preamble& preamble) {
     if (header.fields == 0) return;
@@ -115,7 +115,7 @@ std::optional<CoordinateGrid> grid_at(std::int32_t exponent) {
     return CoordinateGrid(exponent);
 }
 
-/// Root triangles as differences from the triangle before, corner by corner.
+/// The root triangles as differences from the previous triangle, corner by corner.
 Buffer<std::byte> root_planes(std::span<const Triangle> roots) {
     Buffer<std::byte> bytes;
     bytes.resize(roots.size() * BytePlanes::bytes_a_row);
@@ -139,7 +139,7 @@ std::vector<Triangle> roots_of(std::span<std::byte> bytes) {
     return roots;
 }
 
-/// Calls \p make, and says that an InputError of it is at \p place.
+/// Calls \p make. If \p make throws an InputError, adds \p place to its message.
 template <typename Make>
 auto made_at(std::string_view name, std::string_view place, Make make) {
     try {
@@ -149,7 +149,7 @@ auto made_at(std::string_view name, std::string_view place, Make make) {
     }
 }
 
-/// The planes of \p bytes, each of \p rows bytes.
+/// The planes of \p bytes, with \p rows bytes each.
 Parts plane_parts(Bytes bytes, std::size_t rows) {
     Parts parts;
     for (std::size_t begin = 0; begin < bytes.size(); begin += rows)
@@ -157,7 +157,8 @@ Parts plane_parts(Bytes bytes, std::size_t rows) {
     return parts;
 }
 
-/// Appends the frame of \p parts. \return its size
+/// Appends the frame of \p parts.
+/// \return the size of the frame
 std::uint64_t append_sized_frame(std::vector<std::byte>& bytes, const Parts& parts) {
     const std::size_t begin = bytes.size();
     append_frame(bytes, parts);
@@ -223,7 +224,7 @@ std::optional<std::vector<std::byte>> compressed_bytes(const Hierarchy& hierarch
     if (grid) extension.grid_exponent = grid->exponent();
     extension.plain_checksum = hierarchy_format::plain_checksum(hierarchy, positions);
 
-    // The header, the extension and the size of the fields' frame are written when they are known.
+    // Room for the header, the extension and the size of the fields' frame, which are not known yet.
     const std::size_t extension_end = sizeof(Header) + sizeof(Extension);
     const bool has_fields = !hierarchy.fields.empty();
     std::vector<std::byte> bytes(extension_end + (has_fields ? sizeof(std::uint64_t) : 0));

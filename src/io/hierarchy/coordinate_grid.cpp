@@ -10,7 +10,7 @@ namespace interleaf {
 
 namespace {
 
-/// The exponent of the lowest digit of \p coordinate that is set; none for zero.
+/// The exponent of the lowest set bit of \p coordinate; none for zero.
 std::optional<int> lowest_exponent(float coordinate) {
     constexpr unsigned fraction_bits = 23;
     const auto image = std::bit_cast<std::uint32_t>(coordinate);
@@ -28,9 +28,9 @@ double longest_side(std::span<const glm::vec3> positions) {
 }
 
 float rounded(float coordinate, double step) {
-    // A sum with +0 makes +0 of -0, which a grid does not know.
+    // Adding +0 turns -0 into +0; a grid has no -0.
     const double nearest = std::nearbyint(coordinate / step) * step + 0.0;
-    // The grid goes on where floats end.
+    // The grid extends beyond the range of floats.
     const double most = std::floor(double{std::numeric_limits<float>::max()} / step) * step;
     return static_cast<float>(std::clamp(nearest, -most, most));
 }

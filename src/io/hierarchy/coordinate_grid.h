@@ -1,5 +1,5 @@
-// A grid whose step is a power of two and that goes through the origin: its points are floats, without
-// rounding, and become small whole numbers.
+// A grid through the origin whose step is a power of two. Its points are exact floats, and are stored as
+// small integers.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace interleaf {
 
 class CoordinateGrid {
   public:
-    /// The smallest and the largest exponent with which a step is a float.
+    /// The smallest and the largest exponent for which the step is a float.
     static constexpr int smallest_exponent = -149;
     static constexpr int largest_exponent = 127;
 
@@ -25,7 +25,8 @@ class CoordinateGrid {
 
     int exponent() const { return exponent_; }
 
-    /// The number of the grid point nearest to \p coordinate; 0 where that is beyond 2^30 or no number.
+    /// The number of the grid point nearest to \p coordinate; 0 if that number is beyond 2^30, or if \p
+    /// coordinate is NaN.
     std::int32_t number(double coordinate) const {
         const double steps = coordinate * inverse_step_;
         if (!(std::abs(steps) < 0x1p30)) return 0;
@@ -40,12 +41,12 @@ class CoordinateGrid {
     double inverse_step_;
 };
 
-/// The coarsest grid on which all of \p positions lie; none when their numbers there are not all below 2^26,
-/// or when a coordinate is a negative zero, which a grid does not tell from zero.
+/// The coarsest grid that contains all \p positions. There is none if a number on that grid is not below
+/// 2^26, or if a coordinate is a negative zero, which a grid cannot distinguish from zero.
 std::optional<CoordinateGrid> grid_of(std::span<const glm::vec3> positions);
 
-/// \p positions on the coarsest grid with at least 2^\p bits steps in the longest side of their bounding box:
-/// a coordinate moves by at most side / 2^(bits + 1).
+/// \p positions, rounded to the coarsest grid with at least 2^\p bits steps along the longest side of their
+/// bounding box. A coordinate moves by at most side / 2^(bits + 1).
 Buffer<glm::vec3> rounded_positions(std::span<const glm::vec3> positions, unsigned bits);
 
 }  // namespace interleaf

@@ -12,7 +12,7 @@ namespace interleaf {
 
 namespace {
 
-/// A component of a field, one number a vertex.
+/// A component of a field, one number per vertex.
 struct Column {
     std::size_t field;
     std::size_t component;
@@ -30,7 +30,7 @@ std::size_t group_count(std::size_t column_count) {
     return (column_count + BytePlanes::columns - 1) / BytePlanes::columns;
 }
 
-/// Calls \p visit(column, axis) for the columns of group \p group, one an axis.
+/// Calls \p visit(column, axis) for the columns of group \p group, one per axis.
 template <typename Visit>
 void for_group(std::span<const Column> columns, std::size_t group, Visit visit) {
     const std::size_t begin = group * BytePlanes::columns;

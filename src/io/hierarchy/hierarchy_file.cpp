@@ -38,7 +38,7 @@ void check_signature(Bytes head, std::string_view name) {
     fail(name, "signature", "is not that of a hierarchy file (.ilh)");
 }
 
-/// The header of a file of \p size bytes, once its form is known to be one of ours.
+/// Reads the header of a file of \p size bytes and checks that the file has one of the two forms.
 Header read_header(SummedInput& input, std::uint64_t size, std::string_view name) {
     std::array<std::byte, sizeof(Header)> bytes;
     const auto head = std::span(bytes).first(std::min<std::uint64_t>(size, sizeof(Header)));

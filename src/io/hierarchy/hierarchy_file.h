@@ -1,5 +1,5 @@
-// Hierarchy files (.ilh): one key, binary, little endian, plain or compressed. docs/file-formats.md gives the
-// layouts byte by byte.
+// Hierarchy files (.ilh): one key, binary, little endian, plain or compressed. docs/file-formats.md describes
+// both layouts byte by byte.
 #pragma once
 
 #include <cstddef>
@@ -15,34 +15,34 @@ namespace interleaf {
 
 /// How a key is written.
 struct HierarchyFileOptions {
-    /// The compressed form: a third of the plain one or less where the surface is smooth, with the same
-    /// content to the last bit.
+    /// Whether to write the compressed form. It has the same content, to the last bit, and at most a third of
+    /// the plain form's bytes where the surface is smooth.
     bool compressed = false;
 
-    /// Rounds each coordinate to this many bits of the longest side of the bounding box, 8 to 24, so by at
-    /// most side / 2^(rounding_bits + 1); 0: not at all.
+    /// The number of bits to which each coordinate is rounded, relative to the longest side of the bounding
+    /// box: 8 to 24, or 0 for no rounding. A coordinate moves by at most side / 2^(rounding_bits + 1).
     unsigned rounding_bits = 0;
 };
 
-/// Reads a key of either form. Nothing is trusted: counts are held against the size of the file before memory
-/// is used, and what was read has passed check().
+/// Reads a key of either form. The reader trusts nothing: it compares counts with the size of the file before
+/// it allocates memory, and the result has passed check().
 /// \throw InputError   naming the file, the place and what was expected
-/// \throw MachineError when the file cannot be opened or read for another reason than its content
+/// \throw MachineError if the file cannot be opened, or cannot be read for a reason other than its content
 Hierarchy read_hierarchy(const std::filesystem::path& file);
 
-/// The same from bytes in memory; \p name stands for the file in messages.
+/// Reads a key from bytes in memory. Messages call the file \p name.
 Hierarchy parse_hierarchy(std::span<const std::byte> bytes, std::string_view name);
 
-/// Whether \p file says that it is of the compressed form. Nothing else of it is checked.
-/// \throw InputError, MachineError as read_hierarchy() for a file that is no hierarchy file
+/// Whether the header of \p file says that the file has the compressed form. Checks nothing after the header.
+/// \throw InputError, MachineError as read_hierarchy(), if \p file is not a hierarchy file
 bool is_compressed_hierarchy(const std::filesystem::path& file);
 
-/// The bytes of the file.
+/// The bytes of the file that write_hierarchy() writes.
 std::vector<std::byte> serialize_hierarchy(const Hierarchy& hierarchy,
                                            const HierarchyFileOptions& options = {});
 
 /// Writes a key whole or not at all (safe_write.h).
-/// \throw MachineError when it cannot be written
+/// \throw MachineError if the file cannot be written
 void write_hierarchy(const Hierarchy& hierarchy, const std::filesystem::path& file,
                      const HierarchyFileOptions& options = {});
 

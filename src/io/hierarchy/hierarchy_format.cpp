@@ -15,7 +15,7 @@ namespace {
 template <typename Values>
 std::uint32_t continued(std::uint32_t checksum, const Values& values) {
     const auto bytes = std::as_bytes(std::span(values));
-    // Given no address, libdeflate takes it that the checksum begins.
+    // libdeflate takes a null address as the beginning of a new checksum.
     return bytes.empty() ? checksum : libdeflate_crc32(checksum, bytes.data(), bytes.size());
 }
 
@@ -86,7 +86,7 @@ void fail(std::string_view name, std::string_view place, std::string_view what) 
 
 RootComplex root_complex(Index vertex_count, std::vector<Triangle> triangles, std::string_view name) {
     try {
-        // More vertices than corners would only take memory until they are found to be unused.
+        // Vertices beyond the number of corners are unused; rejecting them here saves their memory.
         if (vertex_count > 3 * triangles.size())
             throw InputError(
                 fmt::format("there are {} vertices, more than corners of triangles", vertex_count));
@@ -98,7 +98,7 @@ RootComplex root_complex(Index vertex_count, std::vector<Triangle> triangles, st
 
 void require_counts(const Header& header, std::string_view name) {
     if (header.root_triangles == 0) fail(name, "root triangle count", "is 0, expected at least 1");
-    // Vertices are borne out by the size of the file, root vertices only by them.
+    // The size of the file supports the number of vertices; only that number limits the root vertices.
     if (header.root_vertices > header.vertices)
         fail(name, "root vertex count",
              fmt::format("is {}, expected at most the {} vertices", header.root_vertices, header.vertices));
@@ -111,7 +111,7 @@ void require_size(std::uint64_t size, std::uint64_t expected, std::string_view n
                          size < expected ? "cut off" : "too long"));
 }
 
-// Blocks that stay in the cache until they are summed: so memory is passed over once, not twice.
+// Reads in blocks that stay in the cache until they are summed, so the bytes pass through memory only once.
 void SummedInput::read(std::span<std::byte> bytes) {
     position_ += bytes.size();
     constexpr std::size_t block_size = 256 << 10;

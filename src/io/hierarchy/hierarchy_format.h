@@ -1,5 +1,5 @@
-// What the two forms of a hierarchy file have in common: the first 32 bytes, the table of fields, the
-// checksum over what was read, and how a fault is told. docs/file-formats.md gives both layouts byte by byte.
+// The parts that both forms of a hierarchy file share: the first 32 bytes, the field table, the checksum of
+// the bytes read, and the form of error messages. docs/file-formats.md describes both layouts byte by byte.
 #pragma once
 
 #include <array>
@@ -35,23 +35,24 @@ struct Header {
 };
 static_assert(sizeof(Header) == 32);
 
-/// The header of \p hierarchy as a plain file.
+/// The header of the plain file of \p hierarchy.
 Header header_of(const Hierarchy& hierarchy);
 
-/// Words of preorder bits.
+/// The number of words of preorder bits.
 std::uint64_t word_count(const Header& header);
 
-/// The field table as it stands in the file: for each field a byte for its kind, one for the length of its
-/// name, the name. \pre each at most max_field_name bytes
+/// The field table as stored in the file. Each field has one byte for its kind, one byte for the length of
+/// its name, and the name.
+/// \pre each name has at most max_field_name bytes
 std::vector<std::byte> field_table(std::span<const Field> fields);
 
-/// Bytes of the table of \p fields.
+/// The number of bytes of the table of \p fields.
 std::uint64_t table_size(std::span<const FieldName> fields);
 
-/// Bytes of the plain file with the counts of \p header and \p fields.
+/// The number of bytes of the plain file with the counts of \p header and with \p fields.
 std::uint64_t plain_size(const Header& header, std::span<const FieldName> fields);
 
-/// CRC-32 of the plain file of \p hierarchy: what its last four bytes hold.
+/// The CRC-32 in the last four bytes of the plain file of \p hierarchy, with \p positions instead of its own.
 std::uint32_t plain_checksum(const Hierarchy& hierarchy, std::span<const glm::vec3> positions);
 
 /// Appends the checksum of \p bytes.
@@ -61,23 +62,25 @@ void append_checksum(std::vector<std::byte>& bytes);
 [[noreturn]] void fail(std::string_view name, std::string_view place, std::string_view what);
 
 /// The root complex of a file.
+/// \throw InputError naming \p name, if the triangles are not an orientable manifold that uses all vertices
 RootComplex root_complex(Index vertex_count, std::vector<Triangle> triangles, std::string_view name);
 
-/// Fails unless there are roots, and no more root vertices than vertices.
+/// Throws an InputError unless there is a root, and there are no more root vertices than vertices.
 void require_counts(const Header& header, std::string_view name);
 
-/// Fails unless \p size is \p expected, saying whether the file is cut off or too long.
+/// Throws an InputError unless \p size is \p expected. The message says whether the file is cut off or too
+/// long.
 void require_size(std::uint64_t size, std::uint64_t expected, std::string_view name);
 
-/// Bytes of a file, front to back, from wherever they come, with the checksum of all that were read.
+/// The bytes of a file, read front to back from any source, with the checksum of all bytes read so far.
 class SummedInput {
   public:
-    /// \p fill fills a span with the bytes that follow those it gave before.
+    /// \param fill  fills a span with the bytes that follow those of its previous call
     explicit SummedInput(std::function<void(std::span<std::byte>)> fill) : fill_(std::move(fill)) {}
 
     void read(std::span<std::byte> bytes);
 
-    /// Bytes that were read.
+    /// The number of bytes read so far.
     std::uint64_t position() const { return position_; }
 
     template <typename Values>
@@ -92,8 +95,8 @@ class SummedInput {
         return value[0];
     }
 
-    /// Reads the checksum that ends the file.
-    /// \throw InputError if it is not that of all bytes before
+    /// Reads the checksum at the end of the file.
+    /// \throw InputError if it is not the checksum of all bytes before it
     void read_checksum(std::string_view name);
 
   private:
@@ -103,7 +106,7 @@ class SummedInput {
 };
 
 /// Reads the table of the fields that \p header counts, from a file of \p size bytes.
-/// \throw InputError if the file ends within, a kind is none or a name is empty
+/// \throw InputError if the file ends within the table, a kind does not exist, or a name is empty
 std::vector<FieldName> read_field_table(const Header& header, SummedInput& input, std::uint64_t size,
                                         std::string_view name);
 

@@ -11,7 +11,7 @@ namespace interleaf {
 
 namespace {
 
-/// Floats by their place among all floats: of either sign the larger has the larger number.
+/// Gives each float its rank among all floats: a larger float, of either sign, has a larger number.
 struct FloatPlaces {
     static std::int32_t number(double coordinate) {
         const auto image = std::bit_cast<std::int32_t>(static_cast<float>(coordinate));
@@ -22,8 +22,8 @@ struct FloatPlaces {
     }
 };
 
-/// Calls \p visit(row, vertex, expected position) for all vertices in their order. A position is set before
-/// the next call.
+/// Calls \p visit(row, vertex, expected position) for all vertices in their order. Each call must set the
+/// position of its vertex, because later expectations depend on it.
 template <typename Visit>
 void for_expected_positions(const Connectivity& connectivity, std::span<const glm::vec3> positions,
                             Visit visit) {

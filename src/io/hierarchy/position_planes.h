@@ -1,4 +1,4 @@
-// The positions of a key as byte planes: what each differs by from the position that is expected there.
+// The positions of a key as byte planes: the difference of each position from its expected position.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,15 @@
 
 namespace interleaf {
 
-/// The differences of \p positions, one row a vertex in prediction_order(), as BytePlanes holds them. A
-/// coordinate counts in steps of \p grid, on which all of \p positions lie; without a grid as its place among
-/// all floats, so that neighbouring floats differ by 1. The first root vertex is expected at the origin, each
-/// other one where the one before it is.
+/// The differences of \p positions from the expected positions, as BytePlanes: one row per vertex, in
+/// prediction_order(). The first root vertex is expected at the origin, and every other root vertex at the
+/// position of the previous one.
+/// \param grid  the grid that contains all \p positions: coordinates are counted in its steps. Without a
+///              grid, a coordinate is its rank among all floats, so neighboring floats differ by 1.
 Buffer<std::byte> position_planes(std::span<const glm::vec3> positions, const Connectivity& connectivity,
                                   const std::optional<CoordinateGrid>& grid);
 
-/// The positions whose differences are \p planes; one a vertex. Whatever \p planes holds, some positions come
-/// out.
+/// The positions whose differences are \p planes, one per vertex. Any content of \p planes gives positions.
 Buffer<glm::vec3> positions_of(std::span<std::byte> planes, const Connectivity& connectivity,
                                const std::optional<CoordinateGrid>& grid);
 

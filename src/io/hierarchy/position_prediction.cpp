@@ -31,7 +31,8 @@ class Prediction {
     }
 
   private:
-    /// The ends of an edge; the second has the first in its star, unless both are root vertices.
+    /// The ends of an edge, the younger end second: its star contains the first end. The order of two root
+    /// vertices does not matter.
     Pair by_age(const Pair& ends) const {
         const MidpointStar& star = connectivity_.stars[ends[0]];
         const bool first_is_younger = contains(star.ends, ends[1]) || contains(star.apexes, ends[1]);
@@ -48,19 +49,19 @@ class Prediction {
         return 0.5 * (glm::dvec3(positions_[pair[0]]) + glm::dvec3(positions_[pair[1]]));
     }
 
-    /// How far a midpoint stands off the middle of its edge.
+    /// The offset of a midpoint from the middle of its edge.
     glm::dvec3 bend(Index midpoint) const {
         return glm::dvec3(positions_[midpoint]) - middle(connectivity_.stars[midpoint].ends);
     }
 
-    /// The bend expected of the half from \p end to \p midpoint of an edge.
+    /// The expected bend of the half edge from \p end to \p midpoint.
     glm::dvec3 bend_of_half(Index end, Index midpoint) const {
         const glm::dvec3 here = bend(midpoint);
         const auto [older, younger] = by_age(connectivity_.stars[midpoint].ends);
         if (!contains(connectivity_.stars[younger].ends, older)) return 0.25 * here;
-        // The edge is a half as well: one step towards its younger end the bend is that end's, over half
-        // the length a quarter of it. The half's own middle is half a step from the midpoint, this way or
-        // that.
+        // The edge is a half edge, too. One step toward its younger end, the bend is the bend of that end,
+        // and a quarter of it over half the length. The middle of the half edge is half a step from the
+        // midpoint, in one direction or the other.
         const glm::dvec3 change = 0.25 * bend(younger) - here;
         return 0.25 * (here + (end == younger ? 0.5 : -0.5) * change);
     }

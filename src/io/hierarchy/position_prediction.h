@@ -1,18 +1,20 @@
-// Where a midpoint is expected, from vertices that come before it: what its position is stored relative to.
+// Predicts the position of a midpoint from earlier vertices. The file stores positions relative to
+// predictions.
 //
-// Vertices are taken level by level, so that a midpoint is the centre of a square of known vertices: the ends
-// of its edge and the apexes of the two triangles beside it. The younger end y of the edge was itself put on
-// an edge, which one of the square's diagonals runs along; how far y stands off that edge's middle tells how
-// much the surface bends in that direction, and the diagonal, half as long, bends a quarter of that:
+// Vertices are taken level by level. So a midpoint is the center of a square of known vertices: the ends of
+// its edge, and the apexes of the two triangles beside that edge. The younger end y of the edge is itself the
+// midpoint of an edge, and one of the square's diagonals runs along that edge. The distance of y from the
+// middle of its edge shows how much the surface bends in that direction. The diagonal is half as long, so it
+// bends a quarter as much:
 //
 //     middle of the diagonal's ends + (y - middle of the ends of y's edge) / 4
 //
-// Where the diagonal is the edge itself, that is the parabola through three vertices in a row. When a fourth
-// one lies in the same row, it becomes the cubic through all four. The error is of third and fourth order
-// in the edge length, against the second of the plain middle.
+// Where the diagonal is the edge itself, this is the parabola through three vertices in a row. If a fourth
+// vertex lies in the same row, the prediction uses the cubic through all four. The errors of parabola and
+// cubic are of third and fourth order in the edge length; the error of the plain middle is of second order.
 //
-// Everything is in double precision, and plain additions and products without contraction: the same bits on
-// every machine.
+// Everything is computed in double precision, with plain additions and products without contraction, so the
+// bits are the same on every machine.
 #pragma once
 
 #include <span>
@@ -24,11 +26,13 @@
 
 namespace interleaf {
 
-/// All vertices, root vertices first, then by level, those of one level by index. The ends of a midpoint's
-/// edge come before it.
+/// All vertices in the order in which they are predicted: root vertices first, then by level, and by index
+/// within a level. The ends of a midpoint's edge come before the midpoint.
+/// \param levels  of the vertices (Connectivity::levels)
 Buffer<Index> prediction_order(std::span<const std::uint8_t> levels);
 
-/// The position expected of the midpoint \p vertex. \p positions are read at vertices that come before it.
+/// The expected position of the midpoint \p vertex.
+/// \param positions  read only at vertices that come before \p vertex in prediction_order()
 glm::dvec3 predicted_position(Index vertex, const Connectivity& connectivity,
                               std::span<const glm::vec3> positions);
 

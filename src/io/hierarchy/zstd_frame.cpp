@@ -12,8 +12,8 @@ namespace interleaf {
 
 namespace {
 
-/// Below it, decisions take several times the bytes; above it, writing takes several times as long, for a few
-/// hundredths less.
+/// With a lower level, decisions take several times as many bytes. With a higher level, writing takes several
+/// times as long and saves only a few percent.
 constexpr int level = 12;
 
 using Context = std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)>;
@@ -24,7 +24,7 @@ std::size_t checked(std::size_t result) {
     return result;
 }
 
-/// Compresses \p part and all that was given before to where nothing is held back.
+/// Compresses \p part, until the context holds back none of the bytes given so far.
 void compress(ZSTD_CCtx* context, ZSTD_outBuffer& output, std::span<const std::byte> part,
               ZSTD_EndDirective directive) {
     ZSTD_inBuffer input{part.data(), part.size(), 0};

@@ -1,4 +1,4 @@
-// Bytes compressed by Zstandard (RFC 8878), one frame.
+// One Zstandard frame (RFC 8878).
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,13 @@
 
 namespace interleaf {
 
-/// Appends the frame that holds \p parts one after the other. Statistics are taken for each part by itself.
-/// \throw MachineError when there is not enough memory
+/// Appends the frame that holds \p parts one after the other. Each part has its own statistics.
+/// \throw MachineError if there is not enough memory
 void append_frame(std::vector<std::byte>& target, std::span<const std::span<const std::byte>> parts);
 
-/// The content of \p frame. Memory is used as far as \p frame has content, whatever \p size says.
-/// \throw InputError unless it is whole and has \p size bytes
+/// The content of \p frame. The function uses memory only as far as \p frame has content, whatever \p size
+/// says.
+/// \throw InputError unless \p frame is whole and holds \p size bytes
 Buffer<std::byte> frame_content(std::span<const std::byte> frame, std::size_t size);
 
 }  // namespace interleaf
