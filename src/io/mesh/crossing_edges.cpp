@@ -11,7 +11,7 @@ namespace {
 
 /// One edge of the sweep.
 struct SweptEdge {
-    PlanePoint left;  ///< the lesser of its ends, by x and then y: so no edge counts as upright
+    PlanePoint left;  ///< the smaller end, by x and then by y, so that no edge counts as vertical
     PlanePoint right;
     bool goes_right;
     std::size_t number;
@@ -19,7 +19,7 @@ struct SweptEdge {
     double length() const { return distance(left, right); }
 };
 
-/// How far the nearer end of \p edge is from the line of \p other, if its ends are on both sides; or 0.
+/// The distance of the nearer end of \p edge from the line of \p other; 0 if both ends are on one side of it.
 double depth_across(const SweptEdge& edge, const SweptEdge& other) {
     const std::int64_t left = orientation(other.left, other.right, edge.left);
     const std::int64_t right = orientation(other.left, other.right, edge.right);
@@ -31,7 +31,7 @@ bool do_cross(const SweptEdge& a, const SweptEdge& b) {
     return std::min(depth_across(a, b), depth_across(b, a)) > least_depth;
 }
 
-/// Whether two edges go the same way along the same line, so that their areas overlap.
+/// Whether two edges overlap in the same direction along one line, so that their areas overlap.
 bool do_run_together(const SweptEdge& a, const SweptEdge& b) {
     if (a.goes_right != b.goes_right) return false;
     const PlanePoint begin = std::max(a.left, b.left);
@@ -40,7 +40,7 @@ bool do_run_together(const SweptEdge& a, const SweptEdge& b) {
            orientation(a.left, a.right, b.right) == 0;
 }
 
-/// The order of edges from below upward along a line that both meet. Edges that touch are in the order that
+/// The upward order of two edges along a vertical line that meets both. Edges that touch have the order that
 /// they have beside the touch.
 struct IsBelow {
     bool operator()(const SweptEdge* a, const SweptEdge* b) const {
@@ -48,7 +48,8 @@ struct IsBelow {
         return side(*b, *a) < 0 || (side(*b, *a) == 0 && a->number < b->number);
     }
 
-    /// Whether \p later, whose left end is not before that of \p edge, is above it (1), below (-1) or on it.
+    /// Whether \p later is above \p edge (1), below it (-1) or on it (0).
+    /// \pre the left end of \p later is not before the left end of \p edge
     static int side(const SweptEdge& edge, const SweptEdge& later) {
         for (const PlanePoint& end : {later.left, later.right}) {
             const std::int64_t turn = orientation(edge.left, edge.right, end);
@@ -75,7 +76,7 @@ bool has_crossing(std::vector<PlaneEdge> edges, RunningTogether together) {
 
     struct Event {
         PlanePoint at;
-        bool begins;  ///< edges that end at a place go before others begin there
+        bool begins;  ///< edges that end at a place are removed before other edges begin there
         std::size_t edge;
         auto operator<=>(const Event&) const = default;
     };

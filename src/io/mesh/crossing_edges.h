@@ -1,4 +1,5 @@
-// Whether edges in a plane cross: the sweep of Shamos and Hoey, "Geometric intersection problems" (1976).
+// Finds out whether edges in a plane cross, with the sweep of Shamos and Hoey, "Geometric intersection
+// problems" (1976).
 #pragma once
 
 #include <vector>
@@ -7,7 +8,7 @@
 
 namespace interleaf {
 
-/// An edge of an area that is on its left.
+/// An edge of an area. The area lies to the left of the edge.
 struct PlaneEdge {
     PlanePoint from;
     PlanePoint to;
@@ -16,16 +17,17 @@ struct PlaneEdge {
     auto operator<=>(const PlaneEdge&) const = default;
 };
 
-/// A crossing less deep than this is the rounding of a touch: a millionth of a polygon's size.
+/// A crossing that is less deep than a millionth of the polygon's size counts as a touch with rounding
+/// errors.
 inline constexpr double least_depth = 1e-6 * static_cast<double>(plane_steps);
 
-/// Whether two edges may go the same way along one line for a while. Edges of a polygon may, where rounding
-/// has it so; edges of triangles that are more than lines may not: the triangles would overlap.
+/// Whether two edges may overlap in the same direction along one line. Edges of a polygon may, because
+/// rounding can cause it. Edges of triangles with an area may not, because the triangles would overlap.
 enum class RunningTogether { allowed, forbidden };
 
-/// Whether two edges cross, deeper than least_depth, or go the same way from one place to another. Edges may
-/// touch, and an edge may run back along another, as the seam of a keyhole does. Edges without length are
-/// left out. Time: n log n.
+/// Whether two edges cross by more than least_depth, or overlap in the same direction where \p together
+/// forbids it. Edges may touch, and an edge may run back along another one, as in the seam of a keyhole. The
+/// function ignores edges without length. It takes n log n time.
 bool has_crossing(std::vector<PlaneEdge> edges, RunningTogether together);
 
 }  // namespace interleaf

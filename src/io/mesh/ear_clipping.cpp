@@ -16,14 +16,14 @@
 namespace interleaf {
 namespace {
 
-/// A polygon that bulges less than this (PlanePolygon::bulge) is flat, but for rounding.
+/// A polygon that bulges less than this (PlanePolygon::bulge) counts as flat.
 constexpr double max_bulge = 1e-3;
 
-/// A polygon of which ears have been clipped: a ring of the corners that are left.
+/// The part of a polygon that remains after clipping some ears, as a ring of its corners.
 class Ring {
   public:
-    /// \param points   the corners in their plane, turning left
-    /// \param corners  the same in space
+    /// \param points   the corners in their plane, in counterclockwise order
+    /// \param corners  the corners in space
     Ring(std::span<const PlanePoint> points, std::span<const glm::dvec3> corners)
         : points_(points), corners_(corners), links_(points.size()), reflex_(points, reflex_corners(points)) {
         const auto count = static_cast<Index>(points.size());
@@ -34,21 +34,21 @@ class Ring {
 
     std::vector<Triangle> clip() && {
         clip_ears(Touching::forbidden);
-        // What touches itself may have no other ears; each round clips one at least.
+        // A polygon that touches itself may have no strict ears. Each round clips at least one ear.
         constexpr int max_rounds = 32;
         for (int round = 0; round < max_rounds && !is_done(); ++round) clip_ears(Touching::allowed);
-        while (!is_done()) clip_corner(first_);  // it crosses itself: the sum of areas tells
+        while (!is_done()) clip_corner(first_);  // it crosses itself; the sum of the areas shows that later
         return std::move(triangles_);
     }
 
   private:
-    /// Whether ears may have no area, and sides that other corners lie on.
+    /// Whether an ear may have no area, or a corner on one of its sides.
     enum class Touching { forbidden, allowed };
 
     struct Link {
         Index previous;
         Index next;
-        Index age;  ///< how often its neighbours have changed
+        Index age;  ///< how often the neighbors have changed
     };
 
     struct Candidate {
@@ -62,8 +62,8 @@ class Ring {
         }
     };
 
-    /// Whether an ear must not hold the corner \p b between \p a and \p c: the polygon turns right there, or
-    /// back, as at the end of a slit.
+    /// Whether the corner \p b between \p a and \p c can prevent an ear: the polygon turns right or back
+    /// there, as at the end of a slit.
     static bool is_reflex(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
         const std::int64_t turn = orientation(a, b, c);
         return turn < 0 || (turn == 0 && (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y) < 0);
@@ -102,8 +102,8 @@ class Ring {
             touching == Touching::forbidden ? ReflexTree::Border::inside : ReflexTree::Border::outside);
     }
 
-    /// Clips ears until there are none. An ear that is none stays none until a neighbour of it is clipped:
-    /// what lies in its triangle is outside the polygon, and the outside only grows.
+    /// Clips ears until there are none. A corner that is not an ear does not become one until a neighbor is
+    /// clipped: part of its triangle is outside the polygon, and the outside only grows.
     void clip_ears(Touching touching) {
         candidates_ = {};
         Index corner = first_;
@@ -146,10 +146,10 @@ class Ring {
     std::vector<Triangle> triangles_;
 };
 
-/// Whether a polygon that turns left at each corner goes around once.
+/// Whether a polygon turns left at every corner and goes around only once.
 bool is_convex(std::span<const PlanePoint> points) {
     const std::size_t count = points.size();
-    int changes = 0;  // of the direction along x; a convex polygon has two
+    int changes = 0;  // of the direction along x: a convex polygon has two per round
     std::int64_t last = 0;
     for (std::size_t i = 0; i < 2 * count; ++i) {
         const PlanePoint& a = points[i % count];
@@ -163,7 +163,7 @@ bool is_convex(std::span<const PlanePoint> points) {
     return changes == 2;
 }
 
-/// Whether triangles are turned over, to more than rounding.
+/// Whether triangles are flipped by more than rounding errors.
 bool are_turned_over(std::span<const Triangle> triangles, std::span<const PlanePoint> points) {
     constexpr double least_part = 1e-3;  // of the area
     constexpr double least_area = 1e-8 * static_cast<double>(plane_steps) * static_cast<double>(plane_steps);
@@ -185,7 +185,7 @@ std::vector<PlaneEdge> edges_of(std::span<const PlanePoint> corners) {
     return edges;
 }
 
-/// The edges of the triangles that are more than lines.
+/// The edges of the triangles that have an area.
 std::vector<PlaneEdge> edges_of(std::span<const Triangle> triangles, std::span<const PlanePoint> points) {
     std::vector<PlaneEdge> edges;
     edges.reserve(3 * triangles.size());
@@ -200,7 +200,7 @@ std::vector<PlaneEdge> edges_of(std::span<const Triangle> triangles, std::span<c
     return edges;
 }
 
-/// The two ways to halve a quadrilateral, the one with the shorter diagonal first.
+/// The two ways to halve a quadrilateral; the way with the shorter diagonal comes first.
 std::array<std::array<Triangle, 2>, 2> ways_to_halve(std::span<const glm::dvec3> corners) {
     const std::array<Triangle, 2> from_first{{{0, 1, 2}, {0, 2, 3}}};
     const std::array<Triangle, 2> from_second{{{0, 1, 3}, {1, 2, 3}}};
@@ -235,7 +235,7 @@ std::vector<Triangle> divide_polygon(std::span<const glm::dvec3> corners) {
     const bool may_cross = is_flat && !is_convex(points);
     if (may_cross && has_crossing(edges_of(points), RunningTogether::allowed)) return {};
     std::vector<Triangle> triangles = Ring(points, corners).clip();
-    // A polygon may also cross itself at a corner, which only its triangles tell: they overlap.
+    // A polygon may also cross itself at a corner. Only its triangles show this: they overlap.
     if (may_cross && (are_turned_over(triangles, points) ||
                       has_crossing(edges_of(triangles, points), RunningTogether::forbidden)))
         return {};

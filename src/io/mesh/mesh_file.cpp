@@ -30,7 +30,7 @@ PolygonMesh read_lines(const std::filesystem::path& file, std::vector<std::strin
     return mesh;
 }
 
-/// The vertices that triangles use, in their order.
+/// The vertices that triangles use, in ascending order.
 std::vector<Index> used_vertices(const std::vector<Triangle>& triangles, std::size_t vertex_count) {
     std::vector<bool> is_used(vertex_count, false);
     for (const Triangle& triangle : triangles)
@@ -41,7 +41,7 @@ std::vector<Index> used_vertices(const std::vector<Triangle>& triangles, std::si
     return used;
 }
 
-/// Gives the vertices of \p triangles the numbers that they have in \p used.
+/// Replaces each vertex of \p triangles by its number in \p used.
 void renumber(std::vector<Triangle>& triangles, const std::vector<Index>& used, std::size_t vertex_count) {
     std::vector<Index> number(vertex_count);
     for (Index n = 0; n < used.size(); ++n) number[used[n]] = n;
@@ -59,7 +59,7 @@ Field color_field(const std::vector<glm::vec3>& colors, const std::vector<Index>
     return field;
 }
 
-/// The vertices of \p lines that are \p used, less \p origin, over \p roots.
+/// The key over \p roots whose positions are those of the \p used vertices of \p lines, minus \p origin.
 Hierarchy key_of(const RootComplex& roots, const PolygonMesh& lines, const std::vector<Index>& used,
                  const glm::dvec3& origin, const std::string& name) {
     std::vector<glm::vec3> positions;
@@ -78,14 +78,15 @@ Hierarchy key_of(const RootComplex& roots, const PolygonMesh& lines, const std::
     return key;
 }
 
-/// The face that a triangle is a part of.
+/// The face that contains \p triangle.
 std::size_t face_of_triangle(const PolygonMesh& mesh, std::size_t triangle) {
     std::size_t face = 0;
     for (std::size_t end = mesh.face_sizes[0] - 2; end <= triangle; end += mesh.face_sizes[face] - 2) ++face;
     return face;
 }
 
-/// The roots that \p triangles, the faces of \p lines, are; \p used are the vertices of theirs.
+/// The roots made of \p triangles, which are the faces of \p lines.
+/// \param used  the vertices that they use
 RootComplex roots_of(std::vector<Triangle> triangles, const PolygonMesh& lines,
                      const std::vector<Index>& used, const std::string& name) {
     renumber(triangles, used, lines.positions.size());
@@ -107,8 +108,8 @@ std::string corners_text(std::span<const Index> corners) {
     return text + (corners.size() > most ? ", ...)" : ")");
 }
 
-/// Where the faces of \p lines differ from those of \p first, the file \p first_name; empty where they do
-/// not.
+/// Says where the faces of \p lines differ from those of \p first, which was read from \p first_name; empty
+/// if they do not differ.
 std::string face_difference(const PolygonMesh& lines, const PolygonMesh& first, std::string_view first_name) {
     std::size_t corner = 0;
     for (std::size_t face = 0; face < std::min(lines.face_sizes.size(), first.face_sizes.size()); ++face) {
@@ -127,7 +128,7 @@ std::string face_difference(const PolygonMesh& lines, const PolygonMesh& first, 
     return "";
 }
 
-/// The colours that formats with one colour a vertex get; null when there are none.
+/// The color field for formats with one color per vertex; null if there is none.
 const Field* vertex_colors(std::span<const Field> fields) {
     if (const Field* named = find_field(fields, {std::string(color_name), FieldKind::color})) return named;
     const auto found = std::ranges::find(fields, FieldKind::color, &Field::kind);

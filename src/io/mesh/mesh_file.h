@@ -1,4 +1,4 @@
-// Flat meshes: Wavefront OBJ read and written, PLY written. And pictures: PNG written (stb).
+// Reads and writes Wavefront OBJ, writes PLY, and writes PNG pictures (stb).
 #pragma once
 
 #include <cstdint>
@@ -15,40 +15,44 @@
 
 namespace interleaf {
 
-/// Keys without bisections, as OBJ files give them.
+/// Keys without bisections, read from OBJ files.
 struct MeshKeys {
-    std::vector<Hierarchy> keys;       ///< positions less the origin
-    glm::dvec3 origin{0};              ///< that was subtracted (family/origin.h)
-    std::vector<std::string> remarks;  ///< sentences about what was read otherwise than it stands there
+    std::vector<Hierarchy> keys;       ///< with the origin subtracted from their positions
+    glm::dvec3 origin{0};              ///< the origin that was subtracted (family/origin.h)
+    std::vector<std::string> remarks;  ///< sentences about everything that was read differently than written
 };
 
-/// Reads OBJ files that have the same faces, vertex for vertex. The order of each face's vertices is its
-/// marking. Polygons are triangulated, unused vertices dropped; the mesh must be an orientable manifold.
-/// Colors of vertices become the field "color". The first file decides how polygons are triangulated, which
-/// vertices are dropped and what the origin is. All keys share one root complex.
-/// \param origin       instead of the first file's
+/// Reads OBJ files that have the same faces, vertex for vertex. The order of the vertices of each face marks
+/// its refinement edge. The reader triangulates polygons and drops unused vertices; the mesh must be an
+/// orientable manifold. Colors of vertices become the field "color". The first file determines how polygons
+/// are triangulated, which vertices are dropped and what the origin is. All keys share one root complex.
+/// \param origin       replaces the origin of the first file
 /// \throw InputError   naming the file, the place and what was expected, such as the first face that differs
-///                     from the first file's
-/// \throw MachineError when a file cannot be opened or read
+///                     from the faces of the first file
+/// \throw MachineError if a file cannot be opened or read
 MeshKeys read_obj_series(std::span<const std::filesystem::path> files,
                          std::optional<glm::dvec3> origin = std::nullopt);
 
-/// The key of one file, wherever its origin is.
+/// Reads the key of one file. Drops the origin, if the file has one.
 Hierarchy read_obj(const std::filesystem::path& file);
 
-/// Wavefront OBJ as text. Floats are written so that they are read back the same. Each face begins with the
-/// vertex opposite its refinement edge. Of \p fields the colour field "color", or else the first one, gives
-/// the vertices their colors; OBJ has no place for others. \p origin is added to all positions, in double.
+/// The text of a Wavefront OBJ file. Reading it gives exactly the same floats. Each face begins with the
+/// vertex opposite its refinement edge.
+/// \param fields  the color field "color", or else the first color field, gives the colors of the vertices;
+///                OBJ has no place for other fields
+/// \param origin  is added to all positions, in double precision
 std::string obj_text(std::span<const Triangle> triangles, std::span<const glm::vec3> positions,
                      std::span<const Field> fields = {}, const glm::dvec3& origin = glm::dvec3(0));
 
-/// Binary little-endian PLY. Each of \p fields becomes properties of the vertices: a scalar one float, a
-/// color three bytes. See docs/file-formats.md for their names. Where \p origin is not 0 it is added to all
-/// positions, which are doubles then.
+/// The bytes of a binary little-endian PLY file.
+/// \param fields  become properties of the vertices: a float for a scalar, three bytes for a color;
+///                docs/file-formats.md describes the names
+/// \param origin  is added to all positions; unless it is 0, positions are written as doubles
 std::string ply_bytes(std::span<const Triangle> triangles, std::span<const glm::vec3> positions,
                       std::span<const Field> fields = {}, const glm::dvec3& origin = glm::dvec3(0));
 
-/// An 8-bit RGBA picture, top row first, as the bytes of a PNG file.
+/// The bytes of a PNG file.
+/// \param rgba  the picture, 8 bits per channel, top row first; 4 \p width \p height bytes
 std::string png_bytes(std::span<const std::uint8_t> rgba, int width, int height);
 
 }  // namespace interleaf

@@ -20,7 +20,7 @@ namespace interleaf {
 
 namespace {
 
-/// Far more than the largest file can have.
+/// Far more vertices than the largest file can have.
 constexpr std::size_t max_vertices = std::numeric_limits<int>::max() / 3;
 
 class Reader {
@@ -73,7 +73,7 @@ class Reader {
         return take_line(text_);
     }
 
-    /// \p line without its comment, and with the lines that it goes on in: it ends in a backslash then.
+    /// \p line without its comment. If it ends in a backslash, the next line is joined to it.
     std::string_view whole_line(std::string_view line) {
         constexpr std::string_view blanks = " \t\r";
         joined_.clear();
@@ -91,7 +91,8 @@ class Reader {
         return joined_;
     }
 
-    /// Where the comment of a line begins; not within the "1.#QNAN" that some programs print.
+    /// The place where the comment of a line begins. The "#" in "1.#QNAN", which some programs print, does
+    /// not begin a comment.
     static std::size_t comment_in(std::string_view line) {
         std::size_t place = line.find('#');
         while (place != std::string_view::npos && place > 0 && line[place - 1] == '.')
@@ -99,7 +100,7 @@ class Reader {
         return place;
     }
 
-    /// A number, behind which there may be a comma.
+    /// The next word, without the comma that may follow a number.
     static std::string_view take_number(std::string_view& line) {
         std::string_view word = take_word(line);
         if (word.size() > 1 && word.ends_with(',')) word.remove_suffix(1);
@@ -122,7 +123,7 @@ class Reader {
             fail(too_many_broken_vertices);
     }
 
-    /// What follows the coordinates: nothing, a weight, or a color, and what may follow that.
+    /// Reads the rest of a line after the coordinates: nothing, a weight, or a color and anything after it.
     void read_color(std::string_view line) {
         std::array<std::string_view, 3> words;
         for (std::string_view& word : words) word = take_number(line);
@@ -150,8 +151,8 @@ class Reader {
         if (!mesh_.add_face(corners_, line_number_)) fail(too_many_triangles);
     }
 
-    /// The number, from 1, of the vertex of a corner "v", "v/vt", "v//vn" or "v/vt/vn". One below 0 counts
-    /// back from the last.
+    /// The number, from 1, of the vertex of a corner "v", "v/vt", "v//vn" or "v/vt/vn". A negative number in
+    /// the file counts back from the last vertex.
     std::size_t vertex_number(std::string_view word) {
         std::int64_t number = 0;
         if (parse_word(word.substr(0, word.find('/')), number) != std::errc())
@@ -171,8 +172,8 @@ class Reader {
     std::string_view text_;
     std::string_view name_;
     std::size_t lines_read_ = 0;
-    std::size_t line_number_ = 0;  ///< where the present vertex or face begins
-    std::string joined_;           ///< the lines that it goes over
+    std::size_t line_number_ = 0;  ///< the line on which the current vertex or face begins
+    std::string joined_;           ///< its lines, joined
     std::vector<Index> corners_;
     std::size_t greatest_ = 0;
     std::size_t greatest_line_ = 0;

@@ -1,5 +1,5 @@
-// The lines of a Wavefront OBJ file that make a surface: vertices (v), with their colors where they have
-// some, and faces (f), checked.
+// Reads and checks the lines of a Wavefront OBJ file that describe a surface: vertices (v), with their colors
+// if they have any, and faces (f).
 #pragma once
 
 #include <string>
@@ -9,9 +9,10 @@
 
 namespace interleaf {
 
-/// The mesh, not settled. A line of a vertex or face that ends in a backslash goes on in the next; commas may
-/// stand behind numbers, comments behind all. A vertex without a color is white where others have one. \throw
-/// InputError naming \p name, the line and what was expected
+/// Reads the mesh; settle() is for the caller. A vertex or face line that ends in a backslash continues on
+/// the next line. A comma may follow a number, and a comment may follow anything. A vertex without a color is
+/// white if other vertices have colors.
+/// \throw InputError naming \p name, the line and what was expected
 PolygonMesh read_obj_lines(std::string text, std::string_view name);
 
 }  // namespace interleaf

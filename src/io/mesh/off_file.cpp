@@ -1,6 +1,6 @@
-// The Object File Format of Geomview, text or binary: a header, counts, vertices and faces. The header's
-// letters before OFF, read from the right, tell what stands behind a vertex's three coordinates: N a normal,
-// C a color, ST coordinates of a texture. Normals and textures are left out.
+// Reads the Object File Format of Geomview, text or binary: a header, counts, vertices and faces. The letters
+// before OFF in the header, read from right to left, say what follows the three coordinates of a vertex: N a
+// normal, C a color, ST texture coordinates. The reader skips normals and texture coordinates.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -23,12 +23,12 @@ namespace interleaf {
 namespace {
 
 struct Header {
-    std::string parts;  ///< behind the coordinates of a vertex, in their order: 'N', 'C', 'T'
+    std::string parts;  ///< what follows the coordinates of a vertex, in order: 'N', 'C', 'T'
     std::string_view rest;
-    std::size_t line = 1;  ///< on which the rest begins
+    std::size_t line = 1;  ///< the line on which the rest begins
 };
 
-/// What the letters before "OFF" say, as Header::parts: "NCOFF" gives "CN". None for other letters.
+/// The Header::parts for the letters before "OFF": "NCOFF" gives "CN". None for any other letters.
 std::optional<std::string> parts_of(std::string_view letters) {
     std::string parts;
     while (!letters.empty()) {
@@ -41,7 +41,7 @@ std::optional<std::string> parts_of(std::string_view letters) {
     return parts;
 }
 
-/// A file without a header begins with its counts; a count may be glued to the header, too.
+/// Reads the header. A file without a header begins with its counts, and a count may adjoin the header.
 Header read_header(std::string_view text, std::string_view name) {
     Words words(text);
     std::string_view word = words.next();
@@ -65,7 +65,7 @@ Header read_header(std::string_view text, std::string_view name) {
     return {*parts, {begin, static_cast<std::size_t>(text.data() + text.size() - begin)}, line};
 }
 
-/// What follows the header of a binary file; none for text.
+/// The part after the header of a binary file; none for a text file.
 std::optional<std::string_view> binary_part(std::string_view bytes) {
     Words words(bytes.substr(0, 80));
     if (!words.next().ends_with("OFF") || words.next() != "BINARY") return std::nullopt;
@@ -96,7 +96,7 @@ class TextReader {
         throw InputError(fmt::format("{}: line {}: {}", name_, line_number_, what));
     }
 
-    /// Goes to the next line that holds a word, and drops its comment.
+    /// Goes to the next line that contains a word, and drops its comment.
     void next_line() {
         do {
             if (text_.empty()) fail("the file ends, expected more vertices or faces");
@@ -136,8 +136,9 @@ class TextReader {
         }
     }
 
-    /// Whole numbers from 0 to 255, or numbers from 0 to 1 of which one has a point. A fourth, how opaque it
-    /// is, stands behind it where more numbers follow than the rest of the vertex needs.
+    /// Reads a color: integers from 0 to 255, or numbers from 0 to 1 if one of them has a decimal point. If
+    /// more numbers follow than the rest of the vertex needs, the first of them is the opacity and is
+    /// skipped.
     void read_color() {
         std::array<std::string_view, 3> words;
         for (std::string_view& word : words) word = take_word(line_);
@@ -151,7 +152,7 @@ class TextReader {
             color[channel] = static_cast<float>(is_fraction ? *number : *number / 255);
         }
         mesh_.colors.push_back(color);
-        std::size_t behind = 0;  // numbers of this vertex behind its color
+        std::size_t behind = 0;  // numbers of this vertex after its color
         const std::size_t place = parts_.find('C');
         for (const char part : parts_.substr(place + 1)) behind += part == 'N' ? 3 : 2;
         std::string_view rest = line_;
@@ -160,7 +161,8 @@ class TextReader {
         if (present > behind) take_word(line_);
     }
 
-    /// Its corners may go on in the next line; what else stands behind them, colors, is left out.
+    /// Reads a face. Its corners may continue on the next line. The reader skips everything after the
+    /// corners, such as a color.
     void read_face(Index vertices) {
         next_line();
         const std::size_t line = line_number_;
@@ -188,7 +190,7 @@ class TextReader {
     PolygonMesh mesh_;
 };
 
-/// Numbers of four bytes, the highest first.
+/// Reads the binary form: numbers of four bytes, big endian.
 class BinaryReader {
   public:
     BinaryReader(std::string_view bytes, std::string parts, std::string_view name)

@@ -1,6 +1,6 @@
-// The Polygon File Format of Stanford: a header that declares elements and their properties, then the
-// elements' values as text or binary. Vertices (x, y, z; red, green, blue where there are) and faces are
-// read, other elements and properties are passed over.
+// Reads the Polygon File Format of Stanford: a header that declares elements and their properties, then the
+// values of the elements as text or binary. The reader takes vertices (x, y, z; red, green, blue if present),
+// faces and triangle strips, and skips all other elements and properties.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -63,7 +63,7 @@ class PlyReader {
     PolygonMesh read() {
         read_header();
         for (const Element& element : elements_) {
-            if (element.properties.empty()) continue;  // takes no place
+            if (element.properties.empty()) continue;  // takes no bytes
             if (element.name == "vertex") mesh_.positions.reserve(at_most(element));
             for (number_ = 0; number_ < element.count; ++number_) {
                 element_ = element.name;
@@ -98,7 +98,8 @@ class PlyReader {
     }
     std::string place() const { return fmt::format("{} {} (counted from 0)", element_, number_); }
 
-    /// As many of an element as the rest of the file has place for, or the header says.
+    /// The number of instances of an element that the header says, but at most as many as fit the rest of the
+    /// file.
     std::size_t at_most(const Element& element) const {
         constexpr std::size_t digit_and_blank = 2;
         std::size_t bytes = 0;
@@ -146,7 +147,8 @@ class PlyReader {
         if (!has_format) fail_in_header("the header ends, expected a format in it");
     }
 
-    /// Lines end as the first does, so that the bytes behind the last are known.
+    /// The next line of the header. All lines end like the first one, so that it is clear which bytes follow
+    /// the last one.
     std::string_view take_header_line() {
         const std::size_t first_end = whole_.find_first_of("\r\n");
         if (first_end == std::string_view::npos || whole_[first_end] == '\n' ||
@@ -199,7 +201,7 @@ class PlyReader {
         elements_.back().properties.push_back(property);
     }
 
-    /// The next word of the text, whatever lines it is on.
+    /// The next word of the text, on any line.
     std::string_view next_word() {
         constexpr std::string_view spaces = " \t\r\n";
         rest_.remove_prefix(std::min(rest_.find_first_not_of(spaces), rest_.size()));
@@ -209,7 +211,7 @@ class PlyReader {
         return word;
     }
 
-    /// The next value, in double, which holds every type's values.
+    /// The next value as a double, which can hold the values of all types.
     double next(const Type& type) {
         if (form_ == Form::text) {
             const std::string_view word = next_word();
@@ -239,8 +241,8 @@ class PlyReader {
         return static_cast<Index>(number);
     }
 
-    /// Each three corners in a row are a triangle, every other one turned over; -1 ends a strip, and a corner
-    /// twice leads to where it goes on.
+    /// Reads triangle strips. Every three consecutive corners are a triangle, and every second triangle is
+    /// reversed. -1 ends a strip. A repeated corner connects two parts of a strip.
     void read_strips(const Element& element) {
         for (const Property& property : element.properties) {
             if (property.count_type == nullptr || !property.name.starts_with("vertex_ind")) {
@@ -322,7 +324,7 @@ class PlyReader {
     std::string_view whole_;
     std::string_view rest_;
     std::string_view name_;
-    std::string_view unknown_line_;  ///< of the header; empty for none
+    std::string_view unknown_line_;  ///< a line of the header; empty if there is none
     std::size_t line_number_ = 0;
     Form form_ = Form::text;
     std::vector<Element> elements_;
@@ -332,7 +334,7 @@ class PlyReader {
     PolygonMesh mesh_;
 };
 
-/// A text in UTF-16, or with a byte order mark.
+/// Reads a text in UTF-16, or with a byte order mark.
 PolygonMesh read_converted(std::string_view bytes, std::string_view name) {
     std::vector<std::string> remarks;
     const std::string text = plain_text(std::string(bytes), remarks);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> components = {"red", "green", "blue"};
 
-/// \p text as a word of a PLY header: what is no ASCII letter or digit becomes '_'.
+/// \p text as a word of a PLY header: '_' replaces everything but ASCII letters and digits.
 std::string word(std::string_view text) {
     std::string result(text);
     for (char& c : result)
@@ -20,7 +20,7 @@ std::string word(std::string_view text) {
     return result;
 }
 
-/// \p name, with a number where it is taken: by the position, the colours or a property before.
+/// \p name, with a number appended if the name is taken by a coordinate, a color or an earlier property.
 std::string free_name(const std::string& name, std::span<const PlyProperty> properties) {
     const auto is_taken = [&](std::string_view candidate) {
         constexpr std::array<std::string_view, 6> reserved = {"x", "y", "z", "red", "green", "blue"};

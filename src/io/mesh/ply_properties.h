@@ -1,4 +1,4 @@
-// The properties that the fields of a key become at the vertices of a PLY file.
+// The properties of PLY vertices that hold the fields of a key.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace interleaf {
 
-/// A component of a field: a byte, 0 to 255, for a colour's, a float for a scalar.
+/// A property for one component of a field: a byte, 0 to 255, for a color, or a float for a scalar.
 struct PlyProperty {
     std::string name;  ///< letters, digits and '_'; unique
     bool is_byte;
@@ -18,8 +18,9 @@ struct PlyProperty {
     std::size_t component;
 };
 
-/// The properties of \p fields, in their order. The colours \p vertex_colors, one of them or null, are red,
-/// green and blue, as other programs look for them.
+/// The properties of \p fields, in the order of the fields.
+/// \param vertex_colors  one of \p fields, or null: the properties of this field are called red, green and
+///                       blue, which is where other programs look for colors
 std::vector<PlyProperty> ply_properties(std::span<const Field> fields, const Field* vertex_colors);
 
 }  // namespace interleaf

@@ -43,7 +43,7 @@ void settle_colors(PolygonMesh& mesh) {
             ++undefined;
         }
     }
-    // Colors of films exceed 1 a little; what exceeds 2 is of bytes.
+    // Colors of films may exceed 1 slightly. Colors that exceed 2 were bytes.
     const float scale = most > 2 ? 1.0F / 255 : 1;
     std::size_t clamped = 0;
     float farthest = 0;
@@ -52,7 +52,7 @@ void settle_colors(PolygonMesh& mesh) {
             color = glm::vec3(1);
             continue;
         }
-        // Divided by 255, not multiplied by its inverse: so bytes give the same floats from every format.
+        // Division by 255, unlike multiplication by its inverse, gives the same floats as every other format.
         const glm::vec3 scaled = scale == 1 ? color : color / 255.0F;
         for (int c = 0; c < 3; ++c) color[c] = std::clamp(scaled[c], 0.0F, 1.0F);
         const float excess = std::max(

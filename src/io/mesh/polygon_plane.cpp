@@ -11,17 +11,17 @@
 namespace interleaf {
 namespace {
 
-/// Below this part of the square of its size, an area is one of rounding.
+/// An area below this fraction of the square of the polygon's size is a rounding error.
 constexpr double negligible_area = 1e-12;
 
 double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// The corners less the first, scaled by a power of two so that the farthest coordinate is from 1/2 to 1.
-/// Empty where all are equal.
+/// The corners relative to the first corner, scaled by a power of two so that the largest coordinate is from
+/// 1/2 to 1. Empty if all corners are equal.
 std::vector<glm::dvec3> scaled_to_one(std::span<const glm::dvec3> corners) {
-    // Halves, because a difference of two large numbers may be too large.
+    // Halves, because the difference of two large numbers may overflow.
     std::vector<glm::dvec3> scaled;
     scaled.reserve(corners.size());
     double size = 0;
@@ -38,7 +38,7 @@ std::vector<glm::dvec3> scaled_to_one(std::span<const glm::dvec3> corners) {
     return scaled;
 }
 
-/// Twice the area vector. Where a polygon's two halves cancel, as in a figure of eight, the normal of its
+/// Twice the area vector. If two halves of the polygon cancel, as in a figure of eight, the normal of the
 /// largest triangle at the first corner.
 glm::dvec3 normal_of(std::span<const glm::dvec3> corners) {
     glm::dvec3 sum(0);
@@ -55,7 +55,8 @@ glm::dvec3 normal_of(std::span<const glm::dvec3> corners) {
     return normal;
 }
 
-/// Two axes across \p normal; along the axes of space where the normal is along the third.
+/// Two axes perpendicular to \p normal. If the normal runs along an axis of space, they are the other two
+/// axes.
 std::array<glm::dvec3, 2> axes_across(const glm::dvec3& normal) {
     const glm::dvec3 part = glm::abs(normal);
     const int least = part.x <= part.y && part.x <= part.z ? 0 : part.y <= part.z ? 1 : 2;

@@ -1,5 +1,4 @@
-// A polygon in the plane that fits it best, on a grid of whole numbers, so that what lies left of what is
-// decided exactly.
+// A polygon in the plane that fits it best, on an integer grid, so that orientations are decided exactly.
 #pragma once
 
 #include <cmath>
@@ -11,10 +10,11 @@
 
 namespace interleaf {
 
-/// Steps of the grid along the longer side of a polygon's box. A product of two differences fits 64 bits.
+/// The number of steps of the grid along the longer side of a polygon's box. A product of two differences
+/// fits 64 bits.
 inline constexpr std::int64_t plane_steps = std::int64_t{1} << 29;
 
-/// A place on the grid, 0 to plane_steps on both axes.
+/// A point of the grid, from 0 to plane_steps on both axes.
 struct PlanePoint {
     std::int64_t x = 0;
     std::int64_t y = 0;
@@ -23,7 +23,7 @@ struct PlanePoint {
     auto operator<=>(const PlanePoint&) const = default;
 };
 
-/// Twice the signed area of a triangle: positive where \p a, \p b, \p c turn left.
+/// Twice the signed area of a triangle: positive if \p a, \p b, \p c turn left.
 constexpr std::int64_t orientation(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -33,16 +33,17 @@ inline double distance(const PlanePoint& a, const PlanePoint& b) {
 }
 
 struct PlanePolygon {
-    std::vector<PlanePoint> points;  ///< one per corner; equal corners give equal points
+    std::vector<PlanePoint> points;  ///< one per corner; equal corners have equal points
 
-    /// The largest distance of a corner from the plane through the middle of the corners, as a part of the
-    /// longer side of their box in the plane.
+    /// The largest distance of a corner from the plane through the middle of the corners, as a fraction of
+    /// the longer side of their box in the plane.
     double bulge = 0;
 };
 
-/// The corners of a polygon in the plane of its area vector (Newell's method), around which it turns left. No
-/// points where all corners lie on one line, or are as good as that: no plane fits better than others.
-/// \pre at least three corners, finite
+/// The corners of a polygon in the plane across its area vector (Newell's method). The polygon turns left
+/// around that vector. There are no points if all corners lie nearly on one line, because then no plane fits
+/// best.
+/// \pre at least three corners, all finite
 PlanePolygon in_plane(std::span<const glm::dvec3> corners);
 
 }  // namespace interleaf

@@ -8,10 +8,11 @@
 namespace interleaf {
 namespace {
 
-/// Corners in the lowest nodes, at most.
+/// The largest number of corners in a leaf of the tree.
 constexpr std::size_t leaf_size = 8;
 
-/// How far left of the line from \p a to \p b a box goes: an area, below 0 where all of it lies right.
+/// How far a box reaches to the left of the line from \p a to \p b, as an area; negative if the whole box
+/// lies to the right.
 std::int64_t reach_left(const PlanePoint& least, const PlanePoint& most, const PlanePoint& a,
                         const PlanePoint& b) {
     const PlanePoint farthest_left{b.y > a.y ? least.x : most.x, b.x > a.x ? most.y : least.y};
@@ -66,7 +67,7 @@ void ReflexTree::remove(Index corner) {
 bool ReflexTree::has_inside(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
                             Border border) const {
     if (corners_.empty()) return false;
-    // What lies on a side, but for rounding, counts as inside or not.
+    // A point on a side, up to rounding, counts as inside or outside as border says.
     const auto least_reach = [&](const PlanePoint& from, const PlanePoint& to) {
         constexpr double max_rounding = 4;
         return border == Border::outside ? std::int64_t{1}
@@ -83,7 +84,7 @@ bool ReflexTree::has_inside(const PlanePoint& a, const PlanePoint& b, const Plan
                orientation(c, a, point) >= beside_ca && !is_corner(point);
     };
     const auto is_apart = [&](const Node& node) {
-        // Thousands of corners may be at one place.
+        // Thousands of corners may be at one place, so a box without extent is skipped as a whole.
         return node.count == 0 || (node.least == node.most && is_corner(node.least)) ||
                reach_left(node.least, node.most, a, b) < beside_ab ||
                reach_left(node.least, node.most, b, c) < beside_bc ||
@@ -91,7 +92,7 @@ bool ReflexTree::has_inside(const PlanePoint& a, const PlanePoint& b, const Plan
                std::min({a.x, b.x, c.x}) > node.most.x || std::max({a.x, b.x, c.x}) < node.least.x ||
                std::min({a.y, b.y, c.y}) > node.most.y || std::max({a.y, b.y, c.y}) < node.least.y;
     };
-    // The tree halves at each level, so as many wait as it has levels.
+    // Each level halves the range, so at most one range per level waits.
     std::array<Range, 64> waiting;
     std::size_t count = 0;
     waiting[count++] = {0, corners_.size(), 0};

@@ -1,5 +1,5 @@
-// The corners of a polygon at which it turns right, sorted so that those inside a triangle are found fast: a
-// tree of boxes in the plane (Bentley 1975).
+// The corners at which a polygon turns right, in a tree of boxes in the plane (Bentley 1975), so that corners
+// inside a triangle are found fast.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +13,27 @@ namespace interleaf {
 
 class ReflexTree {
   public:
-    /// \param points   corners of the polygon; they must outlive this
-    /// \param corners  numbers of those that the tree holds
+    /// \param points   the corners of the polygon; they must outlive the tree
+    /// \param corners  the numbers of the corners that the tree holds
     ReflexTree(std::span<const PlanePoint> points, std::vector<Index> corners);
 
-    /// Takes a corner out, where the tree holds it.
+    /// Removes a corner, if the tree holds it.
     void remove(Index corner);
 
-    /// Whether what lies on a triangle's sides, or may but for rounding, counts as inside.
+    /// Whether a point on a side of a triangle, up to rounding, counts as inside the triangle.
     enum class Border { inside, outside };
 
-    /// Whether a corner lies inside the triangle \p a, \p b, \p c, which turns left, but not at one of its
-    /// corners.
+    /// Whether a corner of the tree lies inside the triangle \p a, \p b, \p c, but not at a corner of the
+    /// triangle.
+    /// \pre the triangle turns left
     bool has_inside(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, Border border) const;
 
   private:
-    /// The corners from begin to end; the middle one parts them into the two nodes below.
+    /// The box of the corners in a range. The middle corner divides the range between the two children.
     struct Node {
         PlanePoint least;
         PlanePoint most;
-        std::size_t count;  ///< not removed
+        std::size_t count;  ///< corners that are not removed
     };
     struct Range {
         std::size_t begin;
@@ -44,7 +45,8 @@ class ReflexTree {
 
     std::span<const PlanePoint> points_;
     std::vector<Index> corners_;
-    std::vector<std::size_t> place_;  ///< in corners_, by corner; their number where it is not among them
+    std::vector<std::size_t>
+        place_;  ///< by corner: its index in corners_, or their number if it is not there
     std::vector<Node> nodes_;
 };
 

@@ -1,5 +1,5 @@
-// Stereolithography files: three positions for each triangle, as text or binary. What makes a surface of
-// them, that equal positions are one vertex, is for who reads it.
+// Reads stereolithography files: three positions per triangle, as text or binary. Welding equal positions
+// into one vertex is left to the caller.
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -32,8 +32,8 @@ std::uint32_t claimed_triangles(std::string_view bytes) {
     return count;
 }
 
-/// How many triangles there are. Programs that write while they make triangles leave 0 or 2^32 - 1 as their
-/// number; then the size tells. Some write more behind the last.
+/// The number of triangles. Programs that write the file while they make triangles leave 0 or 2^32 - 1 as the
+/// count; then the size of the file gives the number. Some programs write more bytes after the last triangle.
 std::size_t count_triangles(std::string_view bytes, std::string_view name,
                             std::vector<std::string>& remarks) {
     const std::size_t claimed = claimed_triangles(bytes);
@@ -70,13 +70,13 @@ SurfaceFile parse_binary(std::string_view bytes, std::string_view name) {
     return surface;
 }
 
-/// Reads the words of the text form, on whatever lines they are.
+/// Reads the text form, in which line ends separate words like blanks.
 class TextReader {
   public:
     TextReader(std::string_view text, std::string_view name) : words_(text), name_(name) {}
 
     SurfaceFile read() {
-        // A name stands behind "solid" and "endsolid", up to the line's end or the first "facet normal".
+        // A name follows "solid" and "endsolid", up to the end of the line or the first "facet normal".
         std::size_t name_line = 0;
         bool is_ended = false;
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {

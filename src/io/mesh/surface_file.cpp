@@ -28,13 +28,13 @@ glm::dvec3 as_floats(const glm::dvec3& p) {
 
 SurfaceFile parse_obj(std::string_view text, std::string_view name) {
     SurfaceFile surface = surface_of(read_obj_lines(std::string(text), name), name);
-    // The numbers of the key that the same file is (mesh_file.h): floats, unless it is far from 0.
+    // The same numbers as in the key that the file also is (mesh_file.h): floats, unless it is far from 0.
     if (origin_for(surface.positions, surface.triangles) == glm::dvec3(0))
         for (glm::dvec3& position : surface.positions) position = as_floats(position);
     return surface;
 }
 
-/// A sentence where 32-bit floats have left no detail: far from 0 they are coarse. "" otherwise.
+/// A sentence if 32-bit floats, which are coarse far from 0, have destroyed details; "" otherwise.
 std::string lost_digits(const SurfaceFile& surface) {
     constexpr double enough_steps = 5000;
     glm::dvec3 least = surface.positions.front();

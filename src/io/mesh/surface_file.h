@@ -1,9 +1,9 @@
-// Triangle surfaces as other programs write them: Wavefront OBJ, PLY, STL and OFF, without order in their
-// faces or trust in their content.
+// Reads triangle surfaces that other programs wrote, as Wavefront OBJ, PLY, STL or OFF. The order of faces
+// has no meaning, and the readers trust nothing in a file.
 //
-// Each form is read by own code, a page for each: assimp 5.2.5, the packaged library under a permissive
-// licence, hung for seconds on every third PLY file with a few bytes changed; tinyobjloader takes a number
-// that it cannot read for 0, divides concave polygons wrongly, and takes 25 times the memory of a file.
+// Each format has its own short reader here, because the packaged libraries do not fit. assimp 5.2.5 hung for
+// seconds on every third PLY file with a few bytes changed. tinyobjloader reads a malformed number as 0,
+// divides concave polygons wrongly, and takes 25 times the memory of the file.
 #pragma once
 
 #include <filesystem>
@@ -18,28 +18,30 @@
 
 namespace interleaf {
 
-/// What a file says, nothing welded or turned; positions are finite, and every vertex exists.
+/// The content of a file. Nothing is welded or reoriented. All positions are finite, and triangles name
+/// existing vertices.
 struct SurfaceFile {
     std::vector<glm::dvec3> positions;
     std::vector<Triangle> triangles;
-    std::vector<glm::vec3> colors;  ///< one per vertex, 0 to 1; empty for none
+    std::vector<glm::vec3> colors;  ///< one per vertex, 0 to 1; empty if there are none
 
-    /// Sentences about what was read otherwise than it stands there.
+    /// Sentences about everything that was read differently than written.
     std::vector<std::string> remarks;
 };
 
-/// Reads a surface of at most 1 GiB, by the extension of \p file: .obj, .ply, .stl or .off. Polygons become
-/// triangles (ear_clipping.h).
+/// Reads a file of at most 1 GiB. The extension of \p file selects the format: .obj, .ply, .stl or .off.
+/// Polygons become triangles (ear_clipping.h).
 /// \throw InputError   naming the file, the place and what was expected
-/// \throw MachineError when the file cannot be opened or read
+/// \throw MachineError if the file cannot be opened or read
 SurfaceFile read_surface(const std::filesystem::path& file);
 
-/// The same from the bytes of a file of one form; \p name stands for the file in messages.
+/// Reads the bytes of a file of one format. Messages call the file \p name.
 SurfaceFile parse_off(std::string_view bytes, std::string_view name);
 SurfaceFile parse_ply(std::string_view bytes, std::string_view name);
 SurfaceFile parse_stl(std::string_view bytes, std::string_view name);
 
-/// What is said of a mesh as triangles. \throw InputError as settle() and triangles_of()
+/// Settles \p mesh and divides its polygons into triangles.
+/// \throw InputError as settle() and triangles_of()
 SurfaceFile surface_of(PolygonMesh mesh, std::string_view name);
 
 }  // namespace interleaf
