@@ -1,4 +1,4 @@
-// Family files: family.json with the key files beside it. docs/file-formats.md gives the schema.
+// Family files: family.json with the key files beside it. docs/file-formats.md describes the schema.
 #pragma once
 
 #include <filesystem>
@@ -11,24 +11,26 @@
 
 namespace interleaf {
 
-/// Reads a family from a family.json, from the folder that holds one, or, as a family of one key, from a
-/// single .ilh or .obj file. Key files must lie inside the family's folder. Keys whose roots are numbered
-/// otherwise than those of the first are put over these. What was read has passed check().
-/// \param  changes     gets a sentence for each key that was changed for that
-/// \throw InputError   naming the file, the place and what was expected; MismatchError where keys have other
-///                     roots than the first (synchronise_keys.h)
-/// \throw MachineError when a file cannot be opened or read
+/// Reads a family. The result has passed check(). If the roots of a key are numbered differently than the
+/// roots of the first key, the key is renumbered.
+/// \param path         a family.json, or the folder that holds one, with key files inside that folder; or a
+///                     single .ilh or .obj file, which becomes a family of one key
+/// \param changes      gets a sentence for each key that was renumbered
+/// \throw InputError   naming the file, the place and what was expected; MismatchError if the roots of a key
+///                     do not match the roots of the first key (synchronise_keys.h)
+/// \throw MachineError if a file cannot be opened or read
 Family read_family(const std::filesystem::path& path, std::vector<std::string>* changes = nullptr);
 
-/// A new family from key files: .ilh, whose roots are put over those of the first, or .obj. If all are .obj,
-/// they must have the same faces; an .obj among .ilh is a key without bisections. Keys are called as their
-/// files. Timeline and domain are those of family_of_keys().
-/// \param  changes, \throw as read_family()
-/// \pre    there is a file
+/// Makes a new family from .ilh and .obj files. Keys with differently numbered roots are renumbered to match
+/// the first key. If all files are .obj, they must have the same faces. An .obj among .ilh files is a key
+/// without bisections. Each key has the name of its file. Timeline and domain are those of family_of_keys().
+/// \param changes      as for read_family()
+/// \throw InputError, MachineError as read_family()
+/// \pre   there is a file
 Family read_keys(std::span<const std::filesystem::path> files, std::vector<std::string>* changes = nullptr);
 
-/// The files of the keys that read_family() finds at \p path, in the keys' order.
-/// \throw InputError, MachineError as read_family(), for what names them
+/// The key files that read_family() would read for \p path, in the order of the keys.
+/// \throw InputError, MachineError as read_family(), if family.json cannot be read or understood
 std::vector<std::filesystem::path> key_files(const std::filesystem::path& path);
 
 /// Writes family.json and the keys as NAME.ilh of this form into \p folder, which is made if missing. Key

@@ -1,4 +1,4 @@
-// What the reader and the writer of family files must agree on.
+// Constants and names that the reader and the writer of family files share.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@ namespace interleaf::family_format {
 
 inline constexpr std::string_view name = "interleaf-family";
 
-/// Written where version 1 has a place for all of a family; read, too.
+/// Written for a family without an origin.
 inline constexpr std::uint32_t oldest_version = 1;
-/// Has an origin.
+/// Written for a family with an origin.
 inline constexpr std::uint32_t version = 2;
 
 inline constexpr std::uint64_t largest_file = 16 << 20;
 
-/// Finding overlaps compares every two triangles.
+/// Limits the time that the check for overlaps takes.
 inline constexpr std::size_t most_domain_triangles = 4096;
 
-/// Paths are UTF-8 in the file, whatever the operating system has.
+/// Converts paths: family.json holds them as UTF-8, whatever the operating system uses.
 std::filesystem::path path_of(std::string_view utf8);
 std::string utf8_of(const std::filesystem::path& path);
 

@@ -42,7 +42,7 @@ bool is_inside(const fs::path& folder, const fs::path& file) {
     return std::ranges::mismatch(folder, file).in1 == folder.end();
 }
 
-/// The key file that \p place names, as the operating system knows it: links resolved, inside \p folder.
+/// The key file that \p place names, inside \p folder, with all symbolic links resolved.
 fs::path key_file_at(const JsonPlace& place, const fs::path& folder) {
     const std::string text = place.string();
     const fs::path relative = family_format::path_of(text);
@@ -63,7 +63,7 @@ std::vector<Key> keys_at(const JsonPlace& place, const fs::path& folder) {
     keys.reserve(place.size());
     std::map<std::string, std::size_t> names;
     std::map<fs::path, std::size_t> files;
-    std::vector<std::string> faults;  // of all key files, so that all are named
+    std::vector<std::string> faults;  // of all key files, so that the message names all
     for (std::size_t i = 0; i < place.size(); ++i) {
         const JsonPlace key = place.element(i);
         const JsonPlace name = key.member("name");
@@ -84,7 +84,7 @@ std::vector<Key> keys_at(const JsonPlace& place, const fs::path& folder) {
     return keys;
 }
 
-/// The permutations that keys give by hand: one for each key, empty where there is none.
+/// The permutations of the members "roots": one per key, empty for a key without that member.
 std::vector<std::vector<Index>> given_roots(const JsonPlace& place, std::span<const Key> keys) {
     std::vector<std::vector<Index>> given(keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -110,7 +110,8 @@ std::vector<std::vector<Index>> given_roots(const JsonPlace& place, std::span<co
     return given;
 }
 
-/// Puts all keys over the roots of the first. \p place_of says where a key was read from.
+/// Renumbers all keys so that their roots match the roots of the first key.
+/// \param place_of  says where the key of an index was read from
 template <typename PlaceOf>
 void synchronise_all(std::span<Key> keys, std::span<const std::vector<Index>> given, const PlaceOf& place_of,
                      std::vector<std::string>* changes) {
@@ -124,7 +125,7 @@ void synchronise_all(std::span<Key> keys, std::span<const std::vector<Index>> gi
         changes->insert(changes->end(), synchronisation.changes.begin(), synchronisation.changes.end());
 }
 
-/// Index of the key that is named at a place.
+/// Finds the index of a key by its name.
 class KeyNames {
   public:
     explicit KeyNames(const std::vector<Key>& keys) {
@@ -245,7 +246,7 @@ bool is_mesh(const fs::path& file) {
     return lower_case_extension(file) == ".obj";
 }
 
-/// Keys of hierarchy files among those of meshes, whose origin is that of the first mesh.
+/// Reads the keys of hierarchy files and meshes. The first mesh determines the origin of all meshes.
 MeshKeys read_all(std::span<const fs::path> files) {
     if (std::ranges::all_of(files, is_mesh)) return read_obj_series(files);
     MeshKeys all;

@@ -37,8 +37,8 @@ void check_writable(const Family& family, const fs::path& folder) {
     throw InputError(fmt::format("{}: {}", folder.string(), joined(violations, "; ")));
 }
 
-/// \p name as the stem of a file name: ASCII letters, digits, '-', '_' and all other scripts kept, the rest
-/// replaced by '-'.
+/// \p name as the stem of a file name. ASCII letters and digits, '_' and all non-ASCII characters are kept;
+/// '-' replaces every other character.
 std::string file_stem(std::string_view name) {
     constexpr std::size_t longest = 100;
     std::string stem;
@@ -61,14 +61,15 @@ bool holds(const fs::path& file, const std::vector<std::byte>& bytes) {
     return std::ranges::equal(std::as_bytes(std::span(content)), bytes);
 }
 
-/// A key file that is to be in the family's folder.
+/// A key file that the family needs in its folder.
 struct KeyFile {
     KeyFileMark mark;
-    bool is_present;  ///< with just this content
+    bool is_present;  ///< whether the folder already has the file, with exactly this content
 };
 
-/// The file for \p key in \p folder: one that holds just this key, or one that is not there, so that what an
-/// earlier family.json names stays as it is; none in \p taken, to which its name is added.
+/// Chooses the file for \p key in \p folder: a file that already holds exactly this key, or a new file, so
+/// that the files of an earlier family.json stay unchanged.
+/// \param taken  names that are not available; gets the chosen name
 KeyFile choose_file(const Key& key, const fs::path& folder, const HierarchyFileOptions& form,
                     std::set<std::string>& taken) {
     const std::vector<std::byte> bytes = serialize_hierarchy(*key.hierarchy, form);
@@ -93,7 +94,7 @@ std::vector<KeyFile> choose_files(const Family& family, const fs::path& folder,
     return files;
 }
 
-/// What the journal is to know: the files that will be new, and those that the present family.json names.
+/// The files for the journal: the new key files, and the key files that the current family.json names.
 std::vector<KeyFileMark> unsettled_files(const std::vector<KeyFile>& files, const fs::path& folder) {
     std::vector<KeyFileMark> unsettled;
     for (const KeyFile& file : files)
@@ -103,7 +104,7 @@ std::vector<KeyFileMark> unsettled_files(const std::vector<KeyFile>& files, cons
     return unsettled;
 }
 
-/// A member that is an array, one element a line.
+/// The text of a member that is an array, with one element per line.
 std::string array_text(std::string_view indent, std::string_view name,
                        const std::vector<ordered_json>& elements) {
     std::vector<std::string> lines;
@@ -134,7 +135,8 @@ std::string domain_text(const ParameterDomain& domain, const Family& family) {
                        array_text("    ", "triangles", triangles));
 }
 
-/// The text of family.json. \p files has one a key.
+/// The text of family.json.
+/// \param files  one per key
 std::string family_text(const Family& family, const std::vector<KeyFile>& files) {
     std::vector<ordered_json> keys;
     keys.reserve(family.keys.size());
@@ -155,7 +157,7 @@ std::string family_text(const Family& family, const std::vector<KeyFile>& files)
     return fmt::format("{{\n{}\n}}\n", joined(members, ",\n"));
 }
 
-/// \pre  nobody else saves into \p folder
+/// \pre no other process saves into \p folder
 void save(const Family& family, const fs::path& folder, const HierarchyFileOptions& form) {
     const std::vector<KeyFile> files = choose_files(family, folder, form);
     begin_save(folder, unsettled_files(files, folder));
@@ -173,7 +175,7 @@ void write_family(const Family& family, const fs::path& folder, const HierarchyF
     try {
         fs::create_directories(folder);
         const FolderLock lock(folder);
-        finish_save(folder);  // one that was killed
+        finish_save(folder);  // a previous save that was killed
         try {
             save(family, folder, form);
         } catch (...) {

@@ -24,12 +24,12 @@ namespace fs = std::filesystem;
 constexpr std::string_view journal_name = ".interleaf-save";
 constexpr std::uint64_t largest_journal = 1 << 20;
 
-/// Whether \p name is that of a key file in the family's folder itself, and fits on a line.
+/// Whether \p name names a key file directly in the family's folder, and fits on one line.
 bool is_key_name(const fs::path& name) {
     return name == name.filename() && name.extension() == ".ilh" && family_format::is_name(name.string());
 }
 
-/// What the journal in \p folder lists: on each line checksum, size and name.
+/// The files that the journal in \p folder lists. Each line has a checksum, a size and a name.
 std::vector<KeyFileMark> listed_files(const fs::path& folder) {
     std::istringstream lines(read_text(folder / journal_name, largest_journal));
     std::vector<KeyFileMark> files;
@@ -43,7 +43,7 @@ std::vector<KeyFileMark> listed_files(const fs::path& folder) {
     return files;
 }
 
-/// Removes what \p folder's journal lists and \p needed does not.
+/// Removes the files that the journal of \p folder lists and \p needed does not contain, and the journal.
 void remove_unneeded(const fs::path& folder, const std::set<std::string>& needed) {
     std::error_code ignored;
     for (const KeyFileMark& listed : listed_files(folder))

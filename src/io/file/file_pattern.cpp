@@ -51,10 +51,11 @@ std::string without_numbers(std::string_view text) {
     return result;
 }
 
-/// Whether \p name is \p pattern with something for each asterisk.
+/// Whether \p name matches \p pattern, in which an asterisk stands for any characters.
 bool matches(std::string_view name, std::string_view pattern) {
     if (name.starts_with('.') && !pattern.starts_with('.')) return false;
-    // The last asterisk takes one character more whenever what follows does not fit: no other one has to.
+    // If the text after the last asterisk does not match, that asterisk takes one more character. Earlier
+    // asterisks need no more characters.
     std::size_t n = 0, p = 0, asterisk = std::string_view::npos, taken_to = 0;
     while (n < name.size()) {
         if (p < pattern.size() && pattern[p] == '*') {

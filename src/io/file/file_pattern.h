@@ -19,14 +19,14 @@ bool is_numbered_series(const std::vector<std::filesystem::path>& files);
 /// Puts \p files in the natural order.
 void sort_naturally(std::vector<std::filesystem::path>& files);
 
-/// The files that \p path stands for, in their natural order. An asterisk in its last component stands for
-/// any characters, but for no dot at the beginning. A path without, or of something that exists, stands for
-/// itself.
-/// \throw InputError   if nothing matches a pattern, or there is an asterisk in another component
+/// The files that \p path stands for, in their natural order. An asterisk in the last component stands for
+/// any characters, except for a dot at the beginning. A path without an asterisk stands for itself, as does
+/// the path of an existing file or folder.
+/// \throw InputError   if no file matches a pattern, or if another component has an asterisk
 /// \throw MachineError if the folder cannot be read
 std::vector<std::filesystem::path> matching_files(const std::filesystem::path& path);
 
-/// The extension of \p file in small letters: ".ILH" as ".ilh".
+/// The extension of \p file in lower case: ".ILH" becomes ".ilh".
 std::string lower_case_extension(const std::filesystem::path& file);
 
 }  // namespace interleaf

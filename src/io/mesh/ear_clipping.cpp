@@ -149,7 +149,7 @@ class Ring {
 /// Whether a polygon turns left at every corner and goes around only once.
 bool is_convex(std::span<const PlanePoint> points) {
     const std::size_t count = points.size();
-    int changes = 0;  // of the direction along x: a convex polygon has two per round
+    int changes = 0;  // of the direction along x, in the second round; a convex polygon has two
     std::int64_t last = 0;
     for (std::size_t i = 0; i < 2 * count; ++i) {
         const PlanePoint& a = points[i % count];

@@ -15,7 +15,7 @@ unsigned byte_at(std::string_view text, std::size_t place) {
     return static_cast<unsigned char>(text[place]);
 }
 
-/// The first characters of a mesh are of ASCII, so that every other byte is 0 in UTF-16.
+/// The first characters of a mesh are ASCII, so in UTF-16 every second byte is 0.
 Encoding encoding_of(std::string_view text) {
     if (text.size() < 4) return Encoding::utf8;
     if (text.starts_with("\xff\xfe")) return Encoding::utf16_little_endian;
@@ -42,7 +42,7 @@ void append_utf8(std::string& text, unsigned code) {
     }
 }
 
-/// Characters beyond the first 65,536 become two of three bytes each; they matter to no mesh.
+/// Characters beyond the first 65,536 become two characters of three bytes each. Meshes do not need them.
 std::string utf8_of(std::string_view text, Encoding encoding) {
     const std::size_t low = encoding == Encoding::utf16_little_endian ? 0 : 1;
     std::string result;
@@ -52,7 +52,7 @@ std::string utf8_of(std::string_view text, Encoding encoding) {
     return result;
 }
 
-/// Gives each "\r" that no "\n" follows the place of one.
+/// Replaces each "\r" by "\n", unless a "\n" follows.
 void end_lines(std::string& text) {
     for (std::size_t place = text.find('\r'); place != std::string::npos; place = text.find('\r', place + 1))
         if (place + 1 == text.size() || text[place + 1] != '\n') text[place] = '\n';

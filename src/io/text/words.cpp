@@ -50,7 +50,7 @@ std::optional<double> parse_double(std::string_view word) {
     double number = 0;
     std::errc error = parse_word(word, number);
     if (error == std::errc::result_out_of_range) {
-        // libstdc++ leaves the number alone then; a negative exponent tells that it is too small.
+        // libstdc++ leaves the number unchanged then. A negative exponent shows that it is too small.
         const std::size_t exponent = word.find_first_of("eE");
         if (exponent != std::string_view::npos && word.substr(exponent + 1).starts_with('-'))
             error = std::errc();
@@ -65,12 +65,12 @@ double rounded_to_float(double number) {
 
 std::optional<double> parse_coordinate(std::string_view word) {
     if (std::optional<double> number = parse_double(word)) {
-        // What is nearer to the largest float than to the next step above it, is that float.
+        // A number that is nearer to the largest float than to the next step above it becomes that float.
         constexpr double largest = std::numeric_limits<float>::max();
         constexpr double beyond = largest + 0x1p103;
         if (std::abs(*number) >= beyond) return std::nullopt;
         if (std::abs(*number) > largest) return std::copysign(largest, *number);
-        // Half-way between two floats the rounding to double may hide on which side the word is.
+        // Halfway between two floats, the rounding to double may hide on which side the word is.
         const auto nearest = static_cast<float>(*number);
         const double offset = *number - double{nearest};
         const float other = std::nextafter(nearest, offset < 0 ? -HUGE_VALF : HUGE_VALF);

@@ -1,4 +1,4 @@
-// Lines of text files, the words in them, and the numbers these stand for.
+// Lines of text files, the words in them, and the numbers that words stand for.
 #pragma once
 
 #include <charconv>
@@ -9,28 +9,31 @@
 
 namespace interleaf {
 
-/// The next line of \p text, without its end, taken off its front. \pre \p text is not empty
+/// Removes the next line from the front of \p text.
+/// \return the line, without its end
+/// \pre    \p text is not empty
 std::string_view take_line(std::string_view& text);
 
-/// The next word of \p line, taken off its front; empty at its end. Blanks, tabs and carriage returns part
-/// words.
+/// Removes the next word from the front of \p line. Blanks, tabs and carriage returns separate words.
+/// \return the word; empty at the end of the line
 std::string_view take_word(std::string_view& line);
 
-/// Whether \p word is \p expected, which has small letters, in letters of any case.
+/// Whether \p word is \p expected in any case.
+/// \pre \p expected is in lower case
 bool is_word(std::string_view word, std::string_view expected);
 
-/// The words of a text, whatever lines they are on.
+/// The words of a text, on any lines.
 class Words {
   public:
     explicit Words(std::string_view text) : rest_(text) {}
 
-    /// Empty at the end.
+    /// The next word; empty at the end.
     std::string_view next();
 
-    /// Of the last word, counted from 1.
+    /// The line of the last word, counted from 1.
     std::size_t line() const { return line_; }
 
-    /// What follows the last word.
+    /// The text after the last word.
     std::string_view rest() const { return rest_; }
 
   private:
@@ -49,13 +52,13 @@ std::errc parse_word(std::string_view word, Number& number) {
 /// small is 0.
 std::optional<double> parse_double(std::string_view word);
 
-/// The float nearest to \p number. A function of its own, for g++ 12 takes a vector of doubles that goes to
-/// floats and back for unchanged when it optimises both in one place.
+/// The float nearest to \p number. This is a separate function because g++ 12 optimizes a conversion of a
+/// vector of doubles to floats and back away when both are in one place.
 double rounded_to_float(double number);
 
-/// The same as parse_double() for a coordinate or a part of a color: within the range of floats, and such
-/// that the nearest float is the one nearest to the word, too. A word that stands for no number, or for an
-/// infinite one, as programs print them ("nan", "-inf", "1.#QNAN"), is given as NaN.
+/// Like parse_double(), for a coordinate or a component of a color. The result is in the range of floats, and
+/// the float nearest to it is also the float nearest to \p word. A word that programs print for an undefined
+/// or infinite number ("nan", "-inf", "1.#QNAN") gives NaN.
 std::optional<double> parse_coordinate(std::string_view word);
 
 }  // namespace interleaf
