@@ -127,7 +127,7 @@ TEST_CASE("several keys that do not fit exit with 1 and say which and where") {
     };
     const std::vector<Fault> faults = {
         {{folder / "none.*.obj"}, "none.*.obj: no file matches"},
-        {{folder / "f*/a.obj"}, "f*/a.obj: expected * in the name of files alone"},
+        {{folder / "f*/a.obj"}, "f*/a.obj: expected * only in the name of the file"},
         {{names[0], folder / "flow.1.obj"}, "flow.1.obj: key flow.1: 1 root triangles"},
         {{names[0], folder / "missing.ilh"}, "missing.ilh: there is no such file"},
         {{names[0], INTERLEAF_FIVE_KEYS}, "five-keys: expected a file that ends in .ilh or .obj"}};

@@ -54,7 +54,7 @@ fs::path key_file_at(const JsonPlace& place, const fs::path& folder) {
     const fs::path file = fs::canonical(folder / relative, error);
     if (error) place.fail(fmt::format("is {}: {}", in_quotes(text), error.message()));
     if (!is_inside(fs::canonical(folder), file))
-        place.fail(fmt::format("is {}, a link out of the family's folder", in_quotes(text)));
+        place.fail(fmt::format("is {}, a link that leads out of the family's folder", in_quotes(text)));
     return file;
 }
 
@@ -69,11 +69,12 @@ std::vector<Key> keys_at(const JsonPlace& place, const fs::path& folder) {
         const JsonPlace name = key.member("name");
         const auto [same_name, name_is_new] = names.emplace(key_name_at(name), i);
         if (!name_is_new)
-            name.fail(fmt::format("is {}, as keys[{}]", in_quotes(same_name->first), same_name->second));
+            name.fail(
+                fmt::format("is {}, the same as keys[{}]", in_quotes(same_name->first), same_name->second));
 
         const JsonPlace file = key.member("file");
         const auto [same_file, file_is_new] = files.emplace(key_file_at(file, folder), i);
-        if (!file_is_new) file.fail(fmt::format("is the file of keys[{}], too", same_file->second));
+        if (!file_is_new) file.fail(fmt::format("is also the file of keys[{}]", same_file->second));
         try {
             keys.push_back({same_name->first, read_hierarchy(same_file->first)});
         } catch (const InputError& error) {
@@ -90,7 +91,8 @@ std::vector<std::vector<Index>> given_roots(const JsonPlace& place, std::span<co
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const auto roots = place.element(i).optional_member("roots");
         if (!roots) continue;
-        if (i == 0) roots->fail("is there, but it is the first key that numbers the roots; expected none");
+        if (i == 0)
+            roots->fail("is present, expected none: the first key defines the numbering of the roots");
         const Index count = keys[i].hierarchy->roots.triangle_count();
         if (roots->size() != count)
             roots->fail(
@@ -101,8 +103,8 @@ std::vector<std::vector<Index>> given_roots(const JsonPlace& place, std::span<co
             const JsonPlace number = roots->element(r);
             const Index root = number.index_below(count);
             if (place_of[root] != no_index)
-                number.fail(
-                    fmt::format("is {}, as roots[{}]; expected each root once", root, place_of[root]));
+                number.fail(fmt::format("is {}, the same as roots[{}]; expected each root once", root,
+                                        place_of[root]));
             place_of[root] = static_cast<Index>(r);
             given[i].push_back(root);
         }

@@ -103,7 +103,7 @@ std::vector<fs::path> matching_files(const fs::path& path) {
     if (whole.find('*') == std::string::npos || fs::exists(path, error)) return {path};
     if (path.parent_path().string().find('*') != std::string::npos)
         throw InputError(
-            fmt::format("{}: expected * in the name of files alone, not of their folder", whole));
+            fmt::format("{}: expected * only in the name of the file, not in its folder", whole));
 
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     std::vector<fs::path> files;

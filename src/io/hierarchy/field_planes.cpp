@@ -42,7 +42,7 @@ void require_zeros(std::span<const glm::vec3> group, int first_axis) {
     for (const glm::vec3& row : group)
         for (int axis = first_axis; axis < 3; ++axis)
             if (std::bit_cast<std::uint32_t>(row[axis]) != 0)
-                throw InputError("columns that no field has are not zero");
+                throw InputError("columns that belong to no field are not zero");
 }
 
 }  // namespace

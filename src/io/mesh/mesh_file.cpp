@@ -68,9 +68,8 @@ Hierarchy key_of(const RootComplex& roots, const PolygonMesh& lines, const std::
         const glm::dvec3 local = lines.positions[vertex] - origin;
         if (!is_place(local))
             throw InputError(
-                fmt::format("{}: vertex {} (counted from 1): is too far from ({}, {}, {}), from "
-                            "which positions count",
-                            name, vertex + 1, origin.x, origin.y, origin.z));
+                fmt::format("{}: vertex {} (counted from 1): is too far from the origin, ({}, {}, {})", name,
+                            vertex + 1, origin.x, origin.y, origin.z));
         positions.emplace_back(local);
     }
     Hierarchy key = unrefined(roots, positions);
@@ -123,7 +122,7 @@ std::string face_difference(const PolygonMesh& lines, const PolygonMesh& first, 
         corner += lines.face_sizes[face];
     }
     if (lines.face_sizes.size() != first.face_sizes.size())
-        return fmt::format("has {} faces, expected {}, as {} has", lines.face_sizes.size(),
+        return fmt::format("has {} faces, expected {} as in {}", lines.face_sizes.size(),
                            first.face_sizes.size(), first_name);
     return "";
 }

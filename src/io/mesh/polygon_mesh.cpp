@@ -28,7 +28,7 @@ void settle_positions(PolygonMesh& mesh, std::string_view name) {
                             name, place));
         mesh.positions[vertex] = mesh.positions[mesh.corners.front()];
     }
-    mesh.remarks.push_back(fmt::format("{} not at a finite place and not used by faces: ignored.",
+    mesh.remarks.push_back(fmt::format("{} not finite and not used by faces: ignored.",
                                        counted(mesh.broken_vertices.size(), "vertex is", "vertices are")));
 }
 
@@ -82,7 +82,7 @@ bool PolygonMesh::add_face(std::span<const Index> vertices, std::size_t line) {
 void settle(PolygonMesh& mesh, std::string_view name) {
     if (mesh.face_sizes.empty())
         throw InputError(mesh.positions.empty()
-                             ? fmt::format("{}: has no faces, expected some", name)
+                             ? fmt::format("{}: has no faces, expected at least one", name)
                              : fmt::format("{}: is a point cloud: it has {}, but no faces", name,
                                            counted(mesh.positions.size(), "vertex", "vertices")));
     settle_positions(mesh, name);

@@ -19,8 +19,7 @@ namespace interleaf {
 
 /// The largest number of vertices without finite coordinates. A file with more counts as damaged.
 inline constexpr std::size_t max_broken_vertices = 1000;
-inline constexpr std::string_view too_many_broken_vertices =
-    "more than 1000 vertices are not at a finite place";
+inline constexpr std::string_view too_many_broken_vertices = "more than 1000 vertices are not finite";
 
 /// The largest number of triangles in a file of \p bytes bytes. A mesh has about two triangles per vertex,
 /// and the vertices alone take more bytes than this limit. A file with more triangles repeats the same few

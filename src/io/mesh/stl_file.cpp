@@ -21,7 +21,7 @@ constexpr std::size_t triangle_bytes = 50;  // normal, three positions, two byte
 /// Triangle n has the vertices 3 n, 3 n + 1 and 3 n + 2.
 void number_vertices(SurfaceFile& surface, std::string_view name) {
     const auto count = static_cast<Index>(surface.positions.size() / 3);
-    if (count == 0) throw InputError(fmt::format("{}: has no triangles, expected some", name));
+    if (count == 0) throw InputError(fmt::format("{}: has no triangles, expected at least one", name));
     for (Index n = 0; n < count; ++n) surface.triangles.push_back({3 * n, 3 * n + 1, 3 * n + 2});
 }
 
@@ -41,15 +41,16 @@ std::size_t count_triangles(std::string_view bytes, std::string_view name,
     const std::size_t trailing = bytes.size() - header_bytes - triangle_bytes * present;
     const bool is_unknown = claimed == 0 || claimed == 0xffffffff;
     if (is_unknown && present > 0 && trailing == 0) {
-        remarks.push_back(fmt::format("The file says {} triangles, its size {}.", claimed, present));
+        remarks.push_back(
+            fmt::format("The count says {} triangles, but the size of the file says {}.", claimed, present));
         return present;
     }
     if (claimed > present)
-        throw InputError(
-            fmt::format("{}: size: {} bytes, expected {} + {} for each of the {} triangles that byte 80 says",
-                        name, bytes.size(), header_bytes, triangle_bytes, claimed));
+        throw InputError(fmt::format(
+            "{}: size: {} bytes, expected {} + {} for each of the {} triangles of the count at byte 80", name,
+            bytes.size(), header_bytes, triangle_bytes, claimed));
     const std::size_t unread = bytes.size() - header_bytes - triangle_bytes * claimed;
-    if (unread > 0) remarks.push_back(fmt::format("{} bytes behind the last triangle were ignored.", unread));
+    if (unread > 0) remarks.push_back(fmt::format("{} bytes after the last triangle were ignored.", unread));
     return claimed;
 }
 

@@ -51,8 +51,7 @@ std::string lost_digits(const SurfaceFile& surface) {
     if (steps > enough_steps) return {};
     return fmt::format(
         "The coordinates, of up to {:.6g}, are 32-bit floats, which leave {:.0f} steps across the surface: "
-        "digits were "
-        "lost when it was written.",
+        "digits were lost when the file was written.",
         farthest, steps);
 }
 
@@ -72,7 +71,8 @@ SurfaceFile read_surface(const std::filesystem::path& file) {
     if (extension == ".ply") parse = parse_ply;
     if (extension == ".stl") parse = parse_stl;
     if (parse == nullptr)
-        throw InputError(fmt::format("{}: expected a mesh called .obj, .ply, .stl or .off", file.string()));
+        throw InputError(
+            fmt::format("{}: expected a file that ends in .obj, .ply, .stl or .off", file.string()));
     SurfaceFile surface = parse(read_text(file, largest_surface), file.string());
     if (std::string lost = lost_digits(surface); !lost.empty()) surface.remarks.push_back(std::move(lost));
     return surface;

@@ -84,7 +84,7 @@ double JsonPlace::number() const {
 
 std::uint32_t JsonPlace::index_below(std::size_t limit) const {
     if (!value_->is_number_unsigned() || value_->get<std::uint64_t>() >= limit)
-        fail_expecting(fmt::format("a whole number from 0, below {}", limit));
+        fail_expecting(fmt::format("an integer from 0, below {}", limit));
     return value_->get<std::uint32_t>();
 }
 
@@ -99,7 +99,7 @@ void JsonPlace::fail_expecting(std::string_view what) const {
 json parse_json(std::string_view text, std::string_view file) {
     if (most_values_in(text) > most_json_values)
         throw InputError(
-            fmt::format("{}: document: has more than {} values, expected fewer", file, most_json_values));
+            fmt::format("{}: document: has too many values, expected at most {}", file, most_json_values));
     try {
         return json::parse(text);
     } catch (const json::exception& error) {

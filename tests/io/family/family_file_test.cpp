@@ -258,9 +258,9 @@ TEST_CASE("a hostile family file is refused with its place and what was expected
         {with_keys(R"([{"name": "", "file": "a.ilh"}])"),
          "keys[0].name: is \"\", expected a name that is not empty"},
         {with_keys(R"([{"name": "a", "file": "a.ilh"}, {"name": "a", "file": "b.ilh"}])"),
-         "keys[1].name: is \"a\", as keys[0]"},
+         "keys[1].name: is \"a\", the same as keys[0]"},
         {with_keys(R"([{"name": "a", "file": "a.ilh"}, {"name": "b", "file": "./a.ilh"}])"),
-         "keys[1].file: is the file of keys[0], too"},
+         "keys[1].file: is also the file of keys[0]"},
         {with_keys(R"([{"name": "a", "file": "a.ilh"}, {"name": "o", "file": "other.ilh"}])"),
          "family.json: keys[1]: key o: 7 root triangles, 6 root vertices, 3 boundary edges, 1 component, "
          "expected 8 root triangles, 6 root vertices, 0 boundary edges, 1 component as key a has"},
@@ -296,7 +296,7 @@ TEST_CASE("a hostile family file is refused with its place and what was expected
         {with_members(R"("domain": {"vertices": [{"at": [0, 0], "key": "z"}], "triangles": []})"),
          "domain.vertices[0].key: is \"z\", expected the name of a key"},
         {with_domain("[[0, 1]]"), "domain.triangles[0]: is an array, expected three vertices"},
-        {with_domain("[[0, 1, 3]]"), "domain.triangles[0][2]: is 3, expected a whole number from 0, below 3"},
+        {with_domain("[[0, 1, 3]]"), "domain.triangles[0][2]: is 3, expected an integer from 0, below 3"},
         {with_domain("[[0, 1, -1]]"), "domain.triangles[0][2]: is -1, expected"},
         {with_domain("[[0, 1, 4294967297]]"), "domain.triangles[0][2]: is 4294967297, expected"},
         {with_domain("[[0, 1, 2.0]]"), "domain.triangles[0][2]: is 2.0, expected a whole number"},
@@ -326,12 +326,12 @@ TEST_CASE("a link may lead to a key inside the family's folder and nowhere else"
     CHECK(error().empty());
     fs::remove(folder / "family/link.ilh");
     fs::create_symlink("../b.ilh", folder / "family/link.ilh");
-    CHECK(contains(error(), "keys[0].file: is \"link.ilh\", a link out of the family's folder"));
+    CHECK(contains(error(), "keys[0].file: is \"link.ilh\", a link that leads out of the family's folder"));
 
     // A folder whose name begins as the family's does is outside, too.
     put(folder / "family/family.json", with_file("up/o.ilh"));
     fs::create_directory_symlink("../family-other", folder / "family/up");
-    CHECK(contains(error(), "a link out of the family's folder"));
+    CHECK(contains(error(), "a link that leads out of the family's folder"));
 }
 
 TEST_CASE("a family file beyond the limit is refused by its size") {

@@ -119,10 +119,11 @@ TEST_CASE("a hostile permutation is refused with its place") {
         {"[" + huge + "]", "keys[1].roots: has 400001 numbers, expected one for each"},
         {"{}", "keys[1].roots: is an object, expected an array"},
         {"null", "keys[1].roots: is null, expected an array"},
-        {nlohmann::json(twice).dump(), "keys[1].roots[2]: is 0, as roots[1]; expected each root once"},
+        {nlohmann::json(twice).dump(),
+         "keys[1].roots[2]: is 0, the same as roots[1]; expected each root once"},
         {fmt::format("[{}, {}]", count, rest),
          fmt::format("keys[1].roots[0]: is {}, expected a whole", count)},
-        {fmt::format("[-1, {}]", rest), "keys[1].roots[0]: is -1, expected a whole number from 0, below"},
+        {fmt::format("[-1, {}]", rest), "keys[1].roots[0]: is -1, expected an integer from 0, below"},
         {fmt::format("[4294967296, {}]", rest), "keys[1].roots[0]: is 4294967296, expected"},
         {fmt::format("[0.5, {}]", rest), "keys[1].roots[0]: is 0.5, expected"},
         {fmt::format("[\"0\", {}]", rest), "keys[1].roots[0]: is \"0\", expected"}};
@@ -133,8 +134,9 @@ TEST_CASE("a hostile permutation is refused with its place") {
         CHECK(contains(error, "family.json: " + hostile.expected));
     }
     put(folder / "family.json", family_json(R"(, "roots": [0])", ""));
-    CHECK(contains(input_error_of([&] { read_family(folder.path()); }),
-                   "keys[0].roots: is there, but it is the first key that numbers the roots"));
+    CHECK(contains(
+        input_error_of([&] { read_family(folder.path()); }),
+        "keys[0].roots: is present, expected none: the first key defines the numbering of the roots"));
 }
 
 TEST_CASE("keys over other roots are refused, each with its file") {
@@ -185,9 +187,9 @@ TEST_CASE("OBJ files with the same faces are a family over one root complex, tri
           fmt::format("{}: line 7: a face of the vertices (5, 3, 4), expected (5, 4, 3) as in line 8 of {}; "
                       "`interleaf fit` makes keys of meshes with different faces",
                       files[1].string(), first));
-    CHECK(contains(error_with(vertices + "f 1 2 3 4\n"), "m.2.obj: has 1 faces, expected 2, as " + first));
+    CHECK(contains(error_with(vertices + "f 1 2 3 4\n"), "m.2.obj: has 1 faces, expected 2 as in " + first));
     CHECK(contains(error_with(vertices + "f 1 2 3 4\nf 5 4 3\nf 1 2 5\n"),
-                   "m.2.obj: has 3 faces, expected 2, as " + first));
+                   "m.2.obj: has 3 faces, expected 2 as in " + first));
     CHECK(
         contains(error_with(vertices + "f 1 2 3 4\nf 5 4 9\n"), "m.2.obj: line 7: vertex 9 does not exist"));
 }

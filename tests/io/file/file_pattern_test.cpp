@@ -107,7 +107,7 @@ TEST_CASE("a pattern stands for the files that match, in natural order") {
     CHECK(error(folder / "missing/*.obj").ends_with("/missing: there is no such folder"));
     CHECK(error(folder / "flow.1.obj/*").ends_with(": there is no such folder"));
     CHECK(
-        error(folder / "m*/a.*.obj").ends_with("expected * in the name of files alone, not of their folder"));
+        error(folder / "m*/a.*.obj").ends_with("expected * only in the name of the file, not in its folder"));
 }
 
 TEST_CASE("what a pattern matches is what it says literally") {

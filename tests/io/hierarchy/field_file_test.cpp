@@ -198,7 +198,7 @@ TEST_CASE("each part of a field that is wrong is named, with what was expected")
             return error_with(form, [=](Bytes& b) { b[place] = static_cast<std::byte>(value); });
         };
         CHECK(contains(put(12, 65), "field count: is 65, expected at most 64"));
-        CHECK(contains(put(table, 0), "field 0: the kind is 0, expected 1 (scalar) or 3 (colour)"));
+        CHECK(contains(put(table, 0), "field 0: the kind is 0, expected 1 (scalar) or 3 (color)"));
         CHECK(contains(put(table, 2), "field 0: the kind is 2"));
         CHECK(contains(put(table + 1, 0), "field 0: the name is empty"));
         CHECK(contains(put(table, 3), is_plain ? "size: " : "checksum of the content: "));

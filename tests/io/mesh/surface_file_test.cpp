@@ -343,7 +343,8 @@ TEST_CASE("what is wrong is said with the file, the place and what was expected"
     }
     const ScratchFolder folder;
     put(folder / "m.txt", "OFF");
-    CHECK(contains(input_error_of([&] { read_surface(folder / "m.txt"); }), "expected a mesh called .obj"));
+    CHECK(contains(input_error_of([&] { read_surface(folder / "m.txt"); }),
+                   "expected a file that ends in .obj"));
 }
 
 TEST_CASE("an OFF is read as Geomview reads it, and as others write it") {
@@ -426,11 +427,12 @@ TEST_CASE("a binary STL is read whatever its count and its header say, where its
         std::string_view remark;
     };
     const Variant variants[] = {
-        {with_count(stl, 0), "The file says 0 triangles, its size 6."},
-        {with_count(stl, 0xffffffff), "The file says 4294967295 triangles, its size 6."},
-        {stl + "x", "1 bytes behind the last triangle were ignored."},
-        {stl + std::string(92, '\0'), "92 bytes behind the last triangle were ignored."},
-        {solid + std::string(46, '\0'), "46 bytes behind the last triangle were ignored."},
+        {with_count(stl, 0), "The count says 0 triangles, but the size of the file says 6."},
+        {with_count(stl, 0xffffffff),
+         "The count says 4294967295 triangles, but the size of the file says 6."},
+        {stl + "x", "1 bytes after the last triangle were ignored."},
+        {stl + std::string(92, '\0'), "92 bytes after the last triangle were ignored."},
+        {solid + std::string(46, '\0'), "46 bytes after the last triangle were ignored."},
     };
     for (const auto& [bytes, remark] : variants) {
         CAPTURE(remark);
@@ -599,7 +601,7 @@ TEST_CASE("a vertex without a place is passed over where no face uses it") {
     const SurfaceFile surface = parse_obj(text, "");
     CHECK(surface.positions.size() == 6);
     CHECK(surface.positions[1] == glm::dvec3(1, 2, 3));
-    CHECK(mentions(surface.remarks, "3 vertices are not at a finite place and not used by faces: ignored."));
+    CHECK(mentions(surface.remarks, "3 vertices are not finite and not used by faces: ignored."));
     std::string many = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     for (int i = 0; i < 1001; ++i) many += "v nan 0 0\n";
     CHECK(contains(input_error_of([&] { parse_obj(many, ""); }), "line 1005: more than 1000 vertices"));
