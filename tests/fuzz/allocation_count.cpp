@@ -9,7 +9,7 @@
 #include <sys/mman.h>
 
 #ifdef INTERLEAF_ADDRESS_SANITIZER
-// Of sanitizer/allocator_interface.h, which g++ has the functions of, but not the header.
+// From sanitizer/allocator_interface.h. g++ has these functions, but not the header.
 extern "C" {
 int __sanitizer_install_malloc_and_free_hooks(void (*allocated)(const volatile void*, std::size_t),
                                               void (*released)(const volatile void*));
@@ -21,7 +21,7 @@ namespace interleaf::fuzz {
 
 namespace {
 
-std::ptrdiff_t allocated = 0;  // below zero where memory from before the program counted is given back
+std::ptrdiff_t allocated = 0;  // negative if memory from before the count is freed
 std::ptrdiff_t at_begin = 0;
 std::ptrdiff_t most = 0;
 
@@ -43,7 +43,7 @@ std::size_t most_bytes() {
 
 }  // namespace interleaf::fuzz
 
-// The linker's --wrap=NAME leads calls of NAME to __wrap_NAME, and calls of __real_NAME to NAME.
+// The linker option --wrap=NAME leads calls of NAME to __wrap_NAME, and calls of __real_NAME to NAME.
 extern "C" {
 
 void* __real_mmap(void* place, std::size_t bytes, int protection, int flags, int file, off_t offset);
@@ -62,7 +62,7 @@ int __wrap_munmap(void* memory, std::size_t bytes) {
     return result;
 }
 
-// Only with MREMAP_FIXED: it takes the place of a mapping that has been counted.
+// Called only with MREMAP_FIXED, so it replaces a mapping that has been counted.
 void* __wrap_mremap(void* memory, std::size_t old_bytes, std::size_t new_bytes, int flags, void* place) {
     void* const moved = __real_mremap(memory, old_bytes, new_bytes, flags, place);
     if (moved != MAP_FAILED) interleaf::fuzz::count(-static_cast<std::ptrdiff_t>(old_bytes));
@@ -88,7 +88,7 @@ void count_release(const volatile void* memory) {
 
 }  // namespace
 
-// Wrapped in every build, counted by the sanitizer in this one.
+// Every build wraps these functions. In this build, the sanitizer counts.
 extern "C" {
 void* __real_malloc(std::size_t bytes);
 void __real_free(void* memory);

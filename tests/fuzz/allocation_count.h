@@ -1,5 +1,5 @@
-// Counts what this program asks memory for: new, malloc and mmap of all that is linked into it statically.
-// Linked with the options of CMakeLists.txt that lead malloc and mmap here. One thread only.
+// Counts the memory that this program allocates with new, malloc and mmap, in all code that is linked
+// statically. Link options in CMakeLists.txt lead malloc and mmap here. For one thread only.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@ namespace interleaf::fuzz {
 
 void begin_count();
 
-/// The most bytes that were allocated at one time since begin_count(), beyond those that were allocated then.
+/// The peak of the allocated bytes since begin_count(), minus the bytes that were allocated then.
 std::size_t most_bytes();
 
 }  // namespace interleaf::fuzz

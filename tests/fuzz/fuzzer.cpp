@@ -1,4 +1,4 @@
-// libFuzzer's entries: what it calls with each file, and how it changes a part of a file.
+// The entry points of libFuzzer: one reads a file, the other mutates a part of a file.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

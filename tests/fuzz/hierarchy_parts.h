@@ -1,4 +1,4 @@
-// What the targets of both forms of hierarchy files have in common.
+// Functions that the targets of both forms of hierarchy files share.
 #pragma once
 
 #include "fuzz/target.h"
@@ -9,29 +9,29 @@ namespace interleaf::fuzz {
 
 Inspection read_hierarchy_bytes(ByteSpan file);
 
-/// The header that \p file begins with.
-/// \pre  file has at least the 32 bytes of a header
+/// The header at the beginning of \p file.
+/// \pre \p file has at least the 32 bytes of a header
 hierarchy_format::Header header_at(ByteSpan file);
 
-/// A table of per-vertex fields: for each a byte for its kind, which is the number of its components, one for
-/// the length of its name, the name.
+/// A table of fields. Each field has one byte for its kind, which is the number of its components, one byte
+/// for the length of its name, and the name.
 struct FieldTable {
-    std::uint64_t size = 0;  ///< bytes of whole entries
+    std::uint64_t size = 0;  ///< bytes of complete entries
     std::uint32_t fields = 0;
     std::uint64_t components = 0;  ///< of all fields
 };
 
-/// The first entries of \p bytes, at most \p most_fields.
+/// The first entries in \p bytes, at most \p most_fields.
 FieldTable field_table(ByteSpan bytes, std::uint32_t most_fields);
 
-/// Bytes of the plain file with the counts of \p header and fields of \p components components, without the
-/// table.
+/// The number of bytes of the plain file, without the field table, for the counts of \p header and fields of
+/// \p components components.
 std::uint64_t plain_file_size(const hierarchy_format::Header& header, std::uint64_t components);
 
-/// Ends \p bytes with their checksum.
+/// Appends the checksum of \p bytes.
 void append_checksum(Bytes& bytes);
 
-/// Takes \p size bytes off the front of \p rest, or all that there are.
+/// Removes \p size bytes, or all if there are fewer, from the front of \p rest.
 Bytes take(ByteSpan& rest, std::uint64_t size);
 
 void append(Bytes& bytes, ByteSpan more);

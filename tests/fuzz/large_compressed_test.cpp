@@ -1,4 +1,4 @@
-// Small files that stand for much.
+// Small files that stand for large content.
 #include <cstring>
 
 #include "fuzz/allocation_count.h"
@@ -13,7 +13,7 @@ namespace interleaf::fuzz {
 
 namespace {
 
-/// A square, all of it bisected \p rounds times, with all vertices in one place.
+/// A square that is bisected \p rounds times everywhere, with all vertices in one place.
 Bytes flat_file(int rounds) {
     const std::vector<glm::vec3> corners(4, glm::vec3(0));
     AdaptiveMesh mesh(RootComplex(4, {{1, 2, 0}, {3, 0, 2}}), corners,
@@ -40,7 +40,7 @@ TEST_CASE("a file that stands for thousands of times its size is read in little 
     CHECK(most_bytes() < 64'000'000);
 }
 
-TEST_CASE("counts that the content does not bear out take no more than others") {
+TEST_CASE("counts that the content does not support take no more memory than others") {
     Bytes file = flat_file(3);
     for (const auto& [midpoints, vertices] :
          {std::pair{1'600'000U, 800'000U}, std::pair{3'400'000U, 20U}, std::pair{20U, 1'300'000U}}) {

@@ -1,4 +1,4 @@
-// Large files that are all hollow: what takes most memory, or most time, for its bytes.
+// Large files without content, which take the most memory or the most time for their size.
 #include <string>
 
 #include "fuzz/target.h"
@@ -17,7 +17,8 @@ Outcome outcome_with(std::string_view members) {
     return outcome_of(std::as_bytes(std::span(text)));
 }
 
-/// A member that is an array of \p count times \p element, which ends with a comma.
+/// A member that is an array of \p count times \p element.
+/// \param element  ends with a comma
 std::string array_of(std::string_view element, std::size_t count) {
     std::string text = "\"x\": [";
     for (std::size_t i = 0; i < count; ++i) text += element;
@@ -26,7 +27,7 @@ std::string array_of(std::string_view element, std::size_t count) {
 
 }  // namespace
 
-TEST_CASE("values that are small in the file take no memory out of proportion") {
+TEST_CASE("values that are small in the file take memory in proportion") {
     for (const std::string_view element : {"0,", "\"\",", "[],", "{},", "{\"\":0},"}) {
         CAPTURE(element);
         const bool is_structure = element.size() > 3 || element[0] == '[' || element[0] == '{';
@@ -39,7 +40,7 @@ TEST_CASE("values that are small in the file take no memory out of proportion") 
     }
 }
 
-TEST_CASE("depth is no danger") {
+TEST_CASE("deep nesting does no harm") {
     constexpr std::size_t depth = 400'000;
     const Outcome outcome =
         outcome_with(fmt::format("\"x\": {}{}", std::string(depth, '['), std::string(depth, ']')));
@@ -47,7 +48,7 @@ TEST_CASE("depth is no danger") {
     CHECK(outcome.accepted);
 }
 
-TEST_CASE("a domain of the most triangles, all apart, takes its time and no more") {
+TEST_CASE("a domain of the largest number of triangles, all apart, takes limited time") {
     std::string vertices;
     std::string triangles;
     for (unsigned i = 0; i < 4096; ++i) {

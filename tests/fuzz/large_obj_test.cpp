@@ -1,4 +1,4 @@
-// Large files that are all hollow: what takes most memory for its bytes.
+// Large files without content, which take the most memory for their size.
 #include <cmath>
 #include <string>
 
@@ -34,7 +34,7 @@ TEST_CASE("a large file of nothing but faces, or of nothing but vertices, takes 
     CHECK(vertices.accepted);
 }
 
-TEST_CASE("polygons of the most corners, of no area, take no more than their time") {
+TEST_CASE("polygons of the largest number of corners, without area, take limited time") {
     std::string text;
     std::string face = "f";
     for (int corner = 1; corner <= 100'000; ++corner) {
@@ -47,7 +47,7 @@ TEST_CASE("polygons of the most corners, of no area, take no more than their tim
 }
 
 TEST_CASE(
-    "polygons of the most corners, of few places, take memory in proportion, and no more than their time") {
+    "polygons of the largest number of corners, at few places, take memory in proportion and limited time") {
     for (const std::string corners : {" 1 2", " 1 2 3", " 1 2 3 4 5 6 7"}) {
         CAPTURE(corners);
         std::string face = "f";
@@ -60,7 +60,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a polygon of the most corners that has all ears, and few, takes no more than its time") {
+TEST_CASE("a polygon of the largest number of corners, with only ears or few ears, takes limited time") {
     for (const bool is_comb : {false, true}) {
         std::string text;
         std::string face = "f";

@@ -1,4 +1,4 @@
-// Large files of each form that are all hollow: what takes most memory for its bytes.
+// Large files of each format without content, which take the most memory for their size.
 #include <string>
 
 #include "fuzz/target.h"

@@ -23,7 +23,7 @@ namespace {
 
 using namespace interleaf;
 
-/// Two triangles that share an edge, the first leaf bisected again and again: as deep as a key can be.
+/// Two triangles that share an edge. The first leaf is bisected until the key has the largest possible depth.
 Hierarchy deep_key() {
     const std::vector<glm::vec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     std::vector<glm::vec3> positions = corners;
@@ -36,13 +36,13 @@ Hierarchy deep_key() {
     return mesh.freeze();
 }
 
-/// A closed surface and an open one, apart.
+/// A closed surface and a separate open surface.
 Hierarchy two_components() {
     return unrefined(RootComplex(7, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 2, 1}, {4, 5, 6}}),
                      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 0}, {3, 0, 0}, {2, 1, 0}});
 }
 
-/// Coordinates that lie on no grid: the extremes, and both zeros.
+/// Coordinates that lie on no grid: the extremes and both zeros.
 Hierarchy odd_floats() {
     using Limits = std::numeric_limits<float>;
     Hierarchy key = two_components();
@@ -67,7 +67,7 @@ std::map<std::string, Hierarchy> keys() {
     return result;
 }
 
-/// A tetrahedron, as bytes of all forms.
+/// The bytes of a tetrahedron in all formats.
 constexpr std::array<std::array<float, 3>, 4> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 constexpr std::array<Triangle, 4> faces{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 
@@ -94,7 +94,7 @@ std::string binary_off(bool has_colors) {
     return bytes;
 }
 
-/// With \p more bytes behind the last triangle, named solid.
+/// A binary STL whose header begins with "solid", with \p more bytes after the last triangle.
 std::string binary_stl(std::uint32_t count, std::size_t more) {
     std::string bytes = "solid tetrahedron" + std::string(63, '\0');
     append(bytes, count, false);

@@ -13,7 +13,7 @@ std::size_t below(std::size_t limit, std::mt19937& random) {
     return limit == 0 ? 0 : random() % limit;
 }
 
-/// Mostly short, so that what lies around it stays as it was.
+/// The length of a piece to change: mostly short, so that its surroundings remain unchanged.
 std::size_t length(std::size_t most, std::mt19937& random) {
     return below((random() % 4 == 0 ? most : std::min<std::size_t>(most, 16)) + 1, random);
 }
@@ -24,7 +24,7 @@ void cut(Bytes& bytes, std::mt19937& random) {
     bytes.erase(first, first + static_cast<std::ptrdiff_t>(length(bytes.size() - begin, random)));
 }
 
-/// Repeats a piece of the file, or puts in bytes of any kind.
+/// Repeats a piece of the file, or inserts random bytes.
 void grow(Bytes& bytes, std::mt19937& random) {
     const std::size_t begin = below(bytes.size() + 1, random);
     Bytes piece(bytes.begin() + static_cast<std::ptrdiff_t>(begin), bytes.end());
@@ -47,7 +47,7 @@ void swap_pieces(Bytes& bytes, std::mt19937& random) {
                      bytes.begin() + static_cast<std::ptrdiff_t>(second));
 }
 
-/// Sets four bytes at a multiple of four, where numbers are, to a number at which readers stumble.
+/// Sets four bytes at a multiple of four, where files have numbers, to a number that readers may not expect.
 void set_number(Bytes& bytes, std::mt19937& random) {
     constexpr std::array<std::uint32_t, 9> numbers = {
         0,         1, 2, 0x7fffffff, 0x80000000, 0xfffffffe, 0xffffffff, 0x7fc00000 /* not a number */,

@@ -1,4 +1,5 @@
-// Random damage to a file: cut, grown, flipped, swapped, with checksums and counts repaired or not.
+// Random damage to a file: cut, grown, flipped or swapped bytes, with or without repaired checksums and
+// counts.
 #pragma once
 
 #include <random>
@@ -7,7 +8,7 @@
 
 namespace interleaf::fuzz {
 
-/// \p file with one to three random changes, in one of its parts or as a whole.
+/// \p file with one to three random changes, in one of its parts or in the whole file.
 Bytes mutated(ByteSpan file, std::mt19937& random);
 
 }  // namespace interleaf::fuzz

@@ -1,5 +1,5 @@
-// The corpus of a target, and random damage to it: no crash, no hang, no memory out of proportion, nothing
-// unsound.
+// Reads the corpus of a target, and randomly damaged files. Nothing may crash, hang, take memory out of
+// proportion or give an unsound result.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -35,7 +35,7 @@ std::vector<fs::path> corpus() {
     return files;
 }
 
-/// Mutated files to read; the environment may ask for more than a test of every day.
+/// The number of mutated files to read. The environment may ask for more than an everyday test needs.
 unsigned mutation_count() {
     const char* const text = std::getenv("INTERLEAF_MUTATIONS");
     return text == nullptr ? 4000 : static_cast<unsigned>(std::strtoul(text, nullptr, 10));
@@ -53,7 +53,7 @@ TEST_CASE("memory is counted, of any size") {
     }
 }
 
-TEST_CASE("every file of the corpus is read, or refused with an error") {
+TEST_CASE("every file of the corpus is read, or rejected with an error") {
     std::size_t accepted = 0;
     for (const fs::path& file : corpus()) {
         CAPTURE(file.filename());
@@ -64,7 +64,7 @@ TEST_CASE("every file of the corpus is read, or refused with an error") {
     CHECK(accepted >= 4);
 }
 
-TEST_CASE("a file that is taken apart and put together again is taken as before") {
+TEST_CASE("a file that is split into parts and joined again is read as before") {
     for (const fs::path& path : corpus()) {
         CAPTURE(path.filename());
         const Bytes file = bytes_of(path);

@@ -8,7 +8,7 @@
 namespace interleaf::fuzz {
 
 ScratchFile::ScratchFile(std::string_view name) {
-    // In memory where there is such a folder: a fuzzer writes it some thousand times a second.
+    // In memory if there is such a folder, because a fuzzer writes the file some thousand times per second.
     const std::filesystem::path in_memory = "/dev/shm";
     const bool has_memory = std::filesystem::is_directory(in_memory);
     std::string folder =

@@ -1,4 +1,4 @@
-// A file for readers that take no bytes, in a folder that goes when the program ends.
+// A file for readers that do not read from memory, in a folder that is deleted when the program ends.
 #pragma once
 
 #include <filesystem>

@@ -16,7 +16,7 @@ namespace interleaf::fuzz {
 
 namespace {
 
-/// Seconds that the processor spent on this program: on a busy machine a clock would find too many.
+/// Seconds of processor time that this program has used. A clock would measure too many on a busy machine.
 double processor_time() {
     timespec time{};
     ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
@@ -56,7 +56,7 @@ Outcome outcome_of(ByteSpan file) {
     begin_count();
     try {
         inspect = target.read(file);
-    } catch (const InputError&) {  // as it should be
+    } catch (const InputError&) {  // the reader rejected the file, as it may
     } catch (const std::exception& error) {
         return {false, fmt::format("{}: {}", typeid(error).name(), error.what())};
     }

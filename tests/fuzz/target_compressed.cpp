@@ -1,6 +1,6 @@
-// Hierarchy files in the compressed form: the 64 bytes before the frames, then what the frames hold: planes
-// of root triangles, decisions, planes of positions. A file is compressed anew, and has the checksum of its
-// content if it has any content.
+// Hierarchy files in the compressed form. The parts are the 64 bytes before the frames and the contents of
+// the frames: planes of root triangles, decisions, planes of positions. Joining compresses the parts again,
+// and adds the checksum of the content if there is any content.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -37,7 +37,7 @@ void set_number(Bytes& bytes, std::size_t place, std::uint64_t number) {
     std::memcpy(bytes.data() + place, &number, sizeof(number));
 }
 
-/// What a frame holds, as far as that is little; nothing if it is damaged.
+/// The content of a frame, if it is small; empty if the frame is damaged.
 Bytes decompressed(ByteSpan frame) {
     constexpr unsigned long long most = 1 << 20;
     const unsigned long long size = ZSTD_getFrameContentSize(frame.data(), frame.size());
@@ -87,7 +87,7 @@ void repair_counts(std::vector<Bytes>& parts) {
     set_number(parts[head], decision_count_place, parts[decisions].size());
 }
 
-/// The checksum that the reader expected, by its message; none if it stumbled over something else.
+/// The checksum that the reader expected, taken from its message; none if it reported another error.
 std::string expected_content_checksum(const Bytes& file) {
     constexpr std::string_view begin = "key: checksum of the content: is ";
     constexpr std::string_view middle = "00000000, expected ";
@@ -130,7 +130,7 @@ Bytes file_of(std::vector<Bytes> parts, bool keeps_counts) {
     return file;
 }
 
-/// The reader refuses counts that stand for more than this.
+/// The largest content that the reader accepts.
 std::uint64_t content_size(ByteSpan file) {
     const std::vector<Bytes> parts = parts_of(file);
     if (parts.empty()) return file.size();

@@ -1,4 +1,5 @@
-// family.json beside three keys of one root complex, a.ilh, b.ilh and c.ilh, and one of another, other.ilh.
+// family.json beside three keys over one root complex, a.ilh, b.ilh and c.ilh, and one over another,
+// other.ilh.
 #include <array>
 #include <cmath>
 #include <string>

@@ -1,5 +1,5 @@
-// Hierarchy files in the plain form: header, table of fields, root triangles, preorder bits, midpoints,
-// positions, values of the fields.
+// Hierarchy files in the plain form. The parts are header, field table, root triangles, preorder bits,
+// midpoints, positions and values of the fields.
 #include <cstring>
 
 #include "fuzz/hierarchy_parts.h"
@@ -28,7 +28,7 @@ std::vector<Bytes> parts_of(ByteSpan file) {
     return parts;
 }
 
-/// Sets the counts by the sizes of the parts, which are cut to whole elements.
+/// Cuts the parts to whole elements, and sets the counts to the sizes of the parts.
 void repair_counts(std::vector<Bytes>& parts) {
     const FieldTable fields = field_table(parts[table], ~0U);
     parts[head].resize(sizeof(Header));

@@ -1,4 +1,4 @@
-// The file of settings.
+// The settings file.
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>

@@ -1,6 +1,6 @@
-// Surfaces of other programs: every file is read as PLY, as STL and as OFF, and is refused if all three
-// refuse it. The parts are the header and the body of a PLY; 80 bytes, the count and the triangles of a
-// binary STL; the whole of any other file.
+// Surfaces of other programs. Every file is read as PLY, as STL and as OFF, and counts as rejected if all
+// three readers reject it. The parts are the header and the body of a PLY; the first 80 bytes, the count and
+// the triangles of a binary STL; the whole of any other file.
 #include <algorithm>
 #include <cmath>
 #include <cstring>

@@ -29,7 +29,8 @@ void check_same(const Family& a, const Family& b) {
     CHECK(a.origin == b.origin);
 }
 
-/// A family file in \p folder beside the keys a.ilh, b.ilh of one root complex, and other.ilh of another.
+/// A family file in \p folder, beside the keys a.ilh and b.ilh over one root complex, and other.ilh over
+/// another.
 class KeyFolder {
   public:
     KeyFolder() {
@@ -52,7 +53,7 @@ class KeyFolder {
     ScratchFolder folder_;
 };
 
-/// A family file with the given list of keys and further members.
+/// A family file with the given list of keys and additional members.
 std::string with_keys(std::string_view keys, std::string_view members = "") {
     return std::string(R"({"format": "interleaf-family", "version": 1, "name": "f", "keys": )")
         .append(keys)
@@ -105,7 +106,7 @@ TEST_CASE("a family file holds what was written") {
     }
 }
 
-TEST_CASE("a family has an origin from version 2 on, which is written where it is not 0") {
+TEST_CASE("an origin is read from version 2 on, and version 2 is written only for an origin other than 0") {
     std::mt19937 random(1);
     const ScratchFolder folder;
     Family family = sample_family(random);
@@ -122,7 +123,7 @@ TEST_CASE("a family has an origin from version 2 on, which is written where it i
     CHECK(keys.family(with_members(R"("origin": [1, 2, 3])")).origin == glm::dvec3(0));
 }
 
-TEST_CASE("key files are called by their keys and nothing is written outside the folder") {
+TEST_CASE("key files have the names of their keys, and nothing is written outside the folder") {
     std::mt19937 random(1);
     const ScratchFolder folder;
     write_family(sample_family(random), folder / "f");
@@ -142,7 +143,7 @@ TEST_CASE("key files are called by their keys and nothing is written outside the
     check_same(read_family(folder / "long"), long_names);
 }
 
-TEST_CASE("writing over a family leaves only the new one's files and those of others") {
+TEST_CASE("writing over a family leaves only the files of the new family and files of others") {
     std::mt19937 random(2);
     const ScratchFolder folder;
     Family family = sample_family(random);
@@ -168,7 +169,7 @@ TEST_CASE("an old family stays readable when the new one cannot be completed") {
     const ScratchFolder folder;
     const Family old_family = sample_family(random);
     write_family(old_family, folder / "f");
-    // A folder in the place where family.json is renamed to makes the last step fail.
+    // A folder called family.json makes the last step, the rename, fail.
     fs::rename(folder / "f/family.json", folder / "f/saved.json");
     fs::create_directory(folder / "f/family.json");
     Family new_family = old_family;
@@ -216,7 +217,7 @@ TEST_CASE("a single key or mesh is a family of one") {
     CHECK(contains(input_error_of([&] { read_family(folder.path()); }), "is a folder without family.json"));
 }
 
-TEST_CASE("unknown members are passed over, timeline and domain may be missing") {
+TEST_CASE("unknown members are ignored, and timeline and domain may be missing") {
     const KeyFolder folder;
     const Family family = folder.family(with_members(R"("note": {"by": "us"})"));
     CHECK(family.keys.size() == 2);
@@ -226,7 +227,7 @@ TEST_CASE("unknown members are passed over, timeline and domain may be missing")
     CHECK(folder.family(with_domain("[[0, 1, 2]]")).domain->vertices()[1].key == 1);
 }
 
-TEST_CASE("a hostile family file is refused with its place and what was expected") {
+TEST_CASE("a hostile family file is rejected with the place and what was expected") {
     struct Case {
         std::string json;
         std::string_view expected;
@@ -328,13 +329,13 @@ TEST_CASE("a link may lead to a key inside the family's folder and nowhere else"
     fs::create_symlink("../b.ilh", folder / "family/link.ilh");
     CHECK(contains(error(), "keys[0].file: is \"link.ilh\", a link that leads out of the family's folder"));
 
-    // A folder whose name begins as the family's does is outside, too.
+    // A folder whose name begins like the family's folder is outside, too.
     put(folder / "family/family.json", with_file("up/o.ilh"));
     fs::create_directory_symlink("../family-other", folder / "family/up");
     CHECK(contains(error(), "a link that leads out of the family's folder"));
 }
 
-TEST_CASE("a family file beyond the limit is refused by its size") {
+TEST_CASE("a family file beyond the limit is rejected by its size") {
     const KeyFolder folder;
     CHECK(contains(folder.error_of(std::string((16 << 20) + 1, ' ')),
                    "size: 16777217 bytes, expected at most 16777216"));

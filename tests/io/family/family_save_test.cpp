@@ -1,4 +1,5 @@
-// Saving a family where something stands in the way: a full disk, others who save, what an earlier save left.
+// Saves of a family that meet an obstacle: a full disk, another process that saves, files that an earlier
+// save left.
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
@@ -38,7 +39,8 @@ Family family_of_two(unsigned seed, int rounds) {
     return family;
 }
 
-/// Runs \p action in a process of its own. \return its exit status
+/// Runs \p action in a separate process.
+/// \return the exit status of the process
 pid_t start(const std::function<int()>& action) {
     const pid_t child = ::fork();
     REQUIRE(child >= 0);
@@ -54,7 +56,7 @@ int exit_status(pid_t child) {
 
 }  // namespace
 
-TEST_CASE("a family that finds no room leaves the old one and nothing else") {
+TEST_CASE("a family that does not fit the disk leaves the old family and nothing else") {
     const ScratchFolder folder;
     const Family old_family = family_of_two(1, 2);
     write_family(old_family, folder / "f");
@@ -71,7 +73,7 @@ TEST_CASE("a family that finds no room leaves the old one and nothing else") {
     CHECK(entry_count(folder / "f") == 3);
 }
 
-TEST_CASE("a disk that is full says so and keeps the old family") {
+TEST_CASE("a full disk is reported and keeps the old family") {
     if (::geteuid() != 0) {
         MESSAGE("only root can make a disk to fill");
         return;
@@ -95,7 +97,7 @@ TEST_CASE("a disk that is full says so and keeps the old family") {
         CHECK(status == 0);
 }
 
-TEST_CASE("several that save into one folder at the same time leave one family, whole") {
+TEST_CASE("several processes that save into one folder at the same time leave one whole family") {
     constexpr unsigned savers = 4;
     constexpr unsigned times = 25;
     const ScratchFolder folder(memory_folder());
@@ -113,7 +115,7 @@ TEST_CASE("several that save into one folder at the same time leave one family, 
     CHECK(entry_count(folder / "f") == 3);
 }
 
-TEST_CASE("a save waits for another one to end") {
+TEST_CASE("a save waits for another save to end") {
     const ScratchFolder folder;
     const Family family = family_of_two(1, 2);
     write_family(family, folder / "f");
@@ -131,7 +133,7 @@ TEST_CASE("a save waits for another one to end") {
     CHECK(exit_status(holder) == 0);
 }
 
-TEST_CASE("what a journal lists goes if nothing names it and it is still the same file") {
+TEST_CASE("a file in the journal is removed if family.json does not name it and it is still the same file") {
     const ScratchFolder folder;
     const Family family = family_of_two(1, 2);
     write_family(family, folder.path());
@@ -162,7 +164,7 @@ TEST_CASE("what a journal lists goes if nothing names it and it is still the sam
     CHECK(is_same(read_family(folder.path()), family));
 }
 
-TEST_CASE("a journal that leads out of the folder, or makes no sense, does no harm") {
+TEST_CASE("a journal that leads out of the folder, or is malformed, does no harm") {
     const ScratchFolder folder;
     const Family family = family_of_two(1, 2);
     write_family(family, folder / "f");
@@ -180,7 +182,7 @@ TEST_CASE("a journal that leads out of the folder, or makes no sense, does no ha
     }
 }
 
-TEST_CASE("while family.json cannot be understood no key file is removed") {
+TEST_CASE("no key file is removed while family.json cannot be understood") {
     const ScratchFolder folder;
     const Family family = family_of_two(1, 2);
     write_family(family, folder.path());

@@ -1,4 +1,5 @@
-// Reading keys that are not over the same roots yet: family.json with "roots", several .ilh, series of OBJ.
+// Reading keys whose roots are numbered differently: family.json with "roots", several .ilh, series of OBJ
+// files.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Two keys over a random surface; the second also renumbered, as written to b.ilh.
+/// Two keys over a random surface. b.ilh holds the second key with renumbered roots.
 struct Shuffled {
     Hierarchy first, second;
     testing::Renumbering renumbering;
@@ -50,7 +51,7 @@ std::string family_json(std::string_view first_member, std::string_view second_m
 
 }  // namespace
 
-TEST_CASE("keys of a family and key files are put over the roots of the first, and are written that way") {
+TEST_CASE("keys are renumbered to match the roots of the first key, and are written that way") {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         CAPTURE(seed);
         const ScratchFolder folder;
@@ -75,7 +76,7 @@ TEST_CASE("keys of a family and key files are put over the roots of the first, a
     }
 }
 
-TEST_CASE("root r of a family is the given root of the key's file") {
+TEST_CASE("root r of the family is the root of the key's file that the permutation gives") {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         CAPTURE(seed);
         const ScratchFolder folder;
@@ -89,7 +90,7 @@ TEST_CASE("root r of a family is the given root of the key's file") {
                     "key b: its roots were renumbered as key a has them, by the given permutation"});
         REQUIRE(is_same(*family.keys[1].hierarchy, keys.second));
 
-        // A wrong one is refused where it does not fit.
+        // A wrong permutation is rejected where it does not fit.
         std::rotate(roots.begin(), roots.begin() + 1, roots.end());
         put(folder / "family.json", family_json("", R"(, "roots": )" + nlohmann::json(roots).dump()));
         const std::string error = input_error_of([&] { read_family(folder.path()); });
@@ -99,7 +100,7 @@ TEST_CASE("root r of a family is the given root of the key's file") {
     }
 }
 
-TEST_CASE("a hostile permutation is refused with its place") {
+TEST_CASE("a hostile permutation is rejected with its place") {
     const ScratchFolder folder;
     const Shuffled keys = shuffled_keys(4, folder);
     const Index count = keys.first.roots.triangle_count();
@@ -139,7 +140,7 @@ TEST_CASE("a hostile permutation is refused with its place") {
         "keys[0].roots: is present, expected none: the first key defines the numbering of the roots"));
 }
 
-TEST_CASE("keys over other roots are refused, each with its file") {
+TEST_CASE("keys over other roots are rejected, each with its file") {
     const ScratchFolder folder;
     testing::Random random(1);
     const auto write = [&](const RootComplex& roots, std::string_view name) {
@@ -155,9 +156,10 @@ TEST_CASE("keys over other roots are refused, each with its file") {
     CHECK(contains(error, "; " + files[2].string() + ": key c: 8 root triangles, 9 root vertices"));
 }
 
-TEST_CASE("OBJ files with the same faces are a family over one root complex, triangulated as the first") {
+TEST_CASE(
+    "OBJ files with the same faces are a family over one root complex, triangulated like the first file") {
     const ScratchFolder folder;
-    // A quadrangle beside a triangle and an unused vertex; its shorter diagonal is another in each file.
+    // A quadrilateral beside a triangle and an unused vertex. Its shorter diagonal differs between the files.
     const std::string faces = "f 1 2 3 4\nf 5 4 3\n";
     put(folder / "m.1.obj", "v 0 0 0\nv 3 0 0\nv 1 1 0\nv 0 3 0\nv 4 4 0\nv 9 9 9\n" + faces);
     put(folder / "m.2.obj", "v -1 -1 0\nv 0.5 0.5 0\nv 1 1 0\nv 0.4 0.5 0\nv 4 4 1\n" + faces);
@@ -194,7 +196,7 @@ TEST_CASE("OBJ files with the same faces are a family over one root complex, tri
         contains(error_with(vertices + "f 1 2 3 4\nf 5 4 9\n"), "m.2.obj: line 7: vertex 9 does not exist"));
 }
 
-TEST_CASE("meshes far from 0 share one origin, that of the first, and keep their millimeters through files") {
+TEST_CASE("meshes far from 0 share the origin of the first mesh, and files keep their millimeters") {
     const ScratchFolder folder;
     const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
     const std::string corners =
@@ -227,12 +229,12 @@ TEST_CASE("meshes far from 0 share one origin, that of the first, and keep their
         check_place(out.positions[3], expected);
         CHECK(out.triangles.size() == 4);
     }
-    // What goes out comes back over the same origin.
+    // An exported blend is read back with the same origin.
     const std::vector<fs::path> written{folder / "out.obj"};
     const Family read = read_keys(written);
     CHECK(read.origin == glm::dvec3(500'000, 5'400'005, 260));
 
-    // A key that is not far away has the origin of the first mesh, whatever its own would be.
+    // A mesh near 0 has the origin of the first mesh, too.
     put(folder / "m.2.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + faces);
     CHECK(read_keys(files).keys[1].hierarchy->positions[1] == glm::vec3(-499'999, -5'400'005, -255));
     put(folder / "m.1.obj", "v 3e38 0 0\nv 3.0001e38 0 0\nv 3e38 1e34 0\nv 3e38 0 1e34\n" + faces);
@@ -250,7 +252,7 @@ TEST_CASE("meshes near 0, or so large that 0 is not far, have no origin") {
     CHECK(changes.empty());
 }
 
-TEST_CASE("a mesh among keys is a key without bisections, and takes their marking") {
+TEST_CASE("a mesh among keys is a key without bisections and takes the marking of the keys") {
     const ScratchFolder folder;
     const Shuffled keys = shuffled_keys(5, folder);
     std::vector<Triangle> triangles(keys.first.roots.triangles().begin(), keys.first.roots.triangles().end());
@@ -268,7 +270,7 @@ TEST_CASE("a mesh among keys is a key without bisections, and takes their markin
     CHECK(is_same(*family.keys[2].hierarchy, keys.second));
 }
 
-TEST_CASE("what is no key among several is named") {
+TEST_CASE("among several files, the message names the file that is not a key") {
     const ScratchFolder folder;
     shuffled_keys(1, folder);
     put(folder / "family.json", family_json("", ""));

@@ -1,4 +1,5 @@
-// A save that is killed leaves the old or the new, whole, and nothing that the next save does not clear away.
+// A killed save leaves the old family or the new family, whole, and nothing that the next save does not
+// remove.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -23,7 +24,7 @@ namespace {
 
 using Action = std::function<void()>;
 
-/// Runs \p action in a process of its own, which \p setup begins; there it ends with the process.
+/// Runs \p setup and then \p action in a separate process, which ends after them.
 pid_t run_apart(const Action& setup, const Action& action) {
     const pid_t child = ::fork();
     REQUIRE(child >= 0);
@@ -39,8 +40,9 @@ void kill_and_wait(pid_t child) {
     ::waitpid(child, &status, __WALL);
 }
 
-/// Runs \p action until it has begun or ended \p count system calls, and kills it there: only system calls
-/// change what is on the disk. \return whether it had not ended before
+/// Runs \p action and kills it after \p count beginnings and ends of system calls. Only system calls change
+/// the disk, so these are all the places that matter.
+/// \return whether \p action had not ended before
 bool is_killed_after(unsigned count, const Action& action) {
     const pid_t child = run_apart(
         [] {
@@ -63,7 +65,7 @@ bool is_killed_after(unsigned count, const Action& action) {
     return true;
 }
 
-/// Kills a process that does \p action again and again, at a random moment of \p longest microseconds.
+/// Kills a process that repeats \p action, at a random time of at most \p longest microseconds.
 void kill_at_random(const Action& action, useconds_t longest, std::mt19937& random) {
     const pid_t child = run_apart([] {},
                                   [&] {
@@ -73,14 +75,14 @@ void kill_at_random(const Action& action, useconds_t longest, std::mt19937& rand
     kill_and_wait(child);
 }
 
-/// Whether every run makes the same system calls, so that what is new stays new. The sanitizer's allocator
-/// makes some when it sees fit.
+/// Whether every run makes the same system calls. The sanitizer's allocator makes calls of its own at any
+/// time.
 constexpr bool calls_repeat = !is_sanitized;
 
-/// Under the sanitizer a process takes many times as long to begin and to end.
+/// Under the sanitizer, a process takes many times as long to start and to end.
 constexpr unsigned random_kills = is_sanitized ? 60 : 500;
 
-/// Two families to save over one another: one key stays, one changes, one comes or goes.
+/// Two families to save over each other: one key is equal, one differs, and one exists in only one family.
 struct Families {
     Families() {
         std::mt19937 random(1);
@@ -94,7 +96,7 @@ struct Families {
 
 }  // namespace
 
-TEST_CASE("a key whose save is killed at any system call is the old one or the new one") {
+TEST_CASE("a key whose save is killed at any system call is the old key or the new key") {
     const ScratchFolder folder(memory_folder());
     std::mt19937 random(2);
     const Hierarchy old_key = random_hierarchy(random, false, 5);
@@ -117,7 +119,7 @@ TEST_CASE("a key whose save is killed at any system call is the old one or the n
     CHECK(times_new < calls);
 }
 
-TEST_CASE("a family whose save is killed at any system call is the old one or the new one") {
+TEST_CASE("a family whose save is killed at any system call is the old family or the new family") {
     const ScratchFolder folder(memory_folder());
     const Families families;
     write_family(families.first, folder.path());
@@ -141,7 +143,7 @@ TEST_CASE("a family whose save is killed at any system call is the old one or th
     CHECK(times_new < calls);
 }
 
-TEST_CASE("a family in a new folder whose save is killed is not there or whole") {
+TEST_CASE("a family whose save into a new folder is killed is missing or whole") {
     const Families families;
     unsigned calls = 0;
     for (bool killed = true; killed; calls += 5) {
@@ -157,7 +159,7 @@ TEST_CASE("a family in a new folder whose save is killed is not there or whole")
     CHECK(calls > 100);
 }
 
-TEST_CASE("saves that are killed at random, one on the wreck of the other, leave one family or the other") {
+TEST_CASE("saves that are killed at random, one after the other, leave one family or the other") {
     constexpr unsigned seed = 3;
     CAPTURE(seed);
     std::mt19937 random(seed);
@@ -175,7 +177,7 @@ TEST_CASE("saves that are killed at random, one on the wreck of the other, leave
     save_both();
     const std::chrono::duration<double, std::micro> duration = std::chrono::steady_clock::now() - begin;
     const auto longest =
-        static_cast<useconds_t>(500 + 1.5 * duration.count());  // a process takes time to begin
+        static_cast<useconds_t>(500 + 1.5 * duration.count());  // a process takes time to start
     std::array<unsigned, 2> times{};
     for (unsigned kills = 0; kills < random_kills; ++kills) {
         CAPTURE(kills);
@@ -189,7 +191,7 @@ TEST_CASE("saves that are killed at random, one on the wreck of the other, leave
         REQUIRE(folder.entry_count() <= 3);
         ++times[is_second];
     }
-    // Among few kills, of a process that takes long to begin, one of the two may not come.
+    // With few kills of a process that starts slowly, one of the two outcomes may not occur.
     if (random_kills >= 500) {
         CHECK(times[0] > 2);
         CHECK(times[1] > 2);

@@ -79,7 +79,7 @@ TEST_CASE("the natural order is a strict order of all texts") {
     }
 }
 
-TEST_CASE("files that differ in numbers alone are a series") {
+TEST_CASE("files that differ only in numbers are a series") {
     CHECK(is_numbered_series({"flow.2.obj", "flow.10.obj"}));
     CHECK(is_numbered_series({"a/x9", "a/x10"}));
     CHECK_FALSE(is_numbered_series({"star.ilh", "bone.ilh"}));
@@ -110,7 +110,7 @@ TEST_CASE("a pattern stands for the files that match, in natural order") {
         error(folder / "m*/a.*.obj").ends_with("expected * only in the name of the file, not in its folder"));
 }
 
-TEST_CASE("what a pattern matches is what it says literally") {
+TEST_CASE("a pattern matches the same files as its literal recursion") {
     std::mt19937 random(2);
     const ScratchFolder folder;
     std::vector<std::string> names;
@@ -141,7 +141,7 @@ TEST_CASE("what a pattern matches is what it says literally") {
     }
 }
 
-TEST_CASE("a pattern of many asterisks takes no time to speak of") {
+TEST_CASE("a pattern with many asterisks takes little time") {
     const ScratchFolder folder;
     put(folder / std::string(200, 'a'), "");
     std::string pattern;

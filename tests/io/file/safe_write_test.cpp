@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {}  // namespace
 
-TEST_CASE("a file is written whole and nothing else stays beside it") {
+TEST_CASE("a file is written whole and no other file remains beside it") {
     const ScratchFolder folder;
     for (const std::string& text : {std::string("first"), std::string(), std::string(3'000'000, 'x')}) {
         write_file(folder / "a.txt", text);
@@ -27,7 +27,7 @@ TEST_CASE("a file is written whole and nothing else stays beside it") {
     }
 }
 
-TEST_CASE("a write that fails half way leaves the old file and no other") {
+TEST_CASE("a write that fails halfway leaves the old file and no other file") {
     const ScratchFolder folder;
     put(folder / "a.txt", "old");
     std::string error;
@@ -40,7 +40,7 @@ TEST_CASE("a write that fails half way leaves the old file and no other") {
     CHECK(folder.entry_count() == 1);
 }
 
-TEST_CASE("a folder that is missing or a file says so") {
+TEST_CASE("a folder that is missing or is a file is reported") {
     const ScratchFolder folder;
     put(folder / "file", "old");
     CHECK(contains(machine_error_of([&] { write_file(folder / "missing/a.txt", "new"); }),
@@ -51,7 +51,7 @@ TEST_CASE("a folder that is missing or a file says so") {
     CHECK(folder.entry_count() == 1);
 }
 
-TEST_CASE("permissions of an existing file are kept, those of a new one follow the umask") {
+TEST_CASE("an existing file keeps its permissions, and a new file follows the umask") {
     const ScratchFolder folder;
     const auto mode = [&] { return static_cast<unsigned>(fs::status(folder / "a.txt").permissions()); };
     const mode_t old_mask = ::umask(027);
@@ -64,7 +64,7 @@ TEST_CASE("permissions of an existing file are kept, those of a new one follow t
     ::umask(old_mask);
 }
 
-TEST_CASE("a link is followed and stays a link") {
+TEST_CASE("a link is followed and remains a link") {
     const ScratchFolder folder;
     fs::create_directory(folder / "inner");
     put(folder / "inner/a.txt", "old");
@@ -81,14 +81,14 @@ TEST_CASE("a device is written to, not replaced") {
     CHECK(fs::is_character_file("/dev/full"));
 }
 
-TEST_CASE("the longest file name there is can be written") {
+TEST_CASE("the longest possible file name can be written") {
     const ScratchFolder folder;
     const std::string name(255, 'n');
     write_file(folder / name, "new");
     CHECK(content(folder / name) == "new");
 }
 
-TEST_CASE("a link to what is not there yet makes it, and links that lead nowhere are an error") {
+TEST_CASE("a link to a missing file creates that file, and links in a circle are an error") {
     const ScratchFolder folder;
     fs::create_symlink("new.txt", folder / "link");
     fs::create_symlink("link", folder / "link-to-link");
@@ -103,7 +103,7 @@ TEST_CASE("a link to what is not there yet makes it, and links that lead nowhere
                    (folder / "a").string() + ": cannot write: Too many levels of symbolic links"));
 }
 
-TEST_CASE("what a killed process left is removed by the next write, what a living one has is not") {
+TEST_CASE("the next write removes the file of a killed process, but not the file of a running process") {
     const ScratchFolder folder;
     put(folder / ".interleaf-0", "left");
     put(folder / ".interleaf-1", "in use");
@@ -123,10 +123,10 @@ TEST_CASE("what a killed process left is removed by the next write, what a livin
         CHECK(content(folder / ".interleaf-2").empty());
     }
     CHECK(content(folder / "a.txt") == "new");
-    CHECK(folder.entry_count() == 3);  // .interleaf-7 waits until there are as many writers
+    CHECK(folder.entry_count() == 3);  // .interleaf-7 remains until there are that many writers
 }
 
-TEST_CASE("what is no file of ours is left alone, whatever it is called") {
+TEST_CASE("a file of another user or program is left alone, whatever its name") {
     const ScratchFolder folder;
     fs::create_directory(folder / ".interleaf-0");
     REQUIRE(::mkfifo((folder / ".interleaf-1").c_str(), 0600) == 0);
@@ -138,7 +138,7 @@ TEST_CASE("what is no file of ours is left alone, whatever it is called") {
     CHECK(folder.entry_count() == 5);
 }
 
-TEST_CASE("a file that may not be written, and a folder that may not, say so and stay as they are") {
+TEST_CASE("a write-protected file or folder is reported and unchanged") {
     const ScratchFolder folder;
     fs::create_directory(folder / "locked");
     put(folder / "locked/a.txt", "old");
@@ -148,7 +148,7 @@ TEST_CASE("a file that may not be written, and a folder that may not, say so and
     fs::permissions(folder / "locked", fs::perms::others_read | fs::perms::others_exec |
                                            fs::perms::owner_read | fs::perms::owner_exec);
     const uid_t user = ::geteuid();
-    if (user == 0) REQUIRE(::seteuid(65534) == 0);  // root may write everywhere
+    if (user == 0) REQUIRE(::seteuid(65534) == 0);  // root can write everywhere
     const std::string file_error = machine_error_of([&] { write_file(folder / "a.txt", "new"); });
     const std::string folder_error = machine_error_of([&] { write_file(folder / "locked/b.txt", "new"); });
     REQUIRE(::seteuid(user) == 0);
@@ -160,7 +160,7 @@ TEST_CASE("a file that may not be written, and a folder that may not, say so and
     CHECK(folder.entry_count() == 2);
 }
 
-TEST_CASE("what only its owner may read is so while it is written, too") {
+TEST_CASE("a file that only its owner may read is private while it is written, too") {
     const ScratchFolder folder;
     const mode_t old_mask = ::umask(0);
     const TemporaryFile temporary(folder.path(), 0600);

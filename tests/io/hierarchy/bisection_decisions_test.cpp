@@ -26,7 +26,7 @@ Connectivity rebuilt(const Hierarchy& hierarchy, std::span<const std::byte> deci
                                 static_cast<Index>(hierarchy.vertex_count()), decisions);
 }
 
-/// A sheet whose first leaf was bisected until one lies 64 levels deep.
+/// A sheet whose first leaf is bisected until a leaf lies 64 levels deep.
 Hierarchy deepest() {
     AdaptiveMesh mesh(testing::sheet(1, 1), std::vector<glm::vec3>(4));
     while (mesh.level(mesh.preorder().front()) < max_level) {
@@ -55,13 +55,13 @@ TEST_CASE("connectivity follows from the open decisions") {
     CHECK(decisions < leaves);
 }
 
-TEST_CASE("leaves of the greatest depth are rebuilt") {
+TEST_CASE("leaves of the largest depth are rebuilt") {
     const Hierarchy key = deepest();
     REQUIRE(check(key).empty());
     CHECK(std::ranges::equal(rebuilt(key, open_decisions(key).decisions).bits, key.bits));
 }
 
-TEST_CASE("each midpoint knows its edge and the apexes on both sides") {
+TEST_CASE("every midpoint has its edge and the apexes on both sides") {
     for_random_families(200, 1, [&](const RandomFamily& family) {
         CAPTURE(family.seed);
         const Hierarchy& key = family.keys[0];
@@ -102,7 +102,7 @@ TEST_CASE("the ends of an edge come before its midpoint, whatever the marking") 
     });
 }
 
-TEST_CASE("whatever is decided makes a sound hierarchy, or is refused") {
+TEST_CASE("any decisions give a sound hierarchy or are rejected") {
     int sound = 0;
     int refused = 0;
     for_random_families(2000, 1, [&](const RandomFamily& family) {
@@ -110,7 +110,7 @@ TEST_CASE("whatever is decided makes a sound hierarchy, or is refused") {
         Random random(family.seed);
         Hierarchy key = family.keys[0];
         Buffer<std::byte> decisions = open_decisions(key).decisions;
-        // Swapped decisions keep most counts.
+        // Swapping two decisions keeps most counts.
         const std::size_t a = random.below(decisions.size());
         const std::size_t b = random.below(decisions.size());
         if (random.chance(0.7))
@@ -131,7 +131,7 @@ TEST_CASE("whatever is decided makes a sound hierarchy, or is refused") {
     CHECK(refused > trials(300));
 }
 
-TEST_CASE("decisions that do not fit the counts are named") {
+TEST_CASE("decisions that do not fit the counts are reported") {
     std::mt19937 random(7);
     const Hierarchy key = random_hierarchy(random, false, 20);
     const auto midpoints = static_cast<Index>(key.midpoints.size());

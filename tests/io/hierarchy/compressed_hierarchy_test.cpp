@@ -1,4 +1,4 @@
-// The compressed form: the same content, whatever the key; less space; and a reader that trusts nothing.
+// The compressed form: the same content for every key, less space, and a reader that trusts nothing.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -63,19 +63,19 @@ Hierarchy compressed_sample() {
     return random_hierarchy(random, false, 20);
 }
 
-/// The most memory that this process holds while \p action runs, beyond what it held before; bytes.
+/// The peak of this process's memory while \p action runs, minus its memory before; bytes.
 std::size_t memory_of(const std::function<void()>& action) {
     const auto held = [](std::string_view what) {
         const std::string status = content("/proc/self/status");
         return std::stoul(status.substr(status.find(what) + what.size())) << 10;
     };
-    std::ofstream("/proc/self/clear_refs") << "5";  // the peak begins anew
+    std::ofstream("/proc/self/clear_refs") << "5";  // resets the peak
     const std::size_t before = held("VmRSS:");
     action();
     return std::max(held("VmHWM:"), before) - before;
 }
 
-/// The sanitizer keeps freed memory for a while.
+/// The sanitizer keeps freed memory for some time.
 constexpr std::size_t memory_limit = std::size_t{is_sanitized ? 1024 : 32} << 20;
 
 }  // namespace
@@ -96,7 +96,7 @@ TEST_CASE("a compressed file holds what was written, bit for bit") {
     CHECK_THROWS_AS(is_compressed_hierarchy(folder / "missing.ilh"), MachineError);
 }
 
-TEST_CASE("any floats come back, signs of zero and the extremes among them") {
+TEST_CASE("any floats are read back, including both zeros and the extremes") {
     constexpr float odd[] = {0.0F,
                              -0.0F,
                              1.0F,
@@ -128,7 +128,7 @@ TEST_CASE("the five keys are compressed to a fifth, without loss") {
     }
 }
 
-TEST_CASE("keys of 40,000 leaves take at most 2.8 bytes a leaf, and less when rounded") {
+TEST_CASE("keys of 40,000 leaves take at most 2.8 bytes per leaf, and less when rounded") {
     for (const Shape& shape : shapes()) {
         if (shape.surface == nullptr) continue;
         CAPTURE(shape.name);
@@ -163,7 +163,7 @@ TEST_CASE("a rounded file holds coordinates within the stated bound, in either f
                           side / std::exp2(bits + 1) * (1 + 1e-6));
             const Bytes plain = serialize_hierarchy(key, {.compressed = false, .rounding_bits = bits});
             CHECK(is_same(parse_hierarchy(plain, "memory"), rounded));
-            // What is rounded stays small when it is compressed again, without being rounded again.
+            // Rounded positions remain small when they are compressed again without rounding.
             CHECK(serialize_hierarchy(rounded, compressed_form) == bytes);
         }
     });
@@ -191,7 +191,7 @@ TEST_CASE("the layout of the compressed form is the documented one") {
     CHECK(get<std::uint32_t>(bytes, header_size + first) == zstd_magic);
 }
 
-TEST_CASE("a compressed file cut off anywhere, or too long, is refused") {
+TEST_CASE("a compressed file that is cut off anywhere, or too long, is rejected") {
     const ScratchFolder folder;
     const Bytes whole = serialize_hierarchy(compressed_sample(), compressed_form);
     for (std::size_t size = 0; size < whole.size(); ++size) {
@@ -218,7 +218,7 @@ TEST_CASE("every single damaged byte of a compressed file is found") {
     }
 }
 
-TEST_CASE("whatever stands behind the right checksum of a compressed file is refused or sound") {
+TEST_CASE("any content with the right checksums is rejected or sound") {
     const std::size_t memory = memory_of([] {
         for (unsigned seed = 0; seed < trials(6000); ++seed) {
             CAPTURE(seed);
@@ -234,7 +234,7 @@ TEST_CASE("whatever stands behind the right checksum of a compressed file is ref
     CHECK(memory < memory_limit);
 }
 
-TEST_CASE("counts that the content does not bear out take no memory") {
+TEST_CASE("counts that the content does not support take no memory") {
     constexpr unsigned seed = 11;
     CAPTURE(seed);
     std::mt19937 random(seed);
@@ -252,7 +252,7 @@ TEST_CASE("counts that the content does not bear out take no memory") {
     CHECK(memory < memory_limit);
 }
 
-TEST_CASE("a frame cut off anywhere is refused, though sizes and checksum say so") {
+TEST_CASE("a frame that is cut off anywhere is rejected, even with matching sizes and checksum") {
     const Bytes whole = serialize_hierarchy(compressed_sample(), compressed_form);
     const auto first = get<std::uint64_t>(whole, 40);
     const auto second = get<std::uint64_t>(whole, 48);
@@ -270,7 +270,7 @@ TEST_CASE("a frame cut off anywhere is refused, though sizes and checksum say so
         CHECK(contains(error_without(48, header_size + first + second, cut), "positions: "));
 }
 
-TEST_CASE("whatever the planes of positions hold, some positions come out") {
+TEST_CASE("any planes of positions give positions") {
     const Hierarchy key = compressed_sample();
     const Connectivity connectivity = open_decisions(key).connectivity;
     for (unsigned seed = 0; seed < 300; ++seed) {
@@ -285,7 +285,7 @@ TEST_CASE("whatever the planes of positions hold, some positions come out") {
     }
 }
 
-TEST_CASE("each part of a compressed file that is wrong is named") {
+TEST_CASE("the message names each wrong part of a compressed file") {
     const auto error_with = [](auto&& change) {
         Bytes bytes = serialize_hierarchy(compressed_sample(), compressed_form);
         change(bytes);
@@ -319,8 +319,8 @@ TEST_CASE("each part of a compressed file that is wrong is named") {
     CHECK(contains(error_of(damaged), "key.ilh: checksum: is "));
 }
 
-TEST_CASE("a key that would shrink beyond all measure is written plain") {
-    // All vertices in one place, so that nothing but the counts is left: 2.3 million leaves.
+TEST_CASE("a key that would shrink too much is written plain") {
+    // All vertices are in one place, so only the counts take space: 2.3 million leaves.
     const auto flat = [](unsigned side) {
         const RootComplex roots = testing::sheet(side, side);
         return unrefined(roots, std::vector<glm::vec3>(roots.vertex_count()));

@@ -18,7 +18,7 @@ using testing::Random;
 constexpr float largest = std::numeric_limits<float>::max();
 constexpr float smallest = std::numeric_limits<float>::denorm_min();
 
-/// Points in a box anywhere, of any size that floats have room for.
+/// Points in a box at any place and of any size in the range of floats.
 std::vector<glm::vec3> points_anywhere(Random& random) {
     const float scale = std::ldexp(1.0F, static_cast<int>(random.below(220)) - 130);
     const glm::vec3 centre = random.point() * (random.chance(0.5) ? 0.0F : 40.0F);
@@ -38,7 +38,7 @@ double longest_side(std::span<const glm::vec3> points) {
 
 }  // namespace
 
-TEST_CASE("rounding moves no coordinate further than the stated bound") {
+TEST_CASE("rounding moves no coordinate farther than the stated bound") {
     for (std::uint64_t seed = 0; seed < trials(2000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -54,7 +54,7 @@ TEST_CASE("rounding moves no coordinate further than the stated bound") {
     }
 }
 
-TEST_CASE("what was rounded lies on a grid that gives its floats back, bit by bit") {
+TEST_CASE("rounded positions lie on a grid that gives back their floats, bit for bit") {
     for (std::uint64_t seed = 0; seed < trials(2000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -71,7 +71,7 @@ TEST_CASE("what was rounded lies on a grid that gives its floats back, bit by bi
     }
 }
 
-TEST_CASE("extreme coordinates stay finite when they are rounded") {
+TEST_CASE("extreme coordinates remain finite when they are rounded") {
     for (const unsigned bits : {8U, 16U, 24U}) {
         const std::vector<glm::vec3> large = {{largest, -largest, 0}, {-largest, largest, 1}};
         for (const glm::vec3& point : rounded_positions(large, bits))
@@ -83,7 +83,7 @@ TEST_CASE("extreme coordinates stay finite when they are rounded") {
     }
 }
 
-TEST_CASE("a grid is found where there is one, and the coarsest") {
+TEST_CASE("the coarsest grid is found, if there is a grid") {
     const auto exponent_of = [](const std::vector<glm::vec3>& points) {
         const std::optional<CoordinateGrid> grid = grid_of(points);
         return grid ? std::optional(grid->exponent()) : std::nullopt;
@@ -97,7 +97,7 @@ TEST_CASE("a grid is found where there is one, and the coarsest") {
     CHECK_FALSE(exponent_of({{1, -0.0F, 0}}).has_value());
 }
 
-TEST_CASE("a grid has a number for everything") {
+TEST_CASE("a grid has a number for every coordinate") {
     const CoordinateGrid grid(-3);
     CHECK(grid.number(0.25) == 2);
     CHECK(grid.number(-0.3) == -2);

@@ -1,4 +1,4 @@
-// Fields in hierarchy files of both forms: the same values come back, and no table is trusted.
+// Fields in hierarchy files of both forms: the same values are read back, and no table is trusted.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,10 +26,10 @@ namespace interleaf {
 namespace {
 
 constexpr HierarchyFileOptions plain_form{};
-/// Where the table of fields begins.
+/// The offset of the field table.
 constexpr std::size_t plain_table = 32, compressed_table = 72;
 
-/// A key with a scalar field and a colour field.
+/// A key with a scalar field and a color field.
 Hierarchy sample_with_fields() {
     std::mt19937 random(3);
     Hierarchy key = random_hierarchy(random, false, 10);
@@ -93,7 +93,7 @@ TEST_CASE("the layout of fields is the documented one") {
           compressed_table + table.size() + first_sizes[0] + first_sizes[1] + fields_size + 4);
 }
 
-TEST_CASE("rounding leaves fields as they are") {
+TEST_CASE("rounding does not change fields") {
     const Hierarchy key = sample_with_fields();
     const Hierarchy rounded =
         parse_hierarchy(serialize_hierarchy(key, {.compressed = true, .rounding_bits = 8}), "memory");
@@ -102,7 +102,7 @@ TEST_CASE("rounding leaves fields as they are") {
         CHECK(rounded.fields[f].values == key.fields[f].values);
 }
 
-TEST_CASE("a smooth field takes less than 2 bytes a vertex in the compressed form, 4 in the plain one") {
+TEST_CASE("a smooth field takes less than 2 bytes per vertex in the compressed form, 4 in the plain form") {
     ShapeBudget budget;
     budget.leaves = 20000;
     Hierarchy key = make_key(*find_shape("star"), budget);
@@ -119,7 +119,7 @@ TEST_CASE("a smooth field takes less than 2 bytes a vertex in the compressed for
     CHECK(serialize_hierarchy(key).size() - bare_plain == 4 * key.vertex_count() + 8);
 }
 
-TEST_CASE("a file with fields that is cut off anywhere is refused") {
+TEST_CASE("a file with fields that is cut off anywhere is rejected") {
     for (const HierarchyFileOptions& form : {plain_form, compressed_form}) {
         const Bytes whole = serialize_hierarchy(sample_with_fields(), form);
         for (std::size_t size = 0; size < whole.size(); ++size) {
@@ -146,7 +146,7 @@ TEST_CASE("every single damaged byte of a file with fields is found") {
     }
 }
 
-TEST_CASE("whatever stands behind a right checksum is refused or has sound fields") {
+TEST_CASE("any content with the right checksum is rejected or has sound fields") {
     int sound = 0;
     int refused = 0;
     for (unsigned seed = 0; seed < trials(30'000); ++seed) {
@@ -157,7 +157,7 @@ TEST_CASE("whatever stands behind a right checksum is refused or has sound field
             with_fields(random_hierarchy(random, false, static_cast<int>(seed % 6)), random, 1 + seed % 3),
             form);
         for (auto flips = 1 + random() % 3; flips > 0; --flips) {
-            // Half of them in what is told about fields.
+            // Half of the changes are in the field table.
             const std::size_t place = random() % 2 == 0 ? random() % bytes.size() : 8 + random() % 80;
             bytes[place % bytes.size()] ^= static_cast<std::byte>(1u << random() % 8);
         }
@@ -168,7 +168,7 @@ TEST_CASE("whatever stands behind a right checksum is refused or has sound field
     CHECK(refused > trials(1000));
 }
 
-TEST_CASE("random tables of fields ask for no memory that the file does not hold") {
+TEST_CASE("random field tables cause no allocation that the file does not support") {
     for (unsigned seed = 0; seed < trials(20'000); ++seed) {
         CAPTURE(seed);
         std::mt19937 random(seed);
@@ -183,7 +183,7 @@ TEST_CASE("random tables of fields ask for no memory that the file does not hold
     }
 }
 
-TEST_CASE("each part of a field that is wrong is named, with what was expected") {
+TEST_CASE("the message names each wrong part of a field and what was expected") {
     const auto error_with = [](const HierarchyFileOptions& form, const std::function<void(Bytes&)>& change) {
         Bytes bytes = serialize_hierarchy(sample_with_fields(), form);
         change(bytes);
@@ -205,7 +205,7 @@ TEST_CASE("each part of a field that is wrong is named, with what was expected")
         CHECK(contains(put(12, 1), "key.ilh: size: "));
         CHECK_FALSE(put(table + 1, 255).empty());
     }
-    // A name that moves a terminal's cursor; a value that is none; a colour that is none.
+    // A name that moves a terminal's cursor, a value that is not a number, a color that is out of range.
     CHECK(contains(error_with(plain_form, [](Bytes& b) { b[plain_table + 2] = std::byte{0x1b}; }),
                    "hierarchy: the name of field 0 is not"));
     const auto last_float = [&](float value) {

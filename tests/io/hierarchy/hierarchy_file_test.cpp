@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t plain_header_size = 32;
 
-/// The error of a file with \p bytes.
+/// The error of reading \p bytes.
 std::string file_error_of(const ScratchFolder& folder, const Bytes& bytes) {
     put(folder / "key.ilh", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     return input_error_of([&] { read_hierarchy(folder / "key.ilh"); });
@@ -37,7 +37,7 @@ Bytes plain_sample() {
     return serialize_hierarchy(random_hierarchy(random, false, 10));
 }
 
-/// CRC-32 by its definition, bit by bit.
+/// CRC-32 by definition, bit by bit.
 std::uint32_t literal_crc32(std::span<const std::byte> bytes) {
     std::uint32_t crc = ~0u;
     for (const std::byte byte : bytes) {
@@ -96,7 +96,7 @@ TEST_CASE("the checksum is CRC-32, by its published check value and by its defin
     }
 }
 
-TEST_CASE("a file cut off anywhere is refused") {
+TEST_CASE("a file that is cut off anywhere is rejected") {
     const ScratchFolder folder;
     const Bytes whole = plain_sample();
     for (std::size_t size = 0; size < whole.size(); ++size) {
@@ -110,7 +110,7 @@ TEST_CASE("a file cut off anywhere is refused") {
     }
 }
 
-TEST_CASE("a file that is too long is refused") {
+TEST_CASE("a file that is too long is rejected") {
     const ScratchFolder folder;
     Bytes bytes = plain_sample();
     const std::size_t size = bytes.size();
@@ -133,7 +133,7 @@ TEST_CASE("every single damaged byte is found") {
     }
 }
 
-TEST_CASE("whatever stands behind a right checksum is refused or is a sound hierarchy") {
+TEST_CASE("any content with the right checksum is rejected or is a sound hierarchy") {
     int sound = 0;
     int refused = 0;
     for (unsigned seed = 0; seed < trials(20'000); ++seed) {
@@ -157,7 +157,7 @@ TEST_CASE("whatever stands behind a right checksum is refused or is a sound hier
     CHECK(refused > trials(1000));
 }
 
-TEST_CASE("random counts ask for no memory that the file does not hold") {
+TEST_CASE("random counts cause no allocation that the file does not support") {
     constexpr unsigned seed = 11;
     CAPTURE(seed);
     std::mt19937 random(seed);
@@ -176,21 +176,21 @@ TEST_CASE("random counts ask for no memory that the file does not hold") {
     }
 }
 
-TEST_CASE("the largest counts are held against the size before anything else") {
+TEST_CASE("the largest counts are compared with the size before anything else") {
     constexpr std::uint32_t most = std::numeric_limits<std::uint32_t>::max();
     Bytes bytes = plain_sample();
     for (std::size_t offset = 16; offset < plain_header_size; offset += 4) set_word(bytes, offset, most);
     // 36 + 12 n + 8 ceil(3 n / 64) + 4 n + 12 n with n = 2^32 - 1
     CHECK(contains(error_of(bytes), "expected 121869697032 by its counts"));
 
-    // Root vertices do not count in the size of the file.
+    // Root vertices do not change the size of the file.
     Bytes roots = plain_sample();
     set_word(roots, 16, most);
     repair_checksum(roots);
     CHECK(contains(error_of(roots), "key.ilh: root vertex count: is 4294967295, expected at most"));
 }
 
-TEST_CASE("each part that is wrong is named, with what was expected") {
+TEST_CASE("the message names each wrong part and what was expected") {
     const auto error_with = [](auto&& change) {
         Bytes bytes = plain_sample();
         change(bytes);
@@ -217,7 +217,7 @@ TEST_CASE("each part that is wrong is named, with what was expected") {
     CHECK(contains(error_of(serialize_hierarchy(empty)), "root triangle count: is 0, expected at least 1"));
 }
 
-TEST_CASE("what is no file is an error, not a wait or a crash") {
+TEST_CASE("anything but a file is an error, not a wait or a crash") {
     const ScratchFolder folder;
     CHECK(contains(input_error_of([&] { read_hierarchy(folder.path()); }), "is a folder, expected a file"));
     CHECK(contains(input_error_of([&] { read_hierarchy("/dev/zero"); }), "expected a file"));

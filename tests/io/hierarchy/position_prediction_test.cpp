@@ -13,13 +13,13 @@ namespace interleaf {
 
 namespace {
 
-/// A sheet of 8 squares with a surface of \p height over it, bisected \p rounds times everywhere.
+/// A surface of \p height over a sheet of 8 squares, bisected \p rounds times everywhere.
 template <typename Height>
 Hierarchy uniform_sheet(unsigned rounds, Height height) {
     std::vector<glm::vec3> corners;
     for (int y = 0; y <= 2; ++y)
         for (int x = 0; x <= 4; ++x) corners.emplace_back(x, y, height(float(x), float(y)));
-    // Both triangles of a square have its diagonal as refinement edge.
+    // The diagonal of a square is the refinement edge of both triangles.
     AdaptiveMesh* self = nullptr;
     AdaptiveMesh mesh(testing::sheet(4, 2), corners, [&](Index a, Index b, auto...) {
         const glm::vec3 middle = 0.5F * (self->positions()[a] + self->positions()[b]);
@@ -35,7 +35,7 @@ Hierarchy uniform_sheet(unsigned rounds, Height height) {
     return mesh.freeze();
 }
 
-/// The root mean square of what the positions of level \p level differ by from what is expected.
+/// The root mean square of the differences between positions and expected positions at level \p level.
 double error_at(const Hierarchy& key, unsigned level) {
     const Connectivity connectivity = open_decisions(key).connectivity;
     double sum = 0;
@@ -53,7 +53,7 @@ double error_at(const Hierarchy& key, unsigned level) {
 
 }  // namespace
 
-TEST_CASE("a paraboloid is expected exactly, away from the edges that have no history") {
+TEST_CASE("a paraboloid is predicted exactly, away from edges without history") {
     const Hierarchy key =
         uniform_sheet(9, [](float x, float y) { return 0.25F * x * x - 0.5F * x * y + 0.125F * y * y; });
     for (const unsigned level : {3U, 4U, 5U, 6U, 7U, 8U}) {
@@ -65,7 +65,7 @@ TEST_CASE("a paraboloid is expected exactly, away from the edges that have no hi
 TEST_CASE("the error falls with at least the third power of the edge length") {
     const Hierarchy key = uniform_sheet(
         10, [](float x, float y) { return static_cast<float>(std::sin(1.3 * x + 0.4) * std::cos(0.9 * y)); });
-    // Two levels halve the edges; floats end the fall below 1e-7.
+    // Two levels halve the edges. Below 1e-7, the precision of floats stops the fall.
     CHECK(error_at(key, 7) < error_at(key, 5) / 6.5);
     CHECK(error_at(key, 6) < error_at(key, 4) / 6.5);
 }

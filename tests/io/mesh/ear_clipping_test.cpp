@@ -1,4 +1,4 @@
-// The division of polygons into triangles: what holds for every simple polygon, and what is refused.
+// The division of polygons into triangles: properties for every simple polygon, and rejected polygons.
 #include "io/mesh/ear_clipping.h"
 
 #include <cmath>
@@ -18,13 +18,13 @@ namespace interleaf {
 
 namespace {
 
-/// "" where the division holds; "refused" where there is none.
+/// "" if the division is right; "refused" if there is none.
 std::string fault_of(const Polygon& polygon, std::span<const glm::dvec3> corners, std::mt19937& random) {
     const std::vector<Triangle> triangles = divide_polygon(corners);
     return triangles.empty() ? "refused" : division_fault(polygon, triangles, 20, random);
 }
 
-/// Checks the polygon as it is, and begun at another corner, turned over and rotated in space.
+/// Checks the polygon unchanged, started at another corner, reversed, and rotated in space.
 void check_division(const Polygon& polygon, std::mt19937& random) {
     CAPTURE(polygon.size());
     CHECK(fault_of(polygon, in_space(polygon), random) == "");
@@ -71,7 +71,7 @@ TEST_CASE("random simple polygons are divided") {
     }
 }
 
-TEST_CASE("polygons that touch themselves are divided: at corners, along seams and slits") {
+TEST_CASE("polygons that touch themselves at corners, along seams and along slits are divided") {
     int touching = 0;
     for (unsigned seed = 0; seed < trials(200); ++seed) {
         CAPTURE(seed);
@@ -86,14 +86,14 @@ TEST_CASE("polygons that touch themselves are divided: at corners, along seams a
         check_division(maze(1 + random() % 8, 2 + random() % 40, random), random);
     }
     CHECK(touching > 10);
-    // A hole whose seam leads to it from a corner, one that touches the outline, and a slit.
+    // A hole with a seam from a corner, a hole that touches the outline, and a slit.
     std::mt19937 random(1);
     check_division({{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}}, random);
     check_division({{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 4}, {4, 2}}, random);
     check_division({{0, 0}, {6, 0}, {6, 3}, {3, 3}, {6, 3}, {6, 6}, {0, 6}}, random);
 }
 
-TEST_CASE("corners on a line, corners twice and edges without length leave no hole") {
+TEST_CASE("collinear corners, repeated corners and edges without length leave no hole") {
     std::mt19937 random(1);
     check_division({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 3}, {2, 3}, {1, 3}, {0, 3}}, random);
     check_division({{0, 0}, {1, 0}, {1, 0}, {2, 1}, {2, 1}, {0, 2}}, random);
@@ -106,7 +106,7 @@ TEST_CASE("corners on a line, corners twice and edges without length leave no ho
     }
 }
 
-TEST_CASE("a polygon that crosses itself is refused, however it is turned") {
+TEST_CASE("a polygon that crosses itself is rejected in any orientation") {
     const Polygon star_of_edges = [] {
         Polygon star;
         for (int i = 0; i < 5; ++i) {
@@ -131,13 +131,13 @@ TEST_CASE("a polygon that crosses itself is refused, however it is turned") {
             const Polygon begun = begun_at(crossing[number], corner);
             CHECK(is_refused(begun));
             CHECK(is_refused(turned_over(begun)));
-            // Rotated, a corner on an edge may be beside it.
+            // Rotation may move a corner off its edge.
             if (number != 6) CHECK(divide_polygon(in_random_plane(begun, random)).empty());
         }
     }
 }
 
-TEST_CASE("random polygons are refused exactly where their edges cross") {
+TEST_CASE("random polygons are rejected exactly if their edges cross") {
     int refused = 0;
     int divided = 0;
     for (unsigned seed = 0; seed < trials(20'000); ++seed) {
@@ -156,7 +156,7 @@ TEST_CASE("random polygons are refused exactly where their edges cross") {
     CHECK(divided > 100);
 }
 
-TEST_CASE("what is divided on a small grid, where corners lie on others and on edges, never overlaps") {
+TEST_CASE("triangles never overlap, even on a small grid where corners lie on corners and edges") {
     int divided = 0;
     for (unsigned seed = 0; seed < trials(8000); ++seed) {
         std::mt19937 random(seed);
@@ -174,7 +174,7 @@ TEST_CASE("what is divided on a small grid, where corners lie on others and on e
     CHECK(divided > 100);
 }
 
-TEST_CASE("a polygon that is not flat is divided as in the plane that fits it best") {
+TEST_CASE("a polygon that is not flat is divided in the plane that fits it best") {
     for (unsigned seed = 0; seed < trials(200); ++seed) {
         CAPTURE(seed);
         std::mt19937 random(seed);
@@ -188,7 +188,7 @@ TEST_CASE("a polygon that is not flat is divided as in the plane that fits it be
             double sum = 0;
             for (const auto& [a, b, c] : triangles) {
                 const double part = doubled_area({polygon[a], polygon[b], polygon[c]}) / 2;
-                CHECK(part > -0.7);  // the plane leans a little
+                CHECK(part > -0.7);  // the plane is slightly tilted
                 sum += part;
             }
             CHECK(sum == doctest::Approx(area));
@@ -211,7 +211,7 @@ TEST_CASE("the size of a polygon and its distance from 0 do not matter") {
         }
 }
 
-TEST_CASE("polygons of the most corners take no more than a moment") {
+TEST_CASE("polygons with the largest number of corners take little time") {
     constexpr std::size_t most = is_sanitized ? 10'000 : max_polygon_corners;
     std::mt19937 random(1);
     const std::vector<std::pair<std::string, Polygon>> polygons{{"comb", comb(most)},
@@ -229,10 +229,11 @@ TEST_CASE("polygons of the most corners take no more than a moment") {
             const std::vector<glm::dvec3> corners =
                 is_rotated ? in_random_plane(polygon, random) : in_space(polygon);
             REQUIRE(corners.size() <= most);
-            const std::clock_t begin = std::clock();  // on a busy machine the time of day would be too much
+            const std::clock_t begin =
+                std::clock();  // processor time, because a busy machine delays the clock
             const std::vector<Triangle> triangles = divide_polygon(corners);
             const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-            CHECK(seconds < 4);  // about 0.6 on a machine that does nothing else
+            CHECK(seconds < 4);  // about 0.6 on an idle machine
             REQUIRE_FALSE(triangles.empty());
             CHECK(division_fault(polygon, triangles, 0, random) == "");
         }
@@ -242,8 +243,8 @@ TEST_CASE("polygons of the most corners take no more than a moment") {
     CHECK(is_refused(crossed));
 }
 
-TEST_CASE("a quadrilateral that crosses itself in the plane alone, for it is far from flat, is halved") {
-    // One of a public model: its opposite edges are far apart in space.
+TEST_CASE("a quadrilateral that is far from flat and crosses itself only in the plane is halved") {
+    // From a public model: its opposite edges are far apart in space.
     const std::vector<glm::dvec3> skew{{12.880048, 236.295380, 43.735176},
                                        {12.819249, 236.278671, 43.792137},
                                        {12.944972, 236.356552, 42.972511},

@@ -29,7 +29,7 @@ Hierarchy obj_hierarchy(const ScratchFolder& folder, std::string_view obj) {
     return read_obj(folder / "m.obj");
 }
 
-/// A finite float of random bits, every magnitude alike.
+/// A finite float with random bits, so that all magnitudes are equally likely.
 float random_float(std::mt19937& random) {
     for (;;) {
         const auto number = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
@@ -87,7 +87,7 @@ TEST_CASE(
     CHECK(check(cube).empty());
 }
 
-TEST_CASE("lines go on behind a backslash, comments end all lines, commas may follow numbers") {
+TEST_CASE("a backslash continues a line, a comment may end any line, and a comma may follow a number") {
     const ScratchFolder folder;
     const std::string vertices = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\n";
     const Hierarchy expected = obj_hierarchy(folder, vertices + "f 1 2 3\nf 1 3 4\n");
@@ -104,7 +104,7 @@ TEST_CASE("lines go on behind a backslash, comments end all lines, commas may fo
              "\xef\xbb\xbf" + vertices + "f 1 2 3\nf 1 3 4\n",
              "v 0 0 0\rv 2 0 0\rv 2 1 0\rv 0 1 0\rf 1 2 \\\r3\rf 1 3 4\r"}) {
         CAPTURE(variant);
-        if (contains(variant, "# /")) {  // a comment is no part of the face
+        if (contains(variant, "# /")) {  // a comment is not part of the face
             CHECK(contains(obj_error(folder, variant), "line 6: a face of 2 vertices"));
             continue;
         }
@@ -115,7 +115,7 @@ TEST_CASE("lines go on behind a backslash, comments end all lines, commas may fo
     }
 }
 
-TEST_CASE("an OBJ in UTF-16 is read, and said to be") {
+TEST_CASE("an OBJ in UTF-16 is read, with a remark") {
     const ScratchFolder folder;
     std::string text = "\xff\xfe";
     for (const char c : std::string("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n")) text += {c, '\0'};
@@ -127,7 +127,7 @@ TEST_CASE("an OBJ in UTF-16 is read, and said to be") {
           std::vector<std::string>{files[0].string() + ": The text was converted from UTF-16."});
 }
 
-TEST_CASE("colors of other ranges are a key's colors, and remarks name the file") {
+TEST_CASE("colors of other ranges become colors of the key, and remarks name the file") {
     const ScratchFolder folder;
     put(folder / "m.obj", "v 0 0 0 255 0 0\nv 1 0 0 0 51 0\nv 0 1 0 0 0 nan\nf 1 2 3\n");
     const std::vector<std::filesystem::path> files{folder / "m.obj"};
@@ -139,7 +139,7 @@ TEST_CASE("colors of other ranges are a key's colors, and remarks name the file"
                                    name + ": 1 color had no finite numbers and became white."});
 }
 
-TEST_CASE("an OBJ far from 0 is a key around an origin of whole numbers") {
+TEST_CASE("an OBJ far from 0 is a key with an integer origin") {
     const ScratchFolder folder;
     put(folder / "m.obj",
         "v 500000.25 5400000.5 0\nv 500001.25 5400000.5 0\nv 500000.25 5400001.5 0\nf 1 2 3\n");
@@ -152,7 +152,7 @@ TEST_CASE("an OBJ far from 0 is a key around an origin of whole numbers") {
     CHECK(read_obj_series(files, other).keys.front().positions[0] == glm::vec3(0.25F, 0.5F, -1));
 }
 
-TEST_CASE("with an origin, an OBJ and a PLY have it added in double") {
+TEST_CASE("OBJ and PLY have the origin added in double precision") {
     const std::vector<glm::vec3> positions{{0.001F, 0, 0}, {1, 0.5F, 0}, {0, 1, -2}};
     const std::vector<Triangle> triangles{{2, 0, 1}};
     const glm::dvec3 origin(500'000, 5'400'000, 300);
@@ -176,7 +176,7 @@ TEST_CASE("a polygon of many corners becomes triangles inside it") {
     CHECK(pentagon.roots.boundary_edge_count() == 5);
 }
 
-TEST_CASE("numbers too small for a float are 0, numbers too large are refused") {
+TEST_CASE("numbers too small for a float are 0, numbers too large are rejected") {
     const ScratchFolder folder;
     const Hierarchy triangle = obj_hierarchy(folder, "v 1e-99 -1e-46 0\nv 1 0 0\nv 0 1 1e-300\nf 1 2 3\n");
     CHECK(triangle.positions[0] == glm::vec3(0));
@@ -187,7 +187,7 @@ TEST_CASE("numbers too small for a float are 0, numbers too large are refused") 
           std::string::npos);
 }
 
-TEST_CASE("a hostile OBJ is refused with its line and what was expected") {
+TEST_CASE("a hostile OBJ is rejected with the line and what was expected") {
     struct Case {
         std::string obj;
         std::string_view expected;
@@ -276,7 +276,7 @@ TEST_CASE("a PLY has its header and its bytes") {
     CHECK(std::memcmp(ply.data() + header.size() + 37, triangles.data(), 12) == 0);
 }
 
-TEST_CASE("colours of vertices become a colour field, white where there are none") {
+TEST_CASE("colors of vertices become a color field, white for vertices without a color") {
     const ScratchFolder folder;
     const Hierarchy triangle =
         obj_hierarchy(folder, "v 9 9 9 0 0 0\nv 0 0 0\nv 1 0 0 1 0.5 0.25\nv 0 1 0 0 1e-3 1 0.5\nf 2 3 4\n");
@@ -293,7 +293,7 @@ TEST_CASE("colours of vertices become a colour field, white where there are none
     }
 }
 
-TEST_CASE("an OBJ gives back the same colours") {
+TEST_CASE("an OBJ gives back the same colors") {
     const ScratchFolder folder;
     for (unsigned seed = 0; seed < 50; ++seed) {
         CAPTURE(seed);
@@ -314,7 +314,7 @@ TEST_CASE("an OBJ gives back the same colours") {
     CHECK(read_obj(folder / "m.obj").fields.at(0).values == halves);
 }
 
-TEST_CASE("a PLY has the fields as properties with names of their own") {
+TEST_CASE("a PLY has the fields as properties with different names") {
     const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const std::vector<Triangle> triangles{{0, 1, 2}};
     const Buffer<float> scalar{1.5F, -2, 3};

@@ -1,4 +1,4 @@
-// Readers of surfaces: each form, colours, polygons, and files that are not what they say.
+// Readers of surfaces: every format, colors, polygons, and damaged files.
 #include "io/mesh/surface_file.h"
 
 #include <algorithm>
@@ -104,7 +104,7 @@ void check_pyramid(const SurfaceFile& surface) {
     CHECK(surface.triangles == pyramid().triangles);
 }
 
-/// A triangle for three vertices of its own.
+/// Triangles that share no vertices.
 void check_loose_pyramid(const SurfaceFile& surface) {
     REQUIRE(surface.triangles.size() == pyramid().triangles.size());
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -151,7 +151,7 @@ SurfaceFile parse_obj(std::string_view content, std::string_view) {
     return read_surface(folder / "p.obj");
 }
 
-/// A polygon in the plane z = 0 as an OBJ, an OFF and a PLY.
+/// A polygon in the plane z = 0 as OBJ, OFF and PLY.
 class PolygonFiles {
   public:
     explicit PolygonFiles(const Polygon& polygon) {
@@ -191,7 +191,7 @@ class PolygonFiles {
 
 }  // namespace
 
-TEST_CASE("the same surface is read from every form") {
+TEST_CASE("the same surface is read from every format") {
     const ScratchFolder folder;
     put(folder / "p.OBJ", obj);
     put(folder / "p.off", off);
@@ -208,7 +208,7 @@ TEST_CASE("the same surface is read from every form") {
     check_pyramid(parse_ply(binary_ply(pyramid(), true), "p"));
 }
 
-TEST_CASE("an OBJ near 0 gives a surface the floats that it gives a key") {
+TEST_CASE("an OBJ near 0 gives the same floats as a surface and as a key") {
     const ScratchFolder folder;
     put(folder / "p.obj", "v 0.1 0.2 0.3\nv 1.1 0.7 -0.3\nv 0.123456789 1.3 0.9\nf 1 2 3\n");
     const SurfaceFile surface = read_surface(folder / "p.obj");
@@ -219,7 +219,7 @@ TEST_CASE("an OBJ near 0 gives a surface the floats that it gives a key") {
             CHECK(surface.positions[i][axis] == double{key.positions[i][axis]});
 }
 
-TEST_CASE("colours are read; in an OBJ a vertex without one is white") {
+TEST_CASE("colors are read; in an OBJ a vertex without a color is white") {
     const ScratchFolder folder;
     put(folder / "p.obj", obj);
     const std::vector<glm::vec3> expected = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5F, 0.5F, 0.5F}, {1, 1, 1}};
@@ -239,7 +239,7 @@ TEST_CASE("colours are read; in an OBJ a vertex without one is white") {
     CHECK(parse_off(off, "p").colors.empty());
 }
 
-TEST_CASE("what is wrong is said with the file, the place and what was expected") {
+TEST_CASE("an error names the file, the place and what was expected") {
     struct Case {
         SurfaceFile (*parse)(std::string_view, std::string_view);
         std::string content;
@@ -347,7 +347,7 @@ TEST_CASE("what is wrong is said with the file, the place and what was expected"
                    "expected a file that ends in .obj"));
 }
 
-TEST_CASE("an OFF is read as Geomview reads it, and as others write it") {
+TEST_CASE("an OFF is read as Geomview reads it, and as other programs write it") {
     const std::string text(off);
     check_pyramid(parse_off(replaced(text, "OFF # a pyramid\n\n5", "OFF 5"), "p"));
     check_pyramid(parse_off(replaced(text, "OFF # a pyramid\n\n5", "OFF5"), "p"));
@@ -360,7 +360,7 @@ TEST_CASE("an OFF is read as Geomview reads it, and as others write it") {
     check_pyramid(parse_off(replaced(text, "4 3 2 1 0", "4 3\n2 # two\n\n1 0"), "p"));
     check_pyramid(parse_off(text.substr(0, text.size() - 1), "p"));
 
-    // Normals, colors and coordinates of textures, in any order; the letters are read from the right.
+    // Normals, colors and texture coordinates in any order; the letters are read from right to left.
     struct Variant {
         std::string header;
         std::string behind;  // a vertex
@@ -417,7 +417,7 @@ TEST_CASE("a binary OFF is read") {
     }
 }
 
-TEST_CASE("a binary STL is read whatever its count and its header say, where its size tells") {
+TEST_CASE("a binary STL with a wrong count or header is read by its size") {
     const std::string stl = binary_stl(pyramid());
     std::string solid = stl;
     solid.replace(0, 13, "solid pyramid");
@@ -486,7 +486,7 @@ TEST_CASE("a PLY with lines of all kinds is read") {
 }
 
 TEST_CASE("triangle strips of a PLY are read, as text and binary") {
-    // Around the pyramid, over its foot; a strip ends, one goes on behind a corner twice.
+    // Around the pyramid, then over its base. One strip ends, another continues after a repeated corner.
     constexpr std::int32_t strip[] = {0, 1, 4, 2, -1, 2, 3, 4, 0, -1, 3, 2, 0, 1, 1};
     const std::vector<Triangle> expected{{0, 1, 4}, {4, 1, 2}, {2, 3, 4}, {4, 3, 0}, {3, 2, 0}, {0, 2, 1}};
     for (const std::string form : {"ascii", "binary_little_endian", "binary_big_endian"}) {
@@ -511,7 +511,7 @@ TEST_CASE("triangle strips of a PLY are read, as text and binary") {
     }
 }
 
-TEST_CASE("polygons that are not convex, and of many corners, are divided in every form") {
+TEST_CASE("polygons that are not convex, or have many corners, are divided in every format") {
     for (const auto& [name, polygon, area] : outlines())
         for (std::size_t corner = 0; corner < polygon.size(); ++corner) {
             CAPTURE(name);
@@ -531,7 +531,8 @@ TEST_CASE("polygons that are not convex, and of many corners, are divided in eve
     }
 }
 
-TEST_CASE("a prism over any outline, begun anywhere, either way around, in any plane, has its volume") {
+TEST_CASE(
+    "a prism over any outline, started at any corner, in either direction and any plane, has its volume") {
     std::mt19937 random(1);
     for (const auto& [name, polygon, area] : outlines())
         for (std::size_t corner = 0; corner < polygon.size(); ++corner) {
@@ -540,7 +541,7 @@ TEST_CASE("a prism over any outline, begun anywhere, either way around, in any p
             const auto count = static_cast<Index>(polygon.size());
             std::vector<glm::dvec3> places = in_space(polygon);
             for (const glm::dvec2& p : polygon) places.emplace_back(p, 2);
-            // Rotated by whole numbers of a cube's symmetries and otherwise, both with their size kept.
+            // Rotated by a symmetry of the cube, or by any angle; both keep the size.
             const double angle = static_cast<double>(random() % 360);
             std::string text;
             for (const glm::dvec3& p : places) {
@@ -568,7 +569,7 @@ TEST_CASE("a prism over any outline, begun anywhere, either way around, in any p
         }
 }
 
-TEST_CASE("a polygon that crosses itself is refused in every form, with its place") {
+TEST_CASE("a polygon that crosses itself is rejected in every format, with its place") {
     const PolygonFiles files({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
     const auto messages = files.messages();
     CHECK(messages[0].ends_with("p.obj: line 5: a face of 4 corners that crosses itself"));
@@ -576,7 +577,7 @@ TEST_CASE("a polygon that crosses itself is refused in every form, with its plac
     CHECK(messages[2].ends_with("p: face 0 (counted from 0): a face of 4 corners that crosses itself"));
 }
 
-TEST_CASE("odd colors are read, and what was done is said") {
+TEST_CASE("odd colors are read, and remarks say what was changed") {
     const auto with = [](std::string_view color) {
         return parse_obj(fmt::format("v 0 0 0 {}\nv 1 0 0 0 0 1\nv 0 1 0 1 1 1\nf 1 2 3\n", color), "");
     };
@@ -596,7 +597,7 @@ TEST_CASE("odd colors are read, and what was done is said") {
     CHECK(mentions(large.remarks, "clamped"));
 }
 
-TEST_CASE("a vertex without a place is passed over where no face uses it") {
+TEST_CASE("a vertex that is not finite is ignored if no face uses it") {
     const std::string text = "v 1 2 3\nv nan 0 0\nv 0 inf 0\nv 0 0 -1.#IND\nv 1 0 0\nv 0 1 0\nf 1 5 6\n";
     const SurfaceFile surface = parse_obj(text, "");
     CHECK(surface.positions.size() == 6);
@@ -612,7 +613,7 @@ TEST_CASE("a vertex without a place is passed over where no face uses it") {
                    "vertex 0 (counted from 0): a coordinate is not a finite number within the range"));
 }
 
-TEST_CASE("coordinates of maps keep their digits") {
+TEST_CASE("map coordinates keep their digits") {
     const std::string text =
         "v 500000.123456789 5400000.987654321 300\nv 500001 5400000 300\nv 500000 5400001 300\nf 1 2 3\n";
     CHECK(parse_obj(text, "").positions[0] == glm::dvec3(500000.123456789, 5400000.987654321, 300));
@@ -621,7 +622,7 @@ TEST_CASE("coordinates of maps keep their digits") {
         500000.123456789);
 }
 
-TEST_CASE("files that were changed at random are read, or refused, and nothing else") {
+TEST_CASE("randomly changed files are read or rejected") {
     const std::uint32_t seed = std::random_device{}();
     CAPTURE(seed);
     std::mt19937 random(seed);

@@ -1,4 +1,4 @@
-// Text of editors and systems of all kinds.
+// Text from different editors and systems.
 #include "io/text/plain_text.h"
 
 #include <string>
@@ -17,7 +17,7 @@ std::string plain(std::string text) {
     return plain_text(std::move(text), remarks);
 }
 
-/// In UTF-16, of characters below U+0100.
+/// \p text in UTF-16; it has only characters below U+0100.
 std::string utf16(std::string_view text, bool big_endian) {
     std::string result;
     for (const char c : text) result += big_endian ? std::string{'\0', c} : std::string{c, '\0'};
@@ -26,7 +26,7 @@ std::string utf16(std::string_view text, bool big_endian) {
 
 }  // namespace
 
-TEST_CASE("plain text stays as it is") {
+TEST_CASE("plain text is unchanged") {
     std::vector<std::string> remarks;
     for (const std::string& text :
          {""s, "v"s, "v 0 0 0\n"s, "a\r\nb\r\n"s, "\xc3\xa4\n"s, "\0\0\0\0"s, "\xff"s})
@@ -34,7 +34,7 @@ TEST_CASE("plain text stays as it is") {
     CHECK(remarks.empty());
 }
 
-TEST_CASE("a byte order mark goes, lines end") {
+TEST_CASE("a byte order mark is removed, and line ends are converted") {
     CHECK(plain("\xef\xbb\xbfv 0 0 0\n") == "v 0 0 0\n");
     CHECK(plain("\xef\xbb\xbf") == "");
     CHECK(plain("a\rb\rc") == "a\nb\nc");
@@ -42,7 +42,7 @@ TEST_CASE("a byte order mark goes, lines end") {
     CHECK(plain("a\r\r\nb\r\n") == "a\n\r\nb\r\n");
 }
 
-TEST_CASE("UTF-16 is converted, with a byte order mark or without, and said so") {
+TEST_CASE("UTF-16 is converted, with or without a byte order mark, and a remark says so") {
     const std::string text = "v 0 0 0\r\n# \xe4\rf";
     const std::string expected = "v 0 0 0\r\n# \xc3\xa4\nf";
     for (const bool big_endian : {false, true})
@@ -61,7 +61,7 @@ TEST_CASE("UTF-16 is converted, with a byte order mark or without, and said so")
           "b");  // half a character at the end
 }
 
-TEST_CASE("text is told from binary by its control characters") {
+TEST_CASE("control characters distinguish binary from text") {
     CHECK(looks_like_text(""));
     CHECK(looks_like_text("solid \xc3\xa4\t\r\n\v\f"));
     CHECK_FALSE(looks_like_text("solid \0"s));
