@@ -1,4 +1,4 @@
-// A limit to the size of files, which looks like a full disk.
+// A limit to the size of files, which has the effect of a full disk.
 #pragma once
 
 #include <csignal>
@@ -8,7 +8,7 @@
 
 namespace interleaf {
 
-/// While it lives, no file can be written beyond \p size bytes: what a full disk looks like.
+/// During the lifetime of this object, no file can grow beyond the given size, as on a full disk.
 class FileSizeLimit {
   public:
     explicit FileSizeLimit(rlim_t size) {

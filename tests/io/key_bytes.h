@@ -1,4 +1,4 @@
-// The bytes of a hierarchy file of either form, to damage and to read again.
+// Functions that damage the bytes of a hierarchy file of either form, and read them again.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,14 @@ constexpr HierarchyFileOptions compressed_form{.compressed = true, .rounding_bit
 
 using Bytes = std::vector<std::byte>;
 
-/// Makes the checksum at the end fit what stands before it.
+/// Replaces the checksum at the end of \p bytes by the right one.
 void repair_checksum(Bytes& bytes);
 
-/// What parse_hierarchy() says of \p bytes, called "key.ilh"; empty if it takes them.
+/// The error of parse_hierarchy() for \p bytes, called "key.ilh"; empty if it accepts them.
 std::string error_of(const Bytes& bytes);
 
-/// Refused with an error that names the file, or a sound hierarchy. \return whether it is one
+/// Checks that \p bytes are a sound hierarchy, or are rejected with an error that names the file.
+/// \return whether they are a hierarchy
 bool is_sound_or_refused(const Bytes& bytes);
 
 }  // namespace interleaf

@@ -20,7 +20,7 @@ double turn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Whether two edges meet, be it only at an end.
+/// Whether two edges meet, possibly only at an end.
 bool do_meet(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
     const auto on = [](glm::dvec2 p, glm::dvec2 q, glm::dvec2 r) {
         return turn(p, q, r) == 0 && glm::dot(r - p, r - q) <= 0;
@@ -102,8 +102,8 @@ Polygon grown(std::size_t squares, std::mt19937& random) {
     using Place = std::pair<int, int>;
     std::set<Place> inside{{0, 0}};
     const auto is_in = [&](int x, int y) { return inside.contains({x, y}); };
-    // A square may be added where its neighbors all around are in one row: so no hole closes, no corner
-    // touches.
+    // A square may be added if its present neighbors form one connected row around it. Then no hole closes
+    // and no corner touches.
     const auto may_add = [&](int x, int y) {
         constexpr std::array<Place, 8> around{
             {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
@@ -200,7 +200,7 @@ Polygon curtain(std::size_t slits) {
 Polygon keyholes(unsigned holes) {
     const double size = 4 * holes + 1;
     Polygon polygon{{0, 0}, {size, 0}, {size, size}, {0, size}};
-    // From above downward along the left side, where each seam begins.
+    // From top to bottom along the left side, where each seam begins.
     for (unsigned hole = holes; hole-- > 0;) {
         const double y = 4 * hole + 2;
         const double x = 2 + hole;
@@ -218,7 +218,7 @@ Polygon maze(int size, std::size_t squares, std::mt19937& random) {
         std::size_t side;
         bool operator==(const Wall&) const = default;
     };
-    // By side, from the lower one to the left.
+    // By side, counterclockwise from the lower side.
     constexpr std::array<Place, 4> beyond{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
     constexpr std::array<Place, 4> begin{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
     const auto other = [&](Place square, std::size_t side) {
