@@ -105,7 +105,7 @@ const std::map<std::string, std::vector<std::string>> damage = {
     {"family-domain-overlap", {"family.json: domain: domain triangles 0 and 1 overlap"}},
     {"family-domain-no-area", {"family.json: domain: domain triangle 0 has no area"}},
     {"family-domain-index",
-     {"family.json: domain.triangles[0][2]: is 3, expected an integer from 0, below 3"}},
+     {"family.json: domain.triangles[0][2]: is 3, expected a whole number from 0, below 3"}},
     {"family-domain-negative", {"family.json: domain.triangles[0][2]: is -1, expected a whole number"}},
     {"family-domain-vertex-unused", {"family.json: domain: domain vertex 3 belongs to no triangle"}},
     {"family-domain-vertex-on-edge", {"family.json: domain: domain vertex 3 lies on triangle 0"}},

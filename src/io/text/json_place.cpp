@@ -84,7 +84,7 @@ double JsonPlace::number() const {
 
 std::uint32_t JsonPlace::index_below(std::size_t limit) const {
     if (!value_->is_number_unsigned() || value_->get<std::uint64_t>() >= limit)
-        fail_expecting(fmt::format("an integer from 0, below {}", limit));
+        fail_expecting(fmt::format("a whole number from 0, below {}", limit));
     return value_->get<std::uint32_t>();
 }
 

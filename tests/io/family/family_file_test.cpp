@@ -297,7 +297,7 @@ TEST_CASE("a hostile family file is rejected with the place and what was expecte
         {with_members(R"("domain": {"vertices": [{"at": [0, 0], "key": "z"}], "triangles": []})"),
          "domain.vertices[0].key: is \"z\", expected the name of a key"},
         {with_domain("[[0, 1]]"), "domain.triangles[0]: is an array, expected three vertices"},
-        {with_domain("[[0, 1, 3]]"), "domain.triangles[0][2]: is 3, expected an integer from 0, below 3"},
+        {with_domain("[[0, 1, 3]]"), "domain.triangles[0][2]: is 3, expected a whole number from 0, below 3"},
         {with_domain("[[0, 1, -1]]"), "domain.triangles[0][2]: is -1, expected"},
         {with_domain("[[0, 1, 4294967297]]"), "domain.triangles[0][2]: is 4294967297, expected"},
         {with_domain("[[0, 1, 2.0]]"), "domain.triangles[0][2]: is 2.0, expected a whole number"},

@@ -124,7 +124,7 @@ TEST_CASE("a hostile permutation is rejected with its place") {
          "keys[1].roots[2]: is 0, the same as roots[1]; expected each root once"},
         {fmt::format("[{}, {}]", count, rest),
          fmt::format("keys[1].roots[0]: is {}, expected a whole", count)},
-        {fmt::format("[-1, {}]", rest), "keys[1].roots[0]: is -1, expected an integer from 0, below"},
+        {fmt::format("[-1, {}]", rest), "keys[1].roots[0]: is -1, expected a whole number from 0, below"},
         {fmt::format("[4294967296, {}]", rest), "keys[1].roots[0]: is 4294967296, expected"},
         {fmt::format("[0.5, {}]", rest), "keys[1].roots[0]: is 0.5, expected"},
         {fmt::format("[\"0\", {}]", rest), "keys[1].roots[0]: is \"0\", expected"}};

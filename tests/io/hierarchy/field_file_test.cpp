@@ -114,7 +114,7 @@ TEST_CASE("a smooth field takes less than 2 bytes per vertex in the compressed f
     const double vertices = static_cast<double>(key.vertex_count());
     const double each =
         static_cast<double>(serialize_hierarchy(key, compressed_form).size() - bare) / vertices;
-    MESSAGE("a smooth scalar takes " << each << " bytes a vertex");
+    MESSAGE("a smooth scalar takes " << each << " bytes per vertex");
     CHECK(each < 2);
     CHECK(serialize_hierarchy(key).size() - bare_plain == 4 * key.vertex_count() + 8);
 }
