@@ -16,7 +16,7 @@ namespace interleaf {
 
 namespace {
 
-/// Of two at one time the one that is later in \p keys is the one refused.
+/// If two entries have the same time, the error names the later one in \p keys.
 void set_times(Family& family, std::vector<TimelineKey> keys) {
     std::ranges::stable_sort(keys, {}, &TimelineKey::time);
     const auto same = std::ranges::adjacent_find(keys, {}, &TimelineKey::time);
@@ -32,7 +32,7 @@ std::vector<TimelineKey> times_of(const Family& family) {
     return {family.timeline->keys().begin(), family.timeline->keys().end()};
 }
 
-/// Timeline and domain with the new index of each key they name.
+/// Replaces the key indices in timeline and domain by the new ones.
 void renumber_keys(Family& family, const std::function<std::size_t(std::size_t)>& new_index) {
     std::vector<TimelineKey> times = times_of(family);
     for (TimelineKey& time : times) time.key = new_index(time.key);

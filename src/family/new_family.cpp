@@ -24,7 +24,7 @@ void make_unique(std::vector<Key>& keys) {
     }
 }
 
-/// Corner \p corner of a regular polygon about the origin that stands on a side, in millionths.
+/// Corner \p corner of a regular polygon about the origin that stands on a side, rounded to millionths.
 glm::dvec2 polygon_corner(std::size_t corner, std::size_t count) {
     const double turn = (static_cast<double>(corner) - 0.5) / static_cast<double>(count) - 0.25;
     const double angle = 2 * std::numbers::pi * turn;

@@ -39,8 +39,7 @@ class Synchroniser {
                            {.marked = marked, .given = given(key)});
     }
 
-    /// Gives the first key, if nothing is bisected in it, the refinement edges of the first key with
-    /// bisections.
+    /// If the first key has no bisections, gives it the refinement edges of the first key with bisections.
     void mark_first() {
         if (is_bisected(keys_.front())) return;
         const auto marking = std::find_if(keys_.begin(), keys_.end(), is_bisected);
@@ -49,7 +48,7 @@ class Synchroniser {
         if (marking->hierarchy->roots == first().roots && given(key).empty()) return;
         const auto found = match(key, false);
         const auto* const correspondence = std::get_if<RootMatch>(&found);
-        if (correspondence == nullptr) return;  // synchronise() will say why
+        if (correspondence == nullptr) return;  // synchronise() will report why
         const RootComplex roots = with_marking_of(first().roots, marking->hierarchy->roots, *correspondence);
         if (roots == first().roots) return;
         Hierarchy marked = first();
@@ -95,7 +94,7 @@ class Synchroniser {
     std::string text(std::size_t key, const RootMismatch& mismatch) const {
         std::string text = text_of(mismatch, keys_[key].name, keys_.front().name);
         if (mismatch.kind != RootMismatch::Kind::refinement_edge) return text;
-        // Here the key is bisected: it would have been marked anew otherwise.
+        // This key has bisections: otherwise it would have been marked anew.
         return text + (marked_as_.empty() ? "; both keys are bisected, so neither can be marked anew"
                                           : fmt::format("; its roots are marked as those of key {}, and both "
                                                         "are bisected, so neither can be marked anew",
@@ -104,7 +103,7 @@ class Synchroniser {
 
     std::span<Key> keys_;
     std::span<const std::vector<Index>> given_;
-    std::string marked_as_;  ///< the key whose refinement edges the first took
+    std::string marked_as_;  ///< the key whose refinement edges the first key took
     Synchronisation result_;
 };
 

@@ -1,4 +1,4 @@
-// Synchronising the keys of a family: all are put over the roots of the first (paper, section 3.2,
+// Synchronizes the keys of a family: puts all keys over the roots of the first key (paper, section 3.2,
 // constraints (B)).
 #pragma once
 
@@ -14,7 +14,8 @@
 
 namespace interleaf {
 
-/// A key that could not be put over the roots of the first, and why; `mismatch` in the numbers of both keys.
+/// A key that cannot be put over the roots of the first key, and the reason. `mismatch` uses the numbering of
+/// both keys.
 struct KeyMismatch {
     std::size_t key;
     RootMismatch mismatch;
@@ -26,32 +27,30 @@ struct Synchronisation {
     std::vector<KeyMismatch> mismatches;
 };
 
-/// A key that could not be put over the roots of another, for showing where.
+/// A key that cannot be put over the roots of another key; used to show where they differ.
 struct MismatchedKeys {
     Key key;
-    Key reference;  ///< the first of its family
+    Key reference;  ///< the first key of its family
     RootMismatch mismatch;
 };
 
-/// Keys do not match: what() says it in words, `keys` has the first of them.
+/// Keys do not match: what() describes the first mismatch in words, `keys` has its keys.
 struct MismatchError : InputError {
-    /// \pre  \p family are the keys among which \p mismatch was found
+    /// \pre  \p mismatch was found among the keys \p family
     MismatchError(const std::string& text, std::span<const Key> family, const KeyMismatch& mismatch);
 
     std::shared_ptr<const MismatchedKeys> keys;  ///< not null
 };
 
-/// Puts every key over the roots of the first, whose numbering stays. Keys that have these roots already stay
-/// as they are, unless \p given says otherwise.
+/// Puts every key over the roots of the first key, which keeps its numbering. Keys that already have these
+/// roots stay unchanged, unless \p given says otherwise.
 ///
-/// Refinement edges must correspond, but a key in which nothing is bisected has no say in them: it takes
-/// those of the others. So if nothing is bisected in the first key, the marking of the family is that of the
-/// first key with bisections.
-///
-/// \param given  by key a permutation, root r of the first key being root given[key][r] of this one; where it
-///               is empty, or where there is none for a key, the match is found (root_isomorphism.h). That of
-///               the first key is empty
-/// \pre keys pass check(); permutations are permutations of their key's roots
+/// Refinement edges must correspond, but a key without bisections imposes none: it takes those of the other
+/// keys. So if the first key has no bisections, the family gets the marking of the first key with bisections.
+/// \param given  for each key, a permutation: root r of the first key corresponds to root given[key][r] of
+///     this key. If the permutation is empty or missing, the match is searched for (root_isomorphism.h). The
+///     first key's permutation is empty.
+/// \pre  keys pass check(); each permutation is a permutation of its key's roots
 Synchronisation synchronise(std::span<Key> keys, std::span<const std::vector<Index>> given = {});
 
 }  // namespace interleaf

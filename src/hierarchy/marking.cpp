@@ -11,7 +11,7 @@ namespace interleaf {
 
 namespace {
 
-/// The same triangle, its vertices rotated so that \p corner comes first.
+/// The same triangle with its vertices rotated so that \p corner comes first.
 Triangle rotated(const Triangle& triangle, unsigned corner) {
     return {triangle[corner], triangle[(corner + 1) % 3], triangle[(corner + 2) % 3]};
 }
@@ -34,7 +34,7 @@ RootComplex mark_longest_edges(const RootComplex& roots, std::span<const glm::ve
 }
 
 RootComplex mark_compatibly(const RootComplex& roots) {
-    // Triangle t has the number t in the surface and t + count in its mirror image, which is glued on at the
+    // Triangle t has the number t in the surface, and t + count in the mirror image that is glued on at the
     // boundary.
     const Index count = roots.triangle_count();
     const bool open = roots.boundary_edge_count() > 0;

@@ -11,7 +11,7 @@ namespace interleaf {
 
 namespace {
 
-/// Side \p side of triangle \p triangle, the edge from \p from to \p to.
+/// Side \p side of triangle \p triangle: the edge from \p from to \p to.
 struct Side {
     Index from;
     Index to;
@@ -87,8 +87,8 @@ void require_different_triangles(const std::vector<Triangle>& neighbours) {
     }
 }
 
-/// Marks the corners of the fan around vertex \p corner of \p start, both ways round, and returns their
-/// number.
+/// Walks the fan of triangles around vertex \p corner of triangle \p start, in both directions.
+/// \return the number of triangles in the fan
 std::size_t walk_fan(const std::vector<Triangle>& triangles, const std::vector<Triangle>& neighbours,
                      Index start, unsigned corner) {
     const Index vertex = triangles[start][corner];
@@ -105,7 +105,7 @@ std::size_t walk_fan(const std::vector<Triangle>& triangles, const std::vector<T
         } while (t != no_index && t != start);
         if (t == start) return count;
     }
-    return count - 1;  // the start was counted both ways
+    return count - 1;  // the start was counted in both directions
 }
 
 void require_one_fan_a_vertex(Index vertex_count, const std::vector<Triangle>& triangles,

@@ -1,4 +1,4 @@
-// Drawing into renderbuffers, resolving their samples, reading them and copying them to the window.
+// Draws into renderbuffers, resolves their samples, reads them, and copies them to the window.
 #include "render/offscreen_target.h"
 
 #include <cassert>
@@ -15,7 +15,7 @@ namespace {
 GlRenderbuffer make_renderbuffer(GLenum format, int width, int height, int samples) {
     GlRenderbuffer buffer = GlRenderbuffer::create();
     glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-    // 0 samples is a buffer without multisampling; 1 need not be.
+    // 0 samples means a buffer without multisampling; 1 sample need not.
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, format, width, height);
     glBindRenderbuffer(GL_RENDERBUFFER, 0);
     return buffer;

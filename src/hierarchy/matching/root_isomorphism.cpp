@@ -12,15 +12,16 @@ namespace interleaf {
 
 namespace {
 
-/// How far signatures look. More would tell apart what differs only farther away; a walk does that as well.
+/// The radius of signatures, in triangles. A larger radius would distinguish sides that differ only farther
+/// away; a walk finds that as well.
 constexpr unsigned signature_radius = 4;
 
-/// Up to this many components of one kind, and this many triangles to visit for it, the best assignment is
-/// found.
+/// The search finds the best assignment for at most this many components of one kind, and if it takes at most
+/// this many steps, that is, triangles to visit.
 constexpr std::size_t most_assigned = 100;
 constexpr std::size_t most_assignment_steps = std::size_t{1} << 26;
 
-/// Sums of squares that differ by less than this part of them are the same.
+/// Sums of squares count as equal if their relative difference is less than this.
 constexpr double rounding = 1e-9;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -48,7 +49,7 @@ std::vector<glm::dvec3> centres_of(const RootGluing& gluing, std::span<const glm
     return centres;
 }
 
-/// One of the two complexes, and what the search has to know about it.
+/// One of the two complexes, with the data that the search needs.
 struct Searched {
     Searched(const PlacedComplex& complex, bool marked)
         : gluing(gluing_of(complex.roots)),
@@ -64,7 +65,8 @@ struct Searched {
     PlacedRoots placed() const { return {&gluing, positions}; }
 };
 
-/// The triangle of a component at whose side 0 the signature is rarest in it; of several the lowest.
+/// The seed of a component: the triangle whose side 0 has the rarest signature in the component; the lowest
+/// of several.
 Index seed_of(const Searched& searched, Index component) {
     std::vector<std::pair<std::uint64_t, Index>> sides;
     sides.reserve(3 * searched.gluing.component(component).size());
@@ -82,8 +84,8 @@ Index seed_of(const Searched& searched, Index component) {
     return rarest.second / 3;
 }
 
-/// The partner of each of \p centres among as many \p others: each in turn takes the nearest that is left.
-/// Both are seen from their own mean.
+/// Gives each of \p centres a partner among equally many \p others: each in turn takes the nearest of those
+/// that remain. Both sets are shifted to a common mean.
 std::vector<std::size_t> nearest_left(const std::vector<glm::dvec3>& centres,
                                       const std::vector<glm::dvec3>& others) {
     glm::dvec3 shift(0);
@@ -120,13 +122,13 @@ class Search {
     }
 
   private:
-    /// The image of the seed of a walk, and how far all of the walk's vertices are from their images, when
-    /// the centres of both components are put together.
+    /// The image of a walk's seed, and the sum of squared distances between the walk's vertices and their
+    /// images when the centers of the two components coincide.
     struct Image {
         Index side;
         double distance;
     };
-    /// Components that are isomorphic, each with a walk from its seed.
+    /// Isomorphic components, each with a walk from its seed.
     struct Kind {
         std::vector<Index> components;  ///< of the reference
         std::vector<RootWalk> walks;
@@ -178,12 +180,13 @@ class Search {
         });
     }
 
-    /// Sorts components that look alike into kinds, and matches those of each kind.
+    /// Sorts components with equal signatures into kinds, and matches the components of each kind.
     bool match_kinds(std::span<const Index> ours, std::span<const Index> theirs) {
         std::vector<Kind> kinds;
         const auto kind_of = [&](const Searched& searched, Index c) {
             return std::find_if(kinds.begin(), kinds.end(), [&](const Kind& kind) {
-                return (ours.size() == 1 && &searched == &key_) ||  // then closest_image() is test enough
+                // then closest_image() is sufficient as a test
+                return (ours.size() == 1 && &searched == &key_) ||
                        image_of(kind.walks.front(), kind.components.front(), searched, c, Wanted::any);
             });
         };
@@ -242,8 +245,9 @@ class Search {
         return true;
     }
 
-    /// The closest image of \p walk over component \p component of the reference in component \p other of
-    /// \p target, or any image. None if there is none, or none was found in time.
+    /// The closest image of \p walk, or any image, if \p wanted says so. The walk goes over component \p
+    /// component of the reference, its image over component \p other of \p target. None if there is no image,
+    /// or if none was found within the step limit.
     std::optional<Image> image_of(const RootWalk& walk, Index component, const Searched& target, Index other,
                                   Wanted wanted, std::size_t parts = 1) {
         std::uint64_t allowed = allowed_steps(walk.steps.size(), parts);
@@ -267,8 +271,8 @@ class Search {
         return best;
     }
 
-    /// Of the limit, the share of one of \p parts searches in a component of \p size triangles, and what a
-    /// few candidates take in any case; nothing when the whole search has taken many times the limit.
+    /// The share of the step limit for one of \p parts searches in a component of \p size triangles, and at
+    /// least the steps of a few candidates. 0 once the whole search has taken many times the limit.
     std::uint64_t allowed_steps(std::size_t size, std::size_t parts) {
         steps_left_ -= std::min<std::uint64_t>(steps_left_, size);  // for looking at the candidates
         const double share = static_cast<double>(size) / static_cast<double>(match_.roots.size() * parts);
@@ -276,7 +280,7 @@ class Search {
         return std::min(steps_left_, part + 4 * size);
     }
 
-    /// What side 0 of the triangle \p seed may be mapped to in a component, nearest first.
+    /// The possible images of side 0 of the triangle \p seed in a component, nearest first.
     std::vector<Index> candidates(Index seed, const Searched& target, Index component,
                                   const glm::dvec3& shift) const {
         std::vector<std::pair<double, Index>> sides;
