@@ -242,7 +242,7 @@ ParameterDomain extended(const Vertices& vertices, const Triangles& triangles,
             continue;  // seen from behind, or another triangle is in the way
         }
     }
-    throw InputError("from there no edge of the domain is seen");
+    throw InputError("no edge of the domain faces this point");
 }
 
 }  // namespace
@@ -282,7 +282,7 @@ ParameterDomain with_vertex_added(const ParameterDomain& domain, glm::dvec2 at, 
     Vertices vertices = vertices_of(domain);
     Triangles triangles = triangles_of(domain);
     for (const DomainVertex& vertex : vertices)
-        if (glm::distance(vertex.at, at) <= snap) throw InputError("there is a vertex of the domain already");
+        if (glm::distance(vertex.at, at) <= snap) throw InputError("the domain already has a vertex there");
 
     const std::vector<NearEdge> edges = edges_by_distance(vertices, triangles, at);
     const auto added = static_cast<Index>(vertices.size());

@@ -21,7 +21,7 @@ void set_times(Family& family, std::vector<TimelineKey> keys) {
     std::ranges::stable_sort(keys, {}, &TimelineKey::time);
     const auto same = std::ranges::adjacent_find(keys, {}, &TimelineKey::time);
     if (same != keys.end())
-        throw InputError(fmt::format("at {:.10g} s there is the key \"{}\" already", same->time,
+        throw InputError(fmt::format("the time {:.10g} s is already taken by key \"{}\"", same->time,
                                      family.keys[same->key].name));
     family.timeline.reset();
     if (!keys.empty()) family.timeline.emplace(std::move(keys));
@@ -76,7 +76,7 @@ Family with_key_added(Family family, Key key) {
         const std::string found = difference(first.hierarchy->roots, key.hierarchy->roots);
         if (!found.empty())
             throw InputError(
-                fmt::format("key \"{}\" has other roots than \"{}\": {}", key.name, first.name, found));
+                fmt::format("key \"{}\" has different roots from \"{}\": {}", key.name, first.name, found));
     }
     family.keys.push_back(std::move(key));
     return family;
@@ -103,7 +103,7 @@ Family with_key_renamed(Family family, std::size_t key, std::string name) {
     if (name.empty()) throw InputError("a key needs a name");
     if (has_control_characters(name)) throw InputError("the name of a key holds no control characters");
     const auto same = find_key(family, name);
-    if (same && *same != key) throw InputError(fmt::format("there is a key called \"{}\" already", name));
+    if (same && *same != key) throw InputError(fmt::format("another key is already called \"{}\"", name));
     family.keys[key].name = std::move(name);
     return family;
 }

@@ -30,8 +30,8 @@ glm::dvec3 origin_for(std::span<const glm::dvec3> positions, std::span<const Tri
 }
 
 std::string origin_sentence(const glm::dvec3& origin) {
-    return fmt::format("Far from 0: positions count from ({}, {}, {}), which was subtracted.", origin.x,
-                       origin.y, origin.z);
+    return fmt::format("Far from 0: ({}, {}, {}) was subtracted from all positions.", origin.x, origin.y,
+                       origin.z);
 }
 
 void move_origin(std::vector<Key>& keys, const glm::dvec3& from, const glm::dvec3& to) {

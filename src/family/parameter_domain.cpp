@@ -130,8 +130,9 @@ void check_vertices(std::span<const DomainVertex> vertices, std::span<const Tria
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         for (const Index vertex : triangles[t]) {
             if (vertex >= vertices.size()) {
-                throw InputError(fmt::format("domain triangle {} names vertex {}, but there are only {}", t,
-                                             vertex, vertices.size()));
+                throw InputError(
+                    fmt::format("domain triangle {} refers to vertex {}, but there are only {} vertices", t,
+                                vertex, vertices.size()));
             }
             used[vertex] = true;
         }

@@ -56,7 +56,7 @@ class Synchroniser {
         keys_.front().hierarchy = std::move(marked);
         marked_as_ = marking->name;
         result_.changes.push_back(
-            fmt::format("key {}: nothing is bisected, so its roots took the refinement edges of key {}'s",
+            fmt::format("key {}: it has no bisections, so its roots took the refinement edges of key {}",
                         keys_.front().name, marking->name));
     }
 
@@ -82,12 +82,11 @@ class Synchroniser {
             if (match.vertices[first().roots.triangles()[r][0]] != triangles[match.roots[r]][0]) ++remarked;
         std::string change;
         if (is_renumbered)
-            change = fmt::format("its roots were renumbered as key {} has them{}", keys_.front().name,
+            change = fmt::format("its roots were renumbered to match key {}{}", keys_.front().name,
                                  given(key).empty() ? "" : ", by the given permutation");
         if (remarked > 0)
-            change +=
-                fmt::format("{}nothing is bisected in it, so {} of its {} roots took other refinement edges",
-                            is_renumbered ? "; " : "", remarked, triangles.size());
+            change += fmt::format("{}it has no bisections, so {} of its {} roots took other refinement edges",
+                                  is_renumbered ? "; " : "", remarked, triangles.size());
         return change.empty() ? change : fmt::format("key {}: {}", keys_[key].name, change);
     }
 
@@ -95,9 +94,9 @@ class Synchroniser {
         std::string text = text_of(mismatch, keys_[key].name, keys_.front().name);
         if (mismatch.kind != RootMismatch::Kind::refinement_edge) return text;
         // This key has bisections: otherwise it would have been marked anew.
-        return text + (marked_as_.empty() ? "; both keys are bisected, so neither can be marked anew"
+        return text + (marked_as_.empty() ? "; both keys have bisections, so neither can be marked anew"
                                           : fmt::format("; its roots are marked as those of key {}, and both "
-                                                        "are bisected, so neither can be marked anew",
+                                                        "have bisections, so neither can be marked anew",
                                                         marked_as_));
     }
 

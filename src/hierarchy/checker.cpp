@@ -83,7 +83,7 @@ void check_values(const Field& field, std::size_t vertex_count, Report& report) 
     for (std::size_t n = 0; n < field.values.size() && !report.full(); ++n)
         if (!is_allowed(field.values[n], field.kind))
             report.add("field \"{}\" is {} at vertex {}, expected {}", field.name, field.values[n], n / width,
-                       field.kind == FieldKind::color ? "parts of a colour from 0 to 1" : "finite values");
+                       field.kind == FieldKind::color ? "color components from 0 to 1" : "finite values");
 }
 
 void check_fields(const Hierarchy& hierarchy, Report& report) {
@@ -274,8 +274,9 @@ class Walk {
         for (std::size_t v = hierarchy_.roots.vertex_count(); v < progress_.next_vertex && !report_.full();
              ++v)
             if (edges_[v] != closed)
-                report_.add("vertex {} bisects edge ({}, {}) on one side only: it hangs on the other", v,
-                            from_of(edges_[v]), to_of(edges_[v]));
+                report_.add(
+                    "vertex {} bisects edge ({}, {}) on one side only: it is a hanging node on the other", v,
+                    from_of(edges_[v]), to_of(edges_[v]));
     }
 
     const Hierarchy& hierarchy_;
@@ -318,7 +319,7 @@ std::vector<std::string> check_constraints(std::span<const Hierarchy* const> key
     for (std::size_t key = 1; key < keys.size(); ++key) {
         const std::string found = difference(keys[0]->roots, keys[key]->roots);
         if (!found.empty())
-            violations.push_back(fmt::format("key {} has other roots than key 0: {}", key, found));
+            violations.push_back(fmt::format("key {} has different roots from key 0: {}", key, found));
     }
     return violations;
 }

@@ -43,7 +43,7 @@ void check_limits(int width, int height, int samples) {
             fmt::format("cannot draw {}x{} pixels: at most {}x{} here", width, height, size, size));
     if (samples > most_samples)
         throw MachineError(
-            fmt::format("cannot draw {} samples a pixel: at most {} here", samples, most_samples));
+            fmt::format("cannot draw {} samples per pixel: at most {} here", samples, most_samples));
 }
 
 }  // namespace

@@ -154,7 +154,7 @@ std::set<Node> coarsened(InfiniteComplex& complex, const std::set<Node>& leaves,
 std::vector<std::string> triangulation_violations(InfiniteComplex& complex, const std::vector<Node>& leaves,
                                                   unsigned level_difference) {
     std::map<std::pair<Index, Index>, unsigned>
-        levels;  // of the triangle that runs along an edge in this direction
+        levels;  // of the triangle that traverses an edge in this direction
     std::vector<std::string> found;
     std::set<Index> vertices;
     for (const Node& leaf : leaves) {

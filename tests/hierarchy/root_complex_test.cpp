@@ -34,7 +34,7 @@ TEST_CASE("neighbours are mutual and share the edge opposite the vertex they are
     }
 }
 
-TEST_CASE("what is no orientable manifold is refused, naming the place") {
+TEST_CASE("triangles that form no orientable manifold are rejected, naming the place") {
     const auto message = [](Index vertex_count, std::vector<Triangle> triangles) -> std::string {
         try {
             RootComplex(vertex_count, std::move(triangles));
@@ -56,7 +56,7 @@ TEST_CASE("what is no orientable manifold is refused, naming the place") {
     CHECK(message(4, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 2, 1}}).empty());
 }
 
-TEST_CASE("complexes are equal when their triples are, marking included") {
+TEST_CASE("complexes are equal if their triples are equal, including the marking") {
     CHECK(octahedron() == octahedron());
     CHECK_FALSE(RootComplex(3, {{0, 1, 2}}) == RootComplex(3, {{1, 2, 0}}));
 }

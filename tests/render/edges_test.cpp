@@ -1,4 +1,4 @@
-// Edges: which are drawn, above which, and how wide.
+// Tests of edges: which ones are drawn, in which order, and with which width.
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -18,8 +18,8 @@ Display showing(bool wireframe, bool refinement_edges, bool root_edges) {
     return display;
 }
 
-/// Width in pixels of the red line that the middle row crosses at 45 degrees, by how much red it adds to \p
-/// plain.
+/// Width in pixels of the red line that crosses the middle row at 45 degrees, computed from the red that it
+/// adds to \p plain.
 float red_width(const Picture& picture, const Picture& plain) {
     float sum = 0;
     const int row = picture.height / 2;
@@ -33,7 +33,7 @@ float red_width(const Picture& picture, const Picture& plain) {
 
 }  // namespace
 
-TEST_CASE("each kind of edge shows in its own colour, and only when it is asked for") {
+TEST_CASE("each kind of edge shows in its own color, and only if it is enabled") {
     const EglContext context;
     const TestSurface sphere = surface_of_shapes({"sphere"}, 600);
     Renderer renderer;
@@ -55,12 +55,12 @@ TEST_CASE("each kind of edge shows in its own colour, and only when it is asked 
     CHECK(count_pixels(refinement, is_white) == 0);
     CHECK(count_pixels(roots, is_white) > 400);
     CHECK(count_pixels(roots, is_red) == 0);
-    // There are more edges of leaves than refinement edges, and more of these than edges of roots.
+    // There are more leaf edges than refinement edges, and more refinement edges than root edges.
     CHECK(count_differences(wire, plain, 8) > count_differences(refinement, plain, 8));
     CHECK(count_differences(refinement, plain, 8) > count_differences(roots, plain, 8));
 }
 
-TEST_CASE("edges of roots are above refinement edges, these above the others") {
+TEST_CASE("root edges are drawn above refinement edges, and these above leaf edges") {
     const EglContext context;
     const TestSurface icosahedron = surface_of_shapes({"icosahedron"}, 20);
     Renderer renderer;
@@ -72,7 +72,7 @@ TEST_CASE("edges of roots are above refinement edges, these above the others") {
     const Picture all = take_picture(renderer, target, camera, one, showing(true, true, true));
     CHECK(count_pixels(refinement, is_red) > 300);
     CHECK(count_pixels(without_roots, is_red) > 0.85 * count_pixels(refinement, is_red));
-    // Every edge of the unbisected icosahedron is a root's.
+    // Every edge of the unrefined icosahedron is a root edge.
     CHECK(count_pixels(all, is_red) == 0);
     CHECK(count_pixels(all, is_white) > 300);
 }
@@ -94,7 +94,7 @@ TEST_CASE("the refinement edge is the one opposite the first vertex") {
     for (float t = -0.9F; t < 1; t += 0.1F) CHECK_FALSE(on_diagonal({t, -0.995F, 0}));
 }
 
-TEST_CASE("a line is as wide as it is said, near and far") {
+TEST_CASE("a line has the requested width, near and far") {
     const EglContext context;
     const TestSurface square = surface_of({two_keys_of_a_square().back()});
     Renderer renderer;
@@ -114,13 +114,13 @@ TEST_CASE("a line is as wide as it is said, near and far") {
         }
 }
 
-TEST_CASE("a line is whole where its triangle reaches behind the viewer") {
+TEST_CASE("a line is complete if its triangle extends behind the viewer") {
     const EglContext context;
     const TestSurface square = surface_of({two_keys_of_a_square().back()});
     Renderer renderer;
     renderer.upload(square.mesh, square.form);
     OffscreenTarget target(600, 600, 1);
-    // Close above the square's middle, grazing: a corner of both triangles is behind.
+    // Close above the square's center at a grazing angle: a corner of both triangles is behind the camera.
     Camera camera;
     camera.look_from(-45, 4);
     camera.frame(extent_of({glm::vec3(-1, -1, 0), glm::vec3(1, 1, 0)}), 1);
@@ -132,7 +132,7 @@ TEST_CASE("a line is whole where its triangle reaches behind the viewer") {
     CHECK(count_pixels(picture, is_red) > 600 / 2);
 }
 
-TEST_CASE("on a mesh of tiny triangles the lines fade and leave the shape to be seen") {
+TEST_CASE("on a mesh of tiny triangles the lines fade and the shape stays visible") {
     const EglContext context;
     const TestSurface sphere = surface_of_shapes({"sphere"}, 60000);
     Renderer renderer;
@@ -145,7 +145,7 @@ TEST_CASE("on a mesh of tiny triangles the lines fade and leave the shape to be 
     CHECK(mean_brightness(wire) > 0.75 * mean_brightness(plain));
 }
 
-TEST_CASE("edges of roots are without gaps across small triangles") {
+TEST_CASE("root edges have no gaps across small triangles") {
     const EglContext context;
     const TestSurface sphere = surface_of_shapes({"sphere"}, 20000);
     Renderer renderer;

@@ -1,4 +1,4 @@
-// The morph in the vertex shader against the one on the processor, and what weights do.
+// Tests of the morph in the vertex shader against the morph on the processor, and of the effect of weights.
 #include "hierarchy/morph.h"
 
 #include <vector>
@@ -22,7 +22,7 @@ TestSurface repeated(const std::vector<Hierarchy>& keys, std::size_t count) {
     return surface_of(all);
 }
 
-/// \p weights shared out among the repeated keys.
+/// \p weights distributed over the repeated keys.
 std::vector<float> repeated(const std::vector<float>& weights, std::size_t count) {
     std::vector<float> all(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -42,7 +42,7 @@ std::vector<Hierarchy> keys_of(std::initializer_list<std::string_view> names) {
 
 }  // namespace
 
-TEST_CASE("the picture is the same for one to four keys on the GPU and for more on the processor") {
+TEST_CASE("the picture is the same for one to four keys on the GPU and for more keys on the processor") {
     const EglContext context;
     const std::vector<Hierarchy> keys = keys_of({"star", "bone"});
     const std::vector<float> weights = {0.7F, 0.3F};
@@ -82,7 +82,7 @@ TEST_CASE("the blend on the processor follows the weights") {
     CHECK(take_picture(renderer, target, camera, star) == first);
 }
 
-TEST_CASE("weights alone change the picture, and back") {
+TEST_CASE("changing only the weights changes the picture, and restoring them restores it") {
     const EglContext context;
     const TestSurface surface = surface_of(keys_of({"star", "sphere"}));
     Renderer renderer;
@@ -99,7 +99,7 @@ TEST_CASE("weights alone change the picture, and back") {
     CHECK(take_picture(renderer, target, camera, star) == at_star);
 }
 
-TEST_CASE("weight 1 on a key shows that key, whatever other key refines the union") {
+TEST_CASE("weight 1 on a key shows that key, no matter which other key refines the union") {
     const EglContext context;
     const std::vector<Hierarchy> keys = keys_of({"star", "bone", "cushion"});
     const TestSurface all = surface_of(keys);
@@ -120,7 +120,7 @@ TEST_CASE("weight 1 on a key shows that key, whatever other key refines the unio
     }
 }
 
-TEST_CASE("a smaller surface after a larger one leaves nothing behind") {
+TEST_CASE("after a larger surface, a smaller one leaves nothing of it behind") {
     const EglContext context;
     const TestSurface large = surface_of(keys_of({"star", "bone", "cushion", "sphere"}));
     const TestSurface small = surface_of(keys_of({"icosahedron"}));

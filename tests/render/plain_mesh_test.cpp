@@ -1,4 +1,5 @@
-// Meshes that are no keys, drawn as they are, and the depths that tell where they are in a picture.
+// Tests of meshes that are no keys, drawn as they are, and of the depths that tell where they are in a
+// picture.
 #include "render/plain_mesh.h"
 
 #include <doctest/doctest.h>
@@ -9,7 +10,7 @@
 
 using namespace interleaf;
 
-TEST_CASE("a plain mesh is drawn flat as the key with the same leaves") {
+TEST_CASE("a plain mesh with flat shading looks like the key with the same leaves") {
     const EglContext context;
     const TestSurface key = surface_of_shapes({"star"}, 2000);
     const UnionMesh plain = plain_mesh(key.mesh.triangles, key.mesh.positions.front());
@@ -27,7 +28,7 @@ TEST_CASE("a plain mesh is drawn flat as the key with the same leaves") {
     CHECK(take_picture(renderer, target, camera, one, flat) == of_key);
 }
 
-TEST_CASE("triangles without order, open and crossing each other, are drawn too") {
+TEST_CASE("unordered, open and intersecting triangles are drawn too") {
     const EglContext context;
     const std::vector<glm::vec3> positions{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
     const std::vector<Triangle> triangles{{0, 1, 2}, {0, 1, 2}, {2, 1, 0}, {0, 1, 3}, {0, 1, 4}};
@@ -40,11 +41,11 @@ TEST_CASE("triangles without order, open and crossing each other, are drawn too"
     display.root_edges = true;
     const Picture picture = take_picture(renderer, target, Camera(), one);
     CHECK(count_differences(picture, empty) > 1000);
-    // No edge of it is one of roots.
+    // None of its edges is a root edge.
     CHECK(take_picture(renderer, target, Camera(), one, display) == picture);
 }
 
-TEST_CASE("all depths of a target are those of its pixels, top row first") {
+TEST_CASE("the depths of a target are those of its pixels, top row first") {
     const EglContext context;
     const TestSurface key = surface_of_shapes({"star"}, 500);
     Renderer renderer;

@@ -1,4 +1,4 @@
-// Building the surfaces.
+// Builds the surfaces.
 #include "render/test_surfaces.h"
 
 #include <doctest/doctest.h>

@@ -235,8 +235,8 @@ std::string text_of(const RootMismatch& mismatch, std::string_view key, std::str
             return fmt::format("key {}: {} as key {} has", key, mismatch.figures, reference);
         case Kind::mirrored:
             return fmt::format(
-                "key {}: its roots match those of key {} only with their orientation reversed: all its "
-                "triangles run the other way round",
+                "key {}: its roots match those of key {} only after its orientation is reversed: all its "
+                "triangles have the opposite orientation",
                 key, reference);
         case Kind::refinement_edge:
             return fmt::format("{}its refinement edge {} corresponds to {}, which is not its refinement edge",
@@ -249,24 +249,25 @@ std::string text_of(const RootMismatch& mismatch, std::string_view key, std::str
                                mismatch.vertex, mismatch.reference_vertex, reference, mismatch.figures);
         case Kind::neighbour:
             return fmt::format(
-                "{}edge {} corresponds to {}, but the roots across them do not correspond to each other",
-                at_root, edge(mismatch.edge), counterpart);
+                "{}edge {} corresponds to {}, but the roots across these edges do not correspond", at_root,
+                edge(mismatch.edge), counterpart);
         case Kind::given:
             return fmt::format(
-                "{}edge {} corresponds to {} by the given roots, but the roots across them do not", at_root,
-                edge(mismatch.edge), counterpart);
+                "{}edge {} corresponds to {} by the given roots, but the roots across these edges do not",
+                at_root, edge(mismatch.edge), counterpart);
         case Kind::no_counterpart:
             return fmt::format(
-                "key {}: none of its roots has as many triangles around its vertices as the "
-                "roots of a component of key {} have",
+                "key {}: none of its roots has the same numbers of triangles around its vertices as the "
+                "roots of a component of key {}",
                 key, reference);
         case Kind::components:
-            return fmt::format("key {}: its components do not match those of key {} one for one", key,
+            return fmt::format("key {}: its components do not match those of key {} one to one", key,
                                reference);
         case Kind::undecided:
             return fmt::format(
-                "key {}: its roots are so many and so symmetric that no match with those of key {} was found "
-                "in reasonable time; give it as \"roots\" in family.json",
+                "key {}: no match with the roots of key {} was found in reasonable time, because the roots "
+                "are "
+                "too many and too symmetric; specify the match as \"roots\" in family.json",
                 key, reference);
     }
     return {};
