@@ -1,6 +1,6 @@
-// What the program itself does for a frame: Renderer::draw() with the calls that draw and clear replaced by
-// nothing, since without a graphics card they are the rendering. Counts what is uploaded. Prints one line of
-// JSON.
+// The program's own work per frame: Renderer::draw() with the calls that draw and clear replaced by no-ops,
+// because without a graphics card these calls are the rendering. Counts the uploaded bytes. Prints one line
+// of JSON.
 #include <cstdlib>
 #include <utility>
 #include <vector>

@@ -1,6 +1,7 @@
-// How refine, union, morph and load grow: two keys of one size, each uniform but for half of its leaves,
-// which are bisected once more, a different half in each. Prints one line of JSON. The morph is read against
-// a triad of the same size, for its speed follows that of the memory level it fits in.
+// The growth of refine, union, morph and load. The two keys have the same size. Each is uniform, except that
+// half of its leaves are bisected once more, a different half in each key. Prints one line of JSON. The morph
+// is compared with a triad of the same size, because its speed depends on the memory level that the data fit
+// in.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -42,7 +43,7 @@ Hierarchy make_key(unsigned depth, unsigned seed, double& refining) {
     return mesh.freeze();
 }
 
-/// Bytes a second of a = b + factor * c, counted as in STREAM, over arrays of \p count floats in all.
+/// Bytes per second of a = b + factor * c, counted as in STREAM, over arrays of \p count floats in total.
 double triad_rate(std::size_t count) {
     Buffer<float> a(count / 3), b(count / 3, 1.0F), c(count / 3, 2.0F);
     std::fill(a.begin(), a.end(), 0.0F);

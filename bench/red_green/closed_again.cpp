@@ -9,9 +9,9 @@
 namespace interleaf::bench {
 namespace {
 
-/// Distance, at most, between \p key and the leaf's own triangles, divided by \p line, that have the key's
-/// values at their vertices. The difference is linear between the corners, the middles of the edges and the
-/// centroid, and zero at the corners and at the end of the line.
+/// Upper bound of the distance between \p key and the leaf's own triangles, which \p line divides and which
+/// have the key's values at their vertices. The difference is linear between the corners, the midpoints of
+/// the edges and the centroid, and zero at the corners and at the end of the line.
 double loss_in_leaf(const RedGreenKey& key, const KeyOverNode& over, unsigned line) {
     const auto at = [&](const glm::dvec3& b) { return point_over(key, over, b); };
     std::array<glm::dvec3, 3> corner_points;

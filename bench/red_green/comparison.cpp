@@ -23,7 +23,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// As in make_key(): the surface may be this much farther off between the samples than at them.
+/// As in make_key(): between the samples, the distance to the surface may exceed the one at the samples by
+/// this fraction.
 constexpr double sampling_margin = 0.1;
 
 /// As in make_key(): the diagonal of the surface's box, from samples.
@@ -65,8 +66,8 @@ std::size_t total(std::span<const std::size_t> counts) {
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
-/// How far the area of a union with the positions of \p key, its key at \p place, is from the key's own, as a
-/// fraction.
+/// The relative difference between the area of a union with the positions of \p key, its key at \p place, and
+/// the key's own area.
 double area_difference(const UnionMesh& mesh, std::size_t place, const Hierarchy& key) {
     std::vector<Triangle> leaves;
     leaves.reserve(key.leaf_count());
@@ -77,7 +78,7 @@ double area_difference(const UnionMesh& mesh, std::size_t place, const Hierarchy
     return std::abs(here / own - 1);
 }
 
-/// The overlay must be a closed manifold and have each key's area: what the page claims of it.
+/// Checks what the documentation claims: the overlay is a closed manifold and has each key's area.
 Json checks(const Overlay& overlay, std::span<const Triangle> triangles, std::span<const RedGreenKey> keys) {
     double largest = 0;
     for (std::size_t key = 0; key < keys.size(); ++key) {

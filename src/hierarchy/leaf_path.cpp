@@ -11,9 +11,9 @@ constexpr std::uint64_t first_bits(unsigned count) {
     return count == 0 ? 0 : ~std::uint64_t{0} >> (64 - count);
 }
 
-/// The leaf that follows \p leaf, which has the level \p level. Consider the deepest bisection at which \p leaf
-/// lies in the first child: the next leaf lies in the second child, and in first children from there on. If
-/// there is no such bisection, the root is complete.
+/// The leaf that follows \p leaf, which has the level \p level. Consider the deepest bisection at which
+/// \p leaf lies in the first child: the next leaf lies in the second child, and in first children from there
+/// on. If there is no such bisection, the root is complete.
 LeafPath next(const LeafPath& leaf, unsigned level) {
     const std::uint64_t first_children = ~leaf.path & first_bits(level);
     if (first_children == 0) return {leaf.root + 1, 0};
