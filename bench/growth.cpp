@@ -2,13 +2,13 @@
 // half of its leaves are bisected once more, a different half in each key. Prints one line of JSON. The morph
 // is compared with a triad of the same size, because its speed depends on the memory level that the data fit
 // in.
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <random>
 #include <vector>
 
 #include "json_line.h"
+#include "triad.h"
 #include <glm/geometric.hpp>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -41,16 +41,6 @@ Hierarchy make_key(unsigned depth, unsigned seed, double& refining) {
         refining += bench::seconds_of([&] { mesh.refine(marks); });
     }
     return mesh.freeze();
-}
-
-/// Bytes per second of a = b + factor * c, counted as in STREAM, over arrays of \p count floats in total.
-double triad_rate(std::size_t count) {
-    Buffer<float> a(count / 3), b(count / 3, 1.0F), c(count / 3, 2.0F);
-    std::fill(a.begin(), a.end(), 0.0F);
-    const double seconds = bench::least_seconds_of(runs, [&] {
-        for (std::size_t n = 0; n < a.size(); ++n) a[n] = b[n] + 3.0F * c[n];
-    });
-    return a.back() == 7.0F ? 3 * sizeof(float) * static_cast<double>(a.size()) / seconds : 0;
 }
 
 long page_faults() {
@@ -99,7 +89,7 @@ int main(int argc, char** argv) {
                        {"first_union_page_faults", faults},
                        {"morph_seconds", morphing},
                        {"morph_bytes", morph_bytes},
-                       {"triad_bytes_per_second", triad_rate(morph_bytes / sizeof(float))},
+                       {"triad_bytes_per_second", bench::triad_rate(morph_bytes / sizeof(float), runs)},
                        {"load_seconds", loading},
                        {"file_bytes", file_bytes}});
     return 0;

@@ -118,7 +118,7 @@ vec3 lit(vec3 albedo, vec3 normal) {
 vec3 flags(uint bits) { return vec3(bits & 1u, (bits >> 1) & 1u, (bits >> 2) & 1u); }
 
 // The place of the fragment in its triangle, in pixels. It is computed from derivatives of the barycentric
-// coordinates. Unlike corners projected to the window, these are correct even if a corner is behind the viewer.
+// coordinates, which are correct even if a corner is behind the viewer, unlike corners projected to the window.
 struct Place {
     vec3 rise;        // of each coordinate per pixel: the inverse of the triangle's height
     vec3 to_edges;    // distances to the edges opposite each corner
@@ -141,15 +141,15 @@ Place place_in_triangle() {
     return place;
 }
 
-// The fraction of the fragment, 0 to 1, that lines of this width cover, with their middles at these distances.
+// The fraction (0 to 1) of the fragment that lines of this width cover if their middles are at these distances.
 vec3 coverage(vec3 distances, float width) {
     return 1.0 - smoothstep(0.5 * width - 0.6, 0.5 * width + 0.6, distances);
 }
 
 float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
-// Lines fade as their triangle shrinks, so that they do not hide the shape of a dense mesh: they cover at most
-// a fixed fraction of the triangle.
+// Lines fade as their triangle shrinks, so that they do not hide the shape of a dense mesh: they cover at
+// most a fixed fraction of the triangle.
 float fade(vec3 rise, vec3 shown) {
     const float max_fraction = 0.35;
     return min(1.0, max_fraction / (line_width * dot(rise, shown)));

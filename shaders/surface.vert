@@ -1,7 +1,7 @@
 #version 330 core
 // The morph: the weighted sum of the keys' positions, and the normal as a quadratic form in the weights.
-// A shown field is the weighted sum of the keys' values. The renderer defines KEY_COUNT, and FIELD, the number
-// of components of the shown field, 0 for none.
+// A shown field is the weighted sum of the keys' values. The renderer defines KEY_COUNT, and FIELD, the
+// number of components of the shown field, 0 for none.
 
 layout(location = 0) in vec3 position[KEY_COUNT];
 layout(location = 4) in vec3 product[KEY_COUNT * (KEY_COUNT + 1) / 2];
