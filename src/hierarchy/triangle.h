@@ -19,7 +19,7 @@ inline constexpr Index no_index = 0xffffffff;
 /// Three vertices, counter-clockwise seen from outside; the refinement edge is opposite the first.
 using Triangle = std::array<Index, 3>;
 
-/// Side k of a triangle is the edge opposite its vertex k.
+/// Side k of a triangle is the edge opposite its vertex k; side k of triangle t has the number 3 t + k.
 ///
 /// After bisect(), child c has a half of the parent's refinement edge on its side half_side[c], and the edge
 /// to its sibling on its side sibling_side[c]. It inherits its side 0 whole: the first child from the
