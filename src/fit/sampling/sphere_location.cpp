@@ -47,7 +47,7 @@ std::vector<Triangle> neighbours_of(std::span<const Triangle> triangles, std::si
     std::vector<Triangle> neighbours(triangles.size());
     for (Index t = 0; t < triangles.size(); ++t)
         for (Index corner = 0; corner < 3; ++corner)
-            neighbours[t][corner] = mesh.twin(HalfEdgeMesh::next(3 * t + corner)) / 3;
+            neighbours[t][corner] = mesh.twin(HalfEdgeMesh::on_side(t, corner)) / 3;
     return neighbours;
 }
 

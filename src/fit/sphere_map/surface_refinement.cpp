@@ -113,10 +113,10 @@ class Refinement {
             mesh_.flip(half_edge);
             note_length(half_edge);
             const Index twin = mesh_.twin(half_edge);
-            for (const Index side : {HalfEdgeMesh::next(half_edge), HalfEdgeMesh::previous(half_edge),
+            for (const Index edge : {HalfEdgeMesh::next(half_edge), HalfEdgeMesh::previous(half_edge),
                                      HalfEdgeMesh::next(twin), HalfEdgeMesh::previous(twin)}) {
-                note_length(side);
-                changed_.push_back(side);
+                note_length(edge);
+                changed_.push_back(edge);
             }
         }
     }
