@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
                        {"sample_and_measure_seconds", sampling},
                        {"fit_seconds", cleaning + mapping + centering + sampling},
                        {"hausdorff", key.report.quality.hausdorff},
-                       {"least_angle", key.report.quality.least_angle},
+                       {"least_angle", key.report.quality.min_angle},
                        {"flipped_leaves", key.report.quality.flipped_leaves},
                        {"sampled_leaves", leaves},
                        {"sampling_seconds", sampling_more}});

@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
     glad_glClear = clear_nothing;
     buffer_data = std::exchange(glad_glBufferData, count_upload);
     constexpr int frames = 1000;
-    const double seconds = bench::least_seconds_of(5, [&] {
+    const double seconds = bench::min_seconds_of(5, [&] {
         uploaded = 0;
         for (int frame = 0; frame < frames; ++frame) renderer.draw(target, camera, weights, display);
     });

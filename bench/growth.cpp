@@ -66,18 +66,18 @@ int main(int argc, char** argv) {
     const long faults_before = page_faults();
     const double first_union = bench::seconds_of([&] { unite(pointers, mesh); });
     const long faults = page_faults() - faults_before;
-    const double uniting = bench::least_seconds_of(runs, [&] { unite(pointers, mesh); });
+    const double uniting = bench::min_seconds_of(runs, [&] { unite(pointers, mesh); });
 
     const std::vector<float> weights = {0.3F, 0.7F};
     Buffer<glm::vec3> positions;
     morph(mesh, weights, positions);
-    const double morphing = bench::least_seconds_of(runs, [&] { morph(mesh, weights, positions); });
+    const double morphing = bench::min_seconds_of(runs, [&] { morph(mesh, weights, positions); });
     const std::size_t morph_bytes = 3 * positions.size() * sizeof(glm::vec3);
 
     const auto file =
         std::filesystem::temp_directory_path() / ("interleaf-growth-" + std::to_string(::getpid()) + ".ilh");
     write_hierarchy(keys[0], file);
-    const double loading = bench::least_seconds_of(runs, [&] { read_hierarchy(file); });
+    const double loading = bench::min_seconds_of(runs, [&] { read_hierarchy(file); });
     const auto file_bytes = std::filesystem::file_size(file);
     std::filesystem::remove(file);
 

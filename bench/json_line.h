@@ -24,7 +24,7 @@ double seconds_of(Work&& work) {
 
 /// The minimum over \p runs runs, because other work on the machine only adds to the time.
 template <typename Work>
-double least_seconds_of(int runs, Work&& work) {
+double min_seconds_of(int runs, Work&& work) {
     double least = seconds_of(work);
     for (int run = 1; run < runs; ++run) least = std::min(least, seconds_of(work));
     return least;

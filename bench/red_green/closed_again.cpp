@@ -48,7 +48,7 @@ ClosedAgain closed_again(std::span<const RedGreenKey> keys) {
     result.forest.close();
     result.added_splits = split_count(result.forest) - united;
     result.triangles = mesh_of(result.forest).size();
-    result.largest_loss.resize(keys.size());
+    result.max_loss.resize(keys.size());
     visit_nodes(result.forest, keys, [&](Index node, std::span<const KeyOverNode> over) {
         if (result.forest.is_split(node)) return;
         const unsigned line = result.forest.green_line(node);
@@ -56,7 +56,7 @@ ClosedAgain closed_again(std::span<const RedGreenKey> keys) {
         for (std::size_t key = 0; key < keys.size(); ++key) {
             if (!over[key].is_cut() || over[key].line == line) continue;
             is_lost = true;
-            double& largest = result.largest_loss[key];
+            double& largest = result.max_loss[key];
             largest = std::max(largest, loss_in_leaf(keys[key], over[key], line));
         }
         if (is_lost) ++result.leaves_with_loss;

@@ -17,7 +17,7 @@ struct ClosedAgain {
     std::size_t triangles = 0;         ///< of its mesh, including green ones
     std::size_t added_splits = 0;      ///< red splits that no key has
     std::size_t leaves_with_loss = 0;  ///< red leaves in which the line of some key is lost
-    std::vector<double> largest_loss;  ///< by key: largest distance from the key to the same point here
+    std::vector<double> max_loss;      ///< by key: largest distance from the key to the same point here
 };
 
 ClosedAgain closed_again(std::span<const RedGreenKey> keys);

@@ -43,12 +43,12 @@ double box_diagonal(Surface surface) {
     return glm::distance(low, high);
 }
 
-double least_tolerance(std::size_t most_leaves, const std::function<std::size_t(double)>& leaves) {
+double min_tolerance(std::size_t max_leaves, const std::function<std::size_t(double)>& leaves) {
     double too_small = 1e-5;
     double enough = 0.1;
     while (enough > too_small * 1.001) {
         const double middle = std::sqrt(too_small * enough);
-        (leaves(middle) <= most_leaves ? enough : too_small) = middle;
+        (leaves(middle) <= max_leaves ? enough : too_small) = middle;
     }
     return enough;
 }
@@ -143,12 +143,12 @@ Hierarchy Subject::bisected(double tolerance) const {
 }
 
 double Subject::red_green_tolerance(std::size_t leaves) {
-    return least_tolerance(leaves,
-                           [&](double tolerance) { return mesh_of(red_green(tolerance).forest).size(); });
+    return min_tolerance(leaves,
+                         [&](double tolerance) { return mesh_of(red_green(tolerance).forest).size(); });
 }
 
 double Subject::bisection_tolerance(std::size_t leaves) const {
-    return least_tolerance(leaves, [&](double tolerance) { return bisected(tolerance).leaf_count(); });
+    return min_tolerance(leaves, [&](double tolerance) { return bisected(tolerance).leaf_count(); });
 }
 
 std::vector<RedGreenKey> red_green_keys(std::span<Subject* const> subjects,
@@ -174,7 +174,7 @@ Json red_green_figures(std::span<Subject* const> subjects, std::span<const doubl
     const ClosedAgain closed = closed_again(keys);
     Json losses = Json::array();
     for (std::size_t i = 0; i < keys.size(); ++i)
-        losses.push_back(closed.largest_loss[i] / subjects[i]->diagonal());
+        losses.push_back(closed.max_loss[i] / subjects[i]->diagonal());
     return {{"tolerances", tolerances},
             {"key_leaves", leaves},
             {"sum_of_key_leaves", total(leaves)},
@@ -197,9 +197,9 @@ Json bisection_figures(std::span<Subject* const> subjects, std::span<const doubl
     const UnionMesh mesh = unite(pointers);
     std::set<int> own_keys;
     for (const KeySet origin : mesh.origins) own_keys.insert(std::popcount(origin));
-    double largest_difference = 0;
+    double max_difference = 0;
     for (std::size_t i = 0; i < keys.size(); ++i)
-        largest_difference = std::max(largest_difference, area_difference(mesh, i, keys[i]));
+        max_difference = std::max(max_difference, area_difference(mesh, i, keys[i]));
     const auto of_no_key = std::count_if(
         mesh.vertices.begin(), mesh.vertices.end(),
         [](const VertexOrigin& vertex) { return vertex.edge[0] != no_index && vertex.keys == 0; });
@@ -214,7 +214,7 @@ Json bisection_figures(std::span<Subject* const> subjects, std::span<const doubl
             {"checks",
              {{"closed_manifold", is_closed_manifold(mesh.triangles)},
               {"euler_number", euler_number(mesh.triangles)},
-              {"largest_difference_of_area_from_a_key", largest_difference}}}};
+              {"largest_difference_of_area_from_a_key", max_difference}}}};
 }
 
 }  // namespace interleaf::bench

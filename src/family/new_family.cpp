@@ -11,7 +11,7 @@ namespace interleaf {
 
 namespace {
 
-constexpr std::size_t most_domain_keys = 9;
+constexpr std::size_t max_domain_keys = 9;
 
 void make_unique(std::vector<Key>& keys) {
     std::set<std::string> taken;
@@ -60,7 +60,7 @@ Family family_of_keys(std::string name, std::vector<Key> keys) {
         for (std::size_t key = 0; key < count; ++key) times.push_back({static_cast<double>(key), key});
         family.timeline.emplace(std::move(times));
     }
-    if (count >= 3 && count <= most_domain_keys) family.domain = domain_of(count);
+    if (count >= 3 && count <= max_domain_keys) family.domain = domain_of(count);
     return family;
 }
 

@@ -32,7 +32,7 @@ Corners oriented(Corners corners) {
 }
 
 /// The height over the longest edge.
-double least_height(const Corners& corners) {
+double min_height(const Corners& corners) {
     double longest = 0;
     for (unsigned i = 0; i < 3; ++i) {
         longest = std::max(longest, glm::distance(corners[i], corners[(i + 1) % 3]));
@@ -184,7 +184,7 @@ class TriangleChecks {
         const double least = thinnest * diagonal(vertices_);
         // The comparison is negated so that an overflow also counts as flat.
         const auto found = std::ranges::find_if(
-            corners_, [least](const Corners& corners) { return !(least_height(corners) > least); });
+            corners_, [least](const Corners& corners) { return !(min_height(corners) > least); });
         if (found == corners_.end()) return std::nullopt;
         return static_cast<std::size_t>(found - corners_.begin());
     }

@@ -35,15 +35,15 @@ GlFramebuffer make_framebuffer(const GlRenderbuffer& color, const GlRenderbuffer
 
 void check_limits(int width, int height, int samples) {
     GLint size = 0;
-    GLint most_samples = 0;
+    GLint max_samples = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &size);
-    glGetIntegerv(GL_MAX_SAMPLES, &most_samples);
+    glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
     if (width > size || height > size)
         throw MachineError(
             fmt::format("cannot draw {}x{} pixels: at most {}x{} here", width, height, size, size));
-    if (samples > most_samples)
+    if (samples > max_samples)
         throw MachineError(
-            fmt::format("cannot draw {} samples per pixel: at most {} here", samples, most_samples));
+            fmt::format("cannot draw {} samples per pixel: at most {} here", samples, max_samples));
 }
 
 }  // namespace

@@ -74,10 +74,10 @@ void bind_buffer_texture(GLuint unit, const GlTexture& texture) {
 }
 
 void check_limit(std::size_t count, std::string_view what) {
-    GLint most_texels = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels);
-    if (count > static_cast<std::size_t>(most_texels))
-        throw MachineError(fmt::format("cannot draw {} {}: at most {} here", count, what, most_texels));
+    GLint max_texels = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &max_texels);
+    if (count > static_cast<std::size_t>(max_texels))
+        throw MachineError(fmt::format("cannot draw {} {}: at most {} here", count, what, max_texels));
 }
 
 /// For each vertex, whether it lies on an edge of the root complex.

@@ -115,10 +115,10 @@ Hierarchy brezel_plate() {
 }
 
 glm::dvec3 project_to_brezel(const glm::dvec3& point) {
-    constexpr int most_steps = 20;
+    constexpr int max_steps = 20;
     constexpr double last_step = 1e-8;  // after such a step, the remaining error is its square
     glm::dvec3 on_surface = point;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < max_steps; ++step) {
         const auto [value, gradient] = brezel_density(on_surface);
         const glm::dvec3 move = (brezel_level - value) / glm::dot(gradient, gradient) * gradient;
         on_surface += move;

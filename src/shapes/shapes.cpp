@@ -36,7 +36,7 @@ constexpr std::array<ShippedKey, 5> shipped_keys = {{
 }};
 
 constexpr Index default_leaves = 20000;
-constexpr double least_tolerance = 1e-6;
+constexpr double min_tolerance = 1e-6;
 
 /// The contribution of the normal's turn to a leaf's error, as a fraction of the leaf's size.
 constexpr double turn_share = 0.02;
@@ -51,8 +51,8 @@ void check_budget(const ShapeBudget& budget, Index roots) {
     if (budget.leaves && *budget.leaves < roots) {
         throw UsageError(fmt::format("{} leaves are too few: there are {} roots", *budget.leaves, roots));
     }
-    if (budget.tolerance && !(*budget.tolerance >= least_tolerance)) {
-        throw UsageError(fmt::format("the tolerance must be at least {}", least_tolerance));
+    if (budget.tolerance && !(*budget.tolerance >= min_tolerance)) {
+        throw UsageError(fmt::format("the tolerance must be at least {}", min_tolerance));
     }
 }
 

@@ -44,7 +44,7 @@ TEST_CASE("star-shaped surfaces become good keys, measured and reported") {
         CHECK(key.report.quality.root_mean_square < key.report.quality.hausdorff);
         CHECK(key.report.quality.flipped_leaves == 0);
         CHECK(key.report.quality.euler == 2);
-        CHECK(key.report.quality.least_angle > 15);
+        CHECK(key.report.quality.min_angle > 15);
         CHECK(key.hierarchy.fields.empty());
     }
 }

@@ -9,6 +9,6 @@ namespace interleaf::fuzz {
 void begin_count();
 
 /// The most bytes that were allocated at one time since begin_count(), beyond those that were allocated then.
-std::size_t most_bytes();
+std::size_t max_bytes();
 
 }  // namespace interleaf::fuzz

@@ -21,8 +21,8 @@ struct FieldTable {
     std::uint64_t components = 0;  ///< of all fields
 };
 
-/// The first entries of \p bytes, at most \p most_fields.
-FieldTable field_table(ByteSpan bytes, std::uint32_t most_fields);
+/// The first entries of \p bytes, at most \p max_fields.
+FieldTable field_table(ByteSpan bytes, std::uint32_t max_fields);
 
 /// Bytes of the plain file with the counts of \p header and fields of \p components components, without the
 /// table.

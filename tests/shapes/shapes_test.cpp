@@ -136,10 +136,10 @@ TEST_CASE("positions are on the surface, to the precision of floats") {
 }
 
 TEST_CASE("no leaf is flipped against the surface, and each shape reaches its possible minimum angle") {
-    const auto check_quality = [](std::string_view name, double least_angle) {
+    const auto check_quality = [](std::string_view name, double min_angle) {
         CAPTURE(name);
         const Hierarchy key = make(name, leaves(12000));
-        CHECK(measure_key(key).min_angle > least_angle);
+        CHECK(measure_key(key).min_angle > min_angle);
         const Surface surface = find_shape(name)->surface;
         std::size_t flipped = 0;
         for (const auto& [on_sphere, on_key] : sphere_leaves(key)) {

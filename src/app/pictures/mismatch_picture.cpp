@@ -26,11 +26,11 @@ constexpr float tube_radius = 0.006F;
 constexpr float ball_radius = 0.014F;
 
 /// Part of the picture's half height that a root fills, from its middle to its corners.
-constexpr float least_reach = 0.45F;
-constexpr float most_reach = 0.75F;
+constexpr float min_reach = 0.45F;
+constexpr float max_reach = 0.75F;
 
 /// Triangles that are looked at to find a view: about a second's worth.
-constexpr std::size_t most_tests = 100'000'000;
+constexpr std::size_t max_tests = 100'000'000;
 
 Extent extent_of(const Hierarchy& key) {
     Extent extent{bounding_box(key.positions), 0};
@@ -147,7 +147,7 @@ Camera looking_at(const Subject& subject, glm::vec3 from, const Extent& extent, 
                        glm::distance(camera.eye(), subject.middle) * std::min(aspect, 1.0F);
     if (!(subject.reach > 0)) return camera;
     const float nearer = seen / subject.reach;
-    camera.approach(std::clamp(1.0F, least_reach * nearer, most_reach * nearer), subject.middle);
+    camera.approach(std::clamp(1.0F, min_reach * nearer, max_reach * nearer), subject.middle);
     return camera;
 }
 
@@ -166,7 +166,7 @@ std::size_t seen_points(const UnionMesh& mesh, const Subject& subject, glm::vec3
 
 Camera best_view(const UnionMesh& mesh, const Subject& subject, const Extent& extent, float aspect) {
     std::vector<glm::vec3> directions = directions_about(subject.normal);
-    const std::size_t affordable = most_tests / (mesh.leaf_count() * subject.points.size());
+    const std::size_t affordable = max_tests / (mesh.leaf_count() * subject.points.size());
     directions.resize(std::clamp<std::size_t>(affordable, 1, directions.size()));
     Camera best;
     std::size_t most = 0;

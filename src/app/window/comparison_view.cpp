@@ -76,7 +76,7 @@ ComparisonShown shown_of(const ViewerState& state, const std::vector<ComparedKey
                           .chosen = chosen,
                           .hausdorff = 100 * quality.hausdorff,
                           .root_mean_square = 100 * quality.root_mean_square,
-                          .least_angle = quality.least_angle,
+                          .min_angle = quality.min_angle,
                           .flipped_leaves = quality.flipped_leaves,
                           .has_colors = state.compares_colors,
                           .scale = scale};
@@ -101,7 +101,7 @@ void ComparisonView::take(std::shared_ptr<const FitComparison> taken, std::strin
         side.renderer.upload(side.mesh, normal_form(side.mesh));
         side.renderer.set_field(&side.mesh.fields.front());
     }
-    scale_ = {.map = ColorMap::viridis, .range = {0, largest_distance(comparison)}};
+    scale_ = {.map = ColorMap::viridis, .range = {0, max_distance(comparison)}};
     extent_ = extent_of_both(comparison);
     camera_ = from;
     frame_wanted_ = true;

@@ -14,7 +14,7 @@ namespace interleaf {
 namespace {
 
 /// Of a walk: it comes to its end in fewer from nearby, and might go in circles.
-constexpr int most_steps = 24;
+constexpr int max_steps = 24;
 
 /// Boxes are larger by this, so that rounding leaves no direction outside all of them.
 constexpr double rounding = 1e-12;
@@ -68,7 +68,7 @@ glm::dvec3 SphereLocation::volumes(Index triangle, const glm::dvec3& direction) 
 }
 
 MeshPoint SphereLocation::locate(const glm::dvec3& direction, Index guess) const {
-    for (int steps = 0; guess != no_index && steps < most_steps; ++steps) {
+    for (int steps = 0; guess != no_index && steps < max_steps; ++steps) {
         const glm::dvec3 inside = volumes(guess, direction);
         const glm::length_t farthest =
             inside.x <= inside.y ? (inside.x <= inside.z ? 0 : 2) : (inside.y <= inside.z ? 1 : 2);

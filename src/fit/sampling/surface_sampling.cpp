@@ -286,7 +286,7 @@ SampledSurface sample_surface(const MappedSurface& mapped, const SphereRoots& ro
                         },
                         {.leaves = options.leaves, .tolerance = options.tolerance, .after_step = after_step});
     } else {
-        const Index levelling = std::min(options.leaves / 10, options.most_levelling);
+        const Index levelling = std::min(options.leaves / 10, options.max_levelling);
         refine_greedily(leaves,
                         [&](const AdaptiveMesh& refined, Index leaf) { return sampler.error(refined, leaf); },
                         {.leaves = options.leaves - levelling, .after_step = after_step});

@@ -19,8 +19,8 @@
 namespace interleaf {
 
 struct SamplingOptions {
-    Index leaves = 20000;         ///< at most this many, and as near as closure allows
-    Index most_levelling = 2000;  ///< so many of the leaves, but at most a tenth, are for levelling
+    Index leaves = 20000;        ///< at most this many, and as near as closure allows
+    Index max_levelling = 2000;  ///< so many of the leaves, but at most a tenth, are for levelling
 
     /// Where it is not 0: leaves are bisected that are farther from the surface when they are made, in its
     /// unit, and no others but by closure. Their neighbours may change later, so the key is to be measured.

@@ -35,7 +35,7 @@ class Relaxation {
     void relax_star(Index vertex);
 
     /// The least ratio of the spherical area of a triangle at \p vertex to the one that it is to take.
-    double least_share(Index vertex) const;
+    double min_share(Index vertex) const;
 
     /// Relaxes \p vertex and its neighbours, then those that moved and their neighbours, and so on, in at
     /// most \p steps moves. One step of \p meter a move.

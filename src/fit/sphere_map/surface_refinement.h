@@ -16,7 +16,7 @@ struct RefinementOptions {
     double triangles = 3000;
 
     /// The end, where long creases would take more: so many triangles more than before.
-    std::size_t most_added = 40000;
+    std::size_t max_added = 40000;
 
     /// How far a flip may move a point of the surface, as a fraction of the longest side of its box. It is
     /// what the digits of files leave of flat faces.

@@ -18,8 +18,8 @@ constexpr unsigned signature_radius = 4;
 
 /// The search finds the best assignment for at most this many components of one kind, and if it takes at most
 /// this many steps, that is, triangles to visit.
-constexpr std::size_t most_assigned = 100;
-constexpr std::size_t most_assignment_steps = std::size_t{1} << 26;
+constexpr std::size_t max_assigned = 100;
+constexpr std::size_t max_assignment_steps = std::size_t{1} << 26;
 
 /// Sums of squares count as equal if their relative difference is less than this.
 constexpr double rounding = 1e-9;
@@ -208,8 +208,8 @@ class Search {
 
     bool match_kind(const Kind& kind) {
         const std::size_t count = kind.components.size();
-        if (count > 1 && count <= most_assigned &&
-            count * count * kind.walks.front().steps.size() <= most_assignment_steps)
+        if (count > 1 && count <= max_assigned &&
+            count * count * kind.walks.front().steps.size() <= max_assignment_steps)
             return assign(kind);
 
         std::vector<glm::dvec3> centres, key_centres;
@@ -254,7 +254,7 @@ class Search {
         std::optional<Image> best;
         ImageRules rules{.marked = options_.marked,
                          .shift = reference_.centres[component] - target.centres[other],
-                         .greatest_distance = infinity};
+                         .max_distance = infinity};
         for (const Index side : candidates(walk.steps.front().triangle, target, other, rules.shift)) {
             if (allowed == 0) {
                 undecided_ = undecided_ || !best;
@@ -265,7 +265,7 @@ class Search {
             steps_left_ -= std::min<std::uint64_t>(steps_left_, end.step_count);
             if (end.kind != ImageEnd::Kind::complete) continue;
             keep_better(best, {side, end.distance});
-            rules.greatest_distance = best->distance * (1 + rounding);
+            rules.max_distance = best->distance * (1 + rounding);
             if (wanted == Wanted::any) break;
         }
         return best;

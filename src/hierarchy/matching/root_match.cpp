@@ -14,7 +14,7 @@ namespace {
 using Kind = RootMismatch::Kind;
 
 /// The limit of steps for finding the place where two complexes differ.
-constexpr std::uint64_t most_explaining_steps = std::uint64_t{1} << 24;
+constexpr std::uint64_t max_explaining_steps = std::uint64_t{1} << 24;
 
 RootMismatch::Edge ends_of(const RootGluing& gluing, Index side) {
     return {gluing.apex(turned(side, 1)), gluing.apex(turned(side, 2))};
@@ -178,7 +178,7 @@ class Difference {
     RootWalker walker_;
     std::vector<std::uint64_t> signature_;                ///< of the reference, by side
     std::vector<std::pair<std::uint64_t, Index>> sides_;  ///< of the key, by signature
-    std::uint64_t steps_left_ = most_explaining_steps;
+    std::uint64_t steps_left_ = max_explaining_steps;
 };
 
 /// Why there is no match between complexes with the same counts.

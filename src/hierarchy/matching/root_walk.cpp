@@ -84,7 +84,7 @@ ImageEnd RootImages::spread(const RootWalk& walk, const PlacedRoots& from, const
                 return stop(Kind::refinement_edge, side, image_side);
             sides_[neighbour] = neighbour_image;
         }
-        if (end.distance > rules.greatest_distance) return stop(Kind::too_far, no_index, no_index);
+        if (end.distance > rules.max_distance) return stop(Kind::too_far, no_index, no_index);
     }
     return end;
 }

@@ -34,10 +34,10 @@ struct PlacedRoots {
 
 /// What an image must respect besides orientation, and when the walk may stop.
 struct ImageRules {
-    bool marked = true;                ///< refinement edges are mapped to refinement edges
-    std::span<const Index> given{};    ///< the images of all triangles; empty if they are to be found
-    glm::dvec3 shift{0};               ///< added to the positions of the image before distances are measured
-    double greatest_distance = 1e300;  ///< the walk stops when the sum of squared distances exceeds this
+    bool marked = true;              ///< refinement edges are mapped to refinement edges
+    std::span<const Index> given{};  ///< the images of all triangles; empty if they are to be found
+    glm::dvec3 shift{0};             ///< added to the positions of the image before distances are measured
+    double max_distance = 1e300;     ///< the walk stops when the sum of squared distances exceeds this
 };
 
 /// How an image of a walk ended.

@@ -15,10 +15,10 @@ inline constexpr std::uint32_t oldest_version = 1;
 /// Has an origin.
 inline constexpr std::uint32_t version = 2;
 
-inline constexpr std::uint64_t largest_file = 16 << 20;
+inline constexpr std::uint64_t max_file_size = 16 << 20;
 
 /// Finding overlaps compares every two triangles.
-inline constexpr std::size_t most_domain_triangles = 4096;
+inline constexpr std::size_t max_domain_triangles = 4096;
 
 /// Paths are UTF-8 in the file, whatever the operating system has.
 std::filesystem::path path_of(std::string_view utf8);

@@ -184,9 +184,9 @@ ParameterDomain domain_at(const JsonPlace& place, const KeyNames& names) {
     }
     std::vector<Triangle> domain_triangles;
     const JsonPlace triangles = place.member("triangles");
-    if (triangles.size() == 0 || triangles.size() > family_format::most_domain_triangles)
+    if (triangles.size() == 0 || triangles.size() > family_format::max_domain_triangles)
         triangles.fail(fmt::format("{} triangles, expected 1 to {}", triangles.size(),
-                                   family_format::most_domain_triangles));
+                                   family_format::max_domain_triangles));
     domain_triangles.reserve(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i)
         domain_triangles.push_back(triangle_at(triangles.element(i), domain_vertices.size()));
@@ -198,7 +198,7 @@ ParameterDomain domain_at(const JsonPlace& place, const KeyNames& names) {
 }
 
 nlohmann::json parse_family_json(const fs::path& file) {
-    return parse_json(read_text(file, family_format::largest_file), file.string());
+    return parse_json(read_text(file, family_format::max_file_size), file.string());
 }
 
 fs::path folder_of(const fs::path& file) {

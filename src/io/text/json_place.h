@@ -57,10 +57,10 @@ class JsonPlace {
 
 /// Most values, arrays and objects among them, of a document: an empty object of 3 bytes takes 120 bytes of
 /// memory.
-inline constexpr std::size_t most_json_values = 500'000;
+inline constexpr std::size_t max_json_values = 500'000;
 
 /// The document in \p text.
-/// \throw InputError naming \p file and the line, unless it is JSON of at most most_json_values values
+/// \throw InputError naming \p file and the line, unless it is JSON of at most max_json_values values
 nlohmann::json parse_json(std::string_view text, std::string_view file);
 
 /// The beginning of \p text in quotation marks, in ASCII with everything else escaped: fit to be shown on a

@@ -57,7 +57,7 @@ void show_figures(const ComparisonShown& shown) {
     };
     next("Hausdorff distance", fmt::format("{:.3g} %", shown.hausdorff));
     next("Root mean square", fmt::format("{:.3g} %", shown.root_mean_square));
-    next("Least angle", fmt::format("{:.3g}\u00b0", shown.least_angle));
+    next("Least angle", fmt::format("{:.3g}\u00b0", shown.min_angle));
     next("Flipped leaves", fmt::format("{}", shown.flipped_leaves));
     ImGui::Dummy({4 * figure_width(), figures_height()});
 }

@@ -17,7 +17,7 @@ struct ComparisonShown {
     std::size_t chosen = 0;
     double hausdorff = 0;         ///< percent of the box diagonal
     double root_mean_square = 0;  ///< percent of the box diagonal
-    double least_angle = 0;       ///< degrees
+    double min_angle = 0;         ///< degrees
     std::size_t flipped_leaves = 0;
     bool has_colors = true;  ///< distances as colours, by this scale:
     ColorScale scale;        ///< percent of the box diagonal

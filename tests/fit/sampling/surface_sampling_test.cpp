@@ -118,7 +118,7 @@ TEST_CASE("what leaves keep for their children is what the children would find")
         MappedMesh mapped = bumpy_ellipsoid(3);
         // Turned, so that no vertex of the surface lies on an edge between leaves.
         rotate(mapped.points, glm::dmat3(glm::rotate(glm::dmat4(1), 0.7, glm::dvec3(1, 2, 3))));
-        const SampledSurface surface = sampled(mapped, {.leaves = 1500, .most_levelling = 0}, roots);
+        const SampledSurface surface = sampled(mapped, {.leaves = 1500, .max_levelling = 0}, roots);
         std::vector<Triangle> triangles;
         for (const Leaf& leaf : surface.leaves) triangles.push_back(leaf.vertices);
         CHECK(triangles == literally_sampled(mapped, roots, 1500));
@@ -168,7 +168,7 @@ TEST_CASE("levelling brings the farthest places nearer with as many leaves") {
         CAPTURE(mapped.points.size());
         const MappedSurface located(mapped.mesh, mapped.points);
         const SampledSurface levelled = sampled(mapped, {.leaves = 5000});
-        const SampledSurface not_levelled = sampled(mapped, {.leaves = 5000, .most_levelling = 0});
+        const SampledSurface not_levelled = sampled(mapped, {.leaves = 5000, .max_levelling = 0});
         CHECK(levelled.leaves.size() <= 5000);
         CHECK(not_levelled.leaves.size() > 4990);
         CHECK(measure_quality(located, levelled, {}).hausdorff <

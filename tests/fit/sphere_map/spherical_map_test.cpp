@@ -26,7 +26,7 @@ double spherical_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
 }
 
 /// The least ratio of a triangle's share of the sphere to its share of the surface.
-double least_share(const SurfaceMesh& mesh, std::span<const glm::dvec3> points) {
+double min_share(const SurfaceMesh& mesh, std::span<const glm::dvec3> points) {
     std::vector<double> areas;
     double whole = 0;
     for (const auto& [a, b, c] : mesh.triangles) {
@@ -80,7 +80,7 @@ TEST_CASE("thin parts keep a share of the sphere that bisection can find") {
         if (name != "spiky sphere" && name != "rod, 40 times as long as thick" && name != "bent bone")
             continue;
         CAPTURE(name);
-        CHECK(least_share(mesh, map_to_sphere(mesh, {}).points) > 1e-6);
+        CHECK(min_share(mesh, map_to_sphere(mesh, {}).points) > 1e-6);
     }
 }
 
