@@ -52,7 +52,7 @@ void run_render(const RenderOptions& options) {
     const std::vector<FamilyField> fields = fields_of(family.keys);
     require_field(options.display, fields);
     Display display = options.display;
-    fit_display(display, fields);
+    adapt_display(display, fields);
     const std::optional<UnionField> field = united_shown_field(display, fields, family, weights, mesh);
 
     const EglContext context;

@@ -309,7 +309,7 @@ void Viewer::follow_document() {
 }
 
 void Viewer::update_surface() {
-    fit_display(state_.session.display, fields_);
+    adapt_display(state_.session.display, fields_);
     const FamilyField* const field = shown();
     surface_.update(state_.session.family(), state_.session.weights(), field ? &field->label : nullptr);
 }
