@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
     Renderer renderer;
     renderer.upload(mesh, normal_form(mesh));
     Camera camera;
-    camera.frame(extent_of(bounding_box(mesh.positions[0])), 1);
+    camera.view_all(extent_of(bounding_box(mesh.positions[0])), 1);
     const std::vector<float> weights = {0.2F, 0.3F, 0.5F};
     const Display display;
     renderer.draw(target, camera, weights, display);

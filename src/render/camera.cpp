@@ -25,7 +25,7 @@ glm::mat3 Camera::axes() const {
     return glm::mat3(glm::rotate(turn, glm::radians(-elevation_), glm::vec3(1, 0, 0)));
 }
 
-void Camera::frame(const Extent& extent, float aspect) {
+void Camera::view_all(const Extent& extent, float aspect) {
     const Box& box = extent.box;
     scene_center_ = box.center();
     scene_radius_ = extent.radius > 0 ? extent.radius : 1;

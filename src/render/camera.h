@@ -19,7 +19,7 @@ class Camera {
   public:
     /// Moves the camera so that the whole of \p extent is in view, with a margin, from the present direction.
     /// \param aspect  width / height of the picture
-    void frame(const Extent& extent, float aspect);
+    void view_all(const Extent& extent, float aspect);
 
     /// Looks from \p azimuth (about Y, 0 from +Z) and \p elevation (above the XZ plane, -90 to 90), both in
     /// degrees.

@@ -30,7 +30,7 @@ glm::vec3 random_point(std::mt19937& generator, float size) {
 Camera looking_at_unit_box(float azimuth = 30, float elevation = 20) {
     Camera camera;
     camera.look_from(azimuth, elevation);
-    camera.frame(extent_of({glm::vec3(-1), glm::vec3(1)}), aspect);
+    camera.view_all(extent_of({glm::vec3(-1), glm::vec3(1)}), aspect);
     return camera;
 }
 
@@ -48,7 +48,7 @@ TEST_CASE("a box in view lies in the picture and fills it, for any size, directi
         const float at_aspect = random(generator, 0.4F, 2.5F);
         Camera camera;
         camera.look_from(random(generator, -180, 180), random(generator, -90, 90));
-        camera.frame(extent_of(box), at_aspect);
+        camera.view_all(extent_of(box), at_aspect);
         float reach = 0;
         for (int corner = 0; corner < 8; ++corner) {
             const glm::vec3 point((corner & 1) != 0 ? a.x : b.x, (corner & 2) != 0 ? a.y : b.y,
@@ -67,7 +67,7 @@ TEST_CASE("a ball in view fills the picture, while its box extends beyond it") {
         CAPTURE(at_aspect);
         Camera camera;
         camera.look_from(35, 25);
-        camera.frame({.box = {glm::vec3(-1), glm::vec3(1)}, .radius = 1}, at_aspect);
+        camera.view_all({.box = {glm::vec3(-1), glm::vec3(1)}, .radius = 1}, at_aspect);
         float reach = 0;
         for (int i = 0; i < 10000; ++i) {  // a spiral over the ball
             const float y = 1 - 2 * (static_cast<float>(i) + 0.5F) / 10000;
@@ -84,7 +84,7 @@ TEST_CASE("a ball in view fills the picture, while its box extends beyond it") {
 
 TEST_CASE("a box of no size can be brought into view") {
     Camera camera;
-    camera.frame(extent_of({glm::vec3(2), glm::vec3(2)}), aspect);
+    camera.view_all(extent_of({glm::vec3(2), glm::vec3(2)}), aspect);
     const glm::vec3 seen = device_coordinates(camera, glm::vec3(2));
     CHECK(std::abs(seen.x) < 1e-4F);
     CHECK(std::abs(seen.z) < 1);

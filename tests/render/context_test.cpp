@@ -71,10 +71,10 @@ TEST_CASE("a renderer and a target release their objects") {
         Display display;
         display.wireframe = true;
         const float weights[] = {0.5F, 0.5F};
-        take_picture(renderer, target, framing(surface, target), weights, display);
+        take_picture(renderer, target, camera_on(surface, target), weights, display);
         CHECK(live_objects() > before + 10);
         Renderer moved = std::move(renderer);
-        take_picture(moved, target, framing(surface, target), weights, display);
+        take_picture(moved, target, camera_on(surface, target), weights, display);
     }
     CHECK(live_objects() == before);
 }
@@ -112,7 +112,7 @@ TEST_CASE("the depth under a pixel gives the surface point there") {
     renderer.upload(surface.mesh, surface.form);
     for (const int samples : {1, 4}) {
         OffscreenTarget target(300, 200, samples);
-        const Camera camera = framing(surface, target);
+        const Camera camera = camera_on(surface, target);
         const float weights[] = {1};
         take_picture(renderer, target, camera, weights);
         const int x = 130;

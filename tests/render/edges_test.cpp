@@ -39,7 +39,7 @@ TEST_CASE("each kind of edge shows in its own color, and only if it is enabled")
     Renderer renderer;
     renderer.upload(sphere.mesh, sphere.form);
     OffscreenTarget target(640, 480, 4);
-    const Camera camera = framing(sphere, target);
+    const Camera camera = camera_on(sphere, target);
     const Picture plain = take_picture(renderer, target, camera, one);
     const Picture wire = take_picture(renderer, target, camera, one, showing(true, false, false));
     const Picture refinement = take_picture(renderer, target, camera, one, showing(false, true, false));
@@ -66,7 +66,7 @@ TEST_CASE("root edges are drawn above refinement edges, and these above leaf edg
     Renderer renderer;
     renderer.upload(icosahedron.mesh, icosahedron.form);
     OffscreenTarget target(640, 480, 1);
-    const Camera camera = framing(icosahedron, target);
+    const Camera camera = camera_on(icosahedron, target);
     const Picture refinement = take_picture(renderer, target, camera, one, showing(false, true, false));
     const Picture without_roots = take_picture(renderer, target, camera, one, showing(true, true, false));
     const Picture all = take_picture(renderer, target, camera, one, showing(true, true, true));
@@ -81,7 +81,7 @@ TEST_CASE("the refinement edge is the one opposite the first vertex") {
     const EglContext context;
     TestSurface square = surface_of({two_keys_of_a_square().back()});
     OffscreenTarget target(400, 400, 1);
-    const Camera camera = framing(square, target, 0, 0);
+    const Camera camera = camera_on(square, target, 0, 0);
     Renderer renderer;
     renderer.upload(square.mesh, square.form);
     const Picture picture = take_picture(renderer, target, camera, one, showing(false, true, false));
@@ -105,7 +105,7 @@ TEST_CASE("a line has the requested width, near and far") {
         for (const float zoom : {0.25F, 1.0F, 4.0F, 40.0F}) {
             CAPTURE(width);
             CAPTURE(zoom);
-            Camera camera = framing(square, target, 0, 0);
+            Camera camera = camera_on(square, target, 0, 0);
             camera.zoom(zoom, {0, 0}, 1);
             display.line_width = width;
             const Picture plain = take_picture(renderer, target, camera, one);
@@ -123,7 +123,7 @@ TEST_CASE("a line is complete if its triangle extends behind the viewer") {
     // Close above the square's center at a grazing angle: a corner of both triangles is behind the camera.
     Camera camera;
     camera.look_from(-45, 4);
-    camera.frame(extent_of({glm::vec3(-1, -1, 0), glm::vec3(1, 1, 0)}), 1);
+    camera.view_all(extent_of({glm::vec3(-1, -1, 0), glm::vec3(1, 1, 0)}), 1);
     camera.look_from(80, 0);
     camera.approach(30, glm::vec3(0));
     const Picture picture = take_picture(renderer, target, camera, one, showing(false, true, false));
@@ -138,7 +138,7 @@ TEST_CASE("on a mesh of tiny triangles the lines fade and the shape stays visibl
     Renderer renderer;
     renderer.upload(sphere.mesh, sphere.form);
     OffscreenTarget target(200, 150, 4);
-    const Camera camera = framing(sphere, target);
+    const Camera camera = camera_on(sphere, target);
     const Picture plain = take_picture(renderer, target, camera, one);
     const Picture wire = take_picture(renderer, target, camera, one, showing(true, false, false));
     CHECK(mean_brightness(wire) < mean_brightness(plain));
@@ -151,7 +151,7 @@ TEST_CASE("root edges have no gaps across small triangles") {
     Renderer renderer;
     renderer.upload(sphere.mesh, sphere.form);
     OffscreenTarget target(320, 240, 4);
-    const Camera camera = framing(sphere, target);
+    const Camera camera = camera_on(sphere, target);
     Display display = showing(false, false, true);
     display.line_width = 3;
     const Picture picture = take_picture(renderer, target, camera, one, display);

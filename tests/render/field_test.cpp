@@ -95,7 +95,7 @@ TEST_CASE("a scalar field has the colors of its scale, for any weights") {
     renderer.upload(square.mesh, square.form);
     renderer.set_field(&square.mesh.fields[0]);
     OffscreenTarget target(400, 400, 1);
-    const Camera camera = framing(square, target, 0, 0);
+    const Camera camera = camera_on(square, target, 0, 0);
     for (const ColorMap map : color_maps())
         for (const std::array<float, 2> weights :
              {std::array{1.0F, 0.0F}, {0.0F, 1.0F}, {0.5F, 0.5F}, {1.5F, -0.5F}}) {
@@ -120,7 +120,7 @@ TEST_CASE("a color field is mixed as light, between vertices and between keys") 
     renderer.upload(square.mesh, square.form);
     renderer.set_field(&square.mesh.fields[1]);
     OffscreenTarget target(400, 400, 1);
-    const Camera camera = framing(square, target, 0, 0);
+    const Camera camera = camera_on(square, target, 0, 0);
     for (const std::array<float, 2> weights : {std::array{1.0F, 0.0F}, {0.0F, 1.0F}, {0.25F, 0.75F}}) {
         Display display;
         const Picture plain = take_picture(renderer, target, camera, weights, display);
@@ -140,7 +140,7 @@ TEST_CASE("without a field, and after an upload of another surface, the picture 
     Renderer renderer;
     renderer.upload(square.mesh, square.form);
     OffscreenTarget target(200, 200, 1);
-    const Camera camera = framing(square, target, 0, 0);
+    const Camera camera = camera_on(square, target, 0, 0);
     Display display;
     const Picture plain = take_picture(renderer, target, camera, both, display);
     display.coloring = Coloring::field;
@@ -165,7 +165,7 @@ TEST_CASE("a field blended by the processor equals the one blended by the GPU") 
     const TestSurface five = surface_with_fields(keys);
     REQUIRE(five.mesh.key_count() == names.size());
     OffscreenTarget target(320, 240, 1);
-    const Camera camera = framing(five, target);
+    const Camera camera = camera_on(five, target);
     Display display;
     display.coloring = Coloring::field;
     display.scale.range = {-1.4F, 1.4F};
@@ -196,7 +196,7 @@ TEST_CASE("a field that holds the height shows the height in the picture, for an
     renderer.upload(surface.mesh, surface.form);
     renderer.set_field(&surface.mesh.fields[0]);
     OffscreenTarget target(400, 400, 1);
-    const Camera camera = framing(surface, target, 0, 0);
+    const Camera camera = camera_on(surface, target, 0, 0);
     Display display;
     display.coloring = Coloring::field;
     Renderer empty;
@@ -235,7 +235,7 @@ TEST_CASE("the checkerboard shows the place of each point in its root, compared 
     Renderer renderer;
     renderer.upload(mesh, square.form);
     OffscreenTarget target(800, 800, 1);
-    const Camera camera = framing(square, target, 0, 0);
+    const Camera camera = camera_on(square, target, 0, 0);
     Display display;
     display.coloring = Coloring::checker;
     const Picture picture = take_picture(renderer, target, camera, both, display);
@@ -275,7 +275,7 @@ TEST_CASE("the checkerboard does not depend on the bisection of the union") {
     const TestSurface with_others = surface_of_shapes({"star", "bone", "cushion"}, 3000);
     REQUIRE(with_others.mesh.leaf_count() > alone.mesh.leaf_count());
     OffscreenTarget target(400, 300, 1);
-    const Camera camera = framing(alone, target);
+    const Camera camera = camera_on(alone, target);
     Display display;
     display.coloring = Coloring::checker;
     Renderer renderer;

@@ -49,7 +49,7 @@ TEST_CASE("the picture is the same for one to four keys on the GPU and for more 
     OffscreenTarget target(640, 480, 1);
     Renderer renderer;
     const TestSurface two = repeated(keys, 2);
-    const Camera camera = framing(two, target);
+    const Camera camera = camera_on(two, target);
     renderer.upload(two.mesh, two.form);
     const Picture expected = take_picture(renderer, target, camera, weights);
     for (const std::size_t count : {3U, 4U, 5U, 6U}) {
@@ -74,7 +74,7 @@ TEST_CASE("the blend on the processor follows the weights") {
     Renderer renderer;
     renderer.upload(five.mesh, five.form);
     OffscreenTarget target(320, 240, 1);
-    const Camera camera = framing(five, target);
+    const Camera camera = camera_on(five, target);
     const std::vector<float> star = {1, 0, 0, 0, 0};
     const std::vector<float> sphere = {0, 0, 0, 1, 0};
     const Picture first = take_picture(renderer, target, camera, star);
@@ -88,7 +88,7 @@ TEST_CASE("changing only the weights changes the picture, and restoring them res
     Renderer renderer;
     renderer.upload(surface.mesh, surface.form);
     OffscreenTarget target(320, 240, 4);
-    const Camera camera = framing(surface, target);
+    const Camera camera = camera_on(surface, target);
     const float star[] = {1, 0};
     const float half[] = {0.5F, 0.5F};
     const float beyond[] = {1.5F, -0.5F};
@@ -104,7 +104,7 @@ TEST_CASE("weight 1 on a key shows that key, no matter which other key refines t
     const std::vector<Hierarchy> keys = keys_of({"star", "bone", "cushion"});
     const TestSurface all = surface_of(keys);
     OffscreenTarget target(640, 480, 1);
-    const Camera camera = framing(all, target);
+    const Camera camera = camera_on(all, target);
     Renderer renderer;
     for (std::size_t key = 0; key < keys.size(); ++key) {
         CAPTURE(key);
@@ -125,7 +125,7 @@ TEST_CASE("after a larger surface, a smaller one leaves nothing of it behind") {
     const TestSurface large = surface_of(keys_of({"star", "bone", "cushion", "sphere"}));
     const TestSurface small = surface_of(keys_of({"icosahedron"}));
     OffscreenTarget target(320, 240, 1);
-    const Camera camera = framing(small, target);
+    const Camera camera = camera_on(small, target);
     const float one[] = {1};
     const float four[] = {0.25F, 0.25F, 0.25F, 0.25F};
     Renderer fresh;

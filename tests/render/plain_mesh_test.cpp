@@ -18,7 +18,7 @@ TEST_CASE("a plain mesh with flat shading looks like the key with the same leave
     CHECK(plain.vertex_count() == key.mesh.vertex_count());
     OffscreenTarget target(200, 150, 1);
     Renderer renderer;
-    const Camera camera = framing(key, target);
+    const Camera camera = camera_on(key, target);
     Display flat;
     flat.shading = Shading::flat;
     flat.wireframe = true;
@@ -51,7 +51,7 @@ TEST_CASE("the depths of a target are those of its pixels, top row first") {
     Renderer renderer;
     renderer.upload(key.mesh, key.form);
     OffscreenTarget target(61, 37, 1);
-    take_picture(renderer, target, framing(key, target), one);
+    take_picture(renderer, target, camera_on(key, target), one);
     const std::vector<float> depths = target.read_depths();
     REQUIRE(depths.size() == 61 * 37);
     int covered = 0;

@@ -59,7 +59,7 @@ TEST_CASE("a sphere covers the disc that geometry predicts, with and without mul
     renderer.upload(sphere.mesh, sphere.form);
     for (const int samples : {1, 4}) {
         OffscreenTarget target(640, 480, samples);
-        const Camera camera = framing(sphere, target);
+        const Camera camera = camera_on(sphere, target);
         const Picture picture = take_picture(renderer, target, camera, one);
         const Picture background = background_of(target);
         const double distance = glm::length(camera.eye());
@@ -77,7 +77,7 @@ TEST_CASE("light comes from above left, and the background stays darker than the
     Renderer renderer;
     renderer.upload(sphere.mesh, sphere.form);
     OffscreenTarget target(300, 300, 4);
-    const Picture picture = take_picture(renderer, target, framing(sphere, target), one);
+    const Picture picture = take_picture(renderer, target, camera_on(sphere, target), one);
     const auto brightness = [&](int x, int y) { return glm::dot(picture.light(x, y), glm::vec3(1)); };
     CHECK(brightness(110, 100) > 2 * brightness(200, 210));
     CHECK(brightness(110, 100) > 4 * brightness(2, 2));
@@ -90,7 +90,7 @@ TEST_CASE("flat shading gives each face one color") {
     Renderer renderer;
     renderer.upload(icosahedron.mesh, icosahedron.form);
     OffscreenTarget target(320, 240, 1);
-    const Camera camera = framing(icosahedron, target);
+    const Camera camera = camera_on(icosahedron, target);
     Display display;
     const Picture smooth = take_picture(renderer, target, camera, one, display);
     display.shading = Shading::flat;
@@ -109,7 +109,7 @@ TEST_CASE("where the normal vanishes, smooth shading uses the face normal") {
     Renderer renderer;
     renderer.upload(sphere.mesh, sphere.form);
     OffscreenTarget target(320, 240, 1);
-    const Camera camera = framing(sphere, target);
+    const Camera camera = camera_on(sphere, target);
     Display display;
     const Picture smooth = take_picture(renderer, target, camera, one, display);
     display.shading = Shading::flat;
@@ -122,8 +122,8 @@ TEST_CASE("the back of an open surface is visible, and darker") {
     Renderer renderer;
     renderer.upload(square.mesh, square.form);
     OffscreenTarget target(200, 200, 1);
-    const Picture front = take_picture(renderer, target, framing(square, target, 0, 0), both);
-    const Picture back = take_picture(renderer, target, framing(square, target, 180, 0), both);
+    const Picture front = take_picture(renderer, target, camera_on(square, target, 0, 0), both);
+    const Picture back = take_picture(renderer, target, camera_on(square, target, 180, 0), both);
     const Picture background = background_of(target);
     CHECK(count_differences(front, background) ==
           doctest::Approx(count_differences(back, background)).epsilon(0.02));
@@ -140,7 +140,7 @@ TEST_CASE("colors by level and by origin are those of the legend") {
     Renderer renderer;
     renderer.upload(mesh, square.form);
     OffscreenTarget target(400, 400, 1);
-    const Camera camera = framing(square, target, 0, 0);
+    const Camera camera = camera_on(square, target, 0, 0);
     Display display;
     const Picture plain = take_picture(renderer, target, camera, both, display);
 
@@ -163,7 +163,7 @@ TEST_CASE("each origin of a union is visible in its color") {
     Renderer renderer;
     renderer.upload(surface.mesh, surface.form);
     OffscreenTarget target(640, 480, 4);
-    const Camera camera = framing(surface, target);
+    const Camera camera = camera_on(surface, target);
     const float weights[] = {0.4F, 0.3F, 0.3F};
     Display display;
     const Picture plain = take_picture(renderer, target, camera, weights, display);
@@ -189,7 +189,7 @@ TEST_CASE("reloaded shaders draw the same picture") {
     Renderer renderer;
     renderer.upload(sphere.mesh, sphere.form);
     OffscreenTarget target(160, 120, 1);
-    const Camera camera = framing(sphere, target);
+    const Camera camera = camera_on(sphere, target);
     const Picture before = take_picture(renderer, target, camera, one);
     renderer.reload_shaders();
     CHECK(take_picture(renderer, target, camera, one) == before);

@@ -31,7 +31,7 @@ TestSurface surface_of_shapes(std::initializer_list<std::string_view> names, Ind
 std::vector<Hierarchy> two_keys_of_a_square();
 
 /// A camera with all of \p surface in view at \p azimuth and \p elevation, for pictures of \p target's size.
-Camera framing(const TestSurface& surface, const OffscreenTarget& target, float azimuth = 30,
-               float elevation = 20);
+Camera camera_on(const TestSurface& surface, const OffscreenTarget& target, float azimuth = 30,
+                 float elevation = 20);
 
 }  // namespace interleaf

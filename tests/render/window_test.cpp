@@ -22,7 +22,7 @@ Picture full_picture(OffscreenTarget& target) {
     display.coloring = Coloring::origin;
     display.wireframe = display.refinement_edges = display.root_edges = true;
     const float weights[] = {0.5F, 0.25F, 0.25F};
-    return take_picture(renderer, target, framing(surface, target), weights, display);
+    return take_picture(renderer, target, camera_on(surface, target), weights, display);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ constexpr int samples = 4;
 Camera camera_on(const Family& family, const Viewpoint& viewpoint, float aspect) {
     Camera camera;
     camera.look_from(viewpoint.azimuth, viewpoint.elevation);
-    camera.frame(extent(family), aspect);
+    camera.view_all(extent(family), aspect);
     camera.zoom(viewpoint.zoom, {0, 0}, aspect);
     return camera;
 }

@@ -141,7 +141,7 @@ Camera looking_at(const Subject& subject, glm::vec3 from, const Extent& extent, 
     Camera camera;
     camera.look_from(glm::degrees(std::atan2(from.x, from.z)),
                      glm::degrees(std::asin(std::clamp(from.y, -1.0F, 1.0F))));
-    camera.frame(extent, aspect);
+    camera.view_all(extent, aspect);
     camera.center(subject.middle);
     const float seen = std::tan(glm::radians(vertical_field_degrees / 2)) *
                        glm::distance(camera.eye(), subject.middle) * std::min(aspect, 1.0F);
@@ -251,7 +251,7 @@ MismatchPicture mismatch_picture(const Hierarchy& key, const RootPlace& place, f
     const Extent extent = extent_of(key);
     if (place.root == no_index) {
         picture.camera.look_from(30, 20);
-        picture.camera.frame(extent, aspect);
+        picture.camera.view_all(extent, aspect);
         return picture;
     }
     const Subject subject = subject_in(picture.mesh, place);

@@ -279,7 +279,7 @@ constexpr Command table[] = {
      "Frame model",
      {{{GLFW_KEY_F}}},
      "See the whole of what is shown (or double-click it)",
-     [](ViewerState& state, double) { state.framing = Framing::surface; }},
+     [](ViewerState& state, double) { state.view_target = ViewTarget::surface; }},
     {"View",
      "Smooth shading",
      {{{GLFW_KEY_S}}},

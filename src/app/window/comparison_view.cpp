@@ -104,7 +104,7 @@ void ComparisonView::take(std::shared_ptr<const FitComparison> taken, std::strin
     scale_ = {.map = ColorMap::viridis, .range = {0, max_distance(comparison)}};
     extent_ = extent_of_both(comparison);
     camera_ = from;
-    frame_wanted_ = true;
+    view_all_wanted_ = true;
     shown_ = std::move(taken);
     ++surface_;
 }
@@ -124,10 +124,10 @@ void ComparisonView::show(ViewerState& state, const Rect& area, const Camera& fr
     pointer_.reset();
     (*sides_)[0].view = {area.x, area.y, half, height};
     (*sides_)[1].view = {area.x + half, area.y, area.width - half, height};
-    if (std::exchange(state.framing, Framing::none) != Framing::none) frame_wanted_ = true;
+    if (std::exchange(state.view_target, ViewTarget::none) != ViewTarget::none) view_all_wanted_ = true;
     show_side((*sides_)[0], "mesh");
     show_side((*sides_)[1], "key");
-    if (std::exchange(frame_wanted_, false)) camera_.frame(extent_, aspect_of((*sides_)[0].view));
+    if (std::exchange(view_all_wanted_, false)) camera_.view_all(extent_, aspect_of((*sides_)[0].view));
 
     ImGui::GetBackgroundDrawList()->AddLine({area.x + half, area.y}, {area.x + half, area.y + height},
                                             colors::dark);
@@ -142,7 +142,7 @@ void ComparisonView::show(ViewerState& state, const Rect& area, const Camera& fr
 void ComparisonView::show_side(Side& side, const char* name) {
     const ViewInput input = view_area(side.view, name);
     move_camera(camera_, input, side.view, side.picture.target());
-    if (input.frame) frame_wanted_ = true;
+    if (input.view_all) view_all_wanted_ = true;
     if (input.pointed_at) {
         pointer_ = input.pointer;
         pointed_at_ = static_cast<std::size_t>(&side - sides_->data());

@@ -58,7 +58,7 @@ class ComparisonView {
     Camera camera_;
     ColorScale scale_;
     bool has_colors_ = true;
-    bool frame_wanted_ = false;
+    bool view_all_wanted_ = false;
     std::optional<glm::vec2> pointer_;  ///< that rests over a side
     std::size_t pointed_at_ = 0;        ///< which one
 };

@@ -399,16 +399,16 @@ void Viewer::show_keys_and_display(double now) {
 
 void Viewer::move_camera(const ViewInput& input) {
     interleaf::move_camera(camera_, input, layout_.view, picture_.target());
-    if (input.frame) state_.framing = Framing::surface;
+    if (input.view_all) state_.view_target = ViewTarget::surface;
 }
 
 /// \pre the surface is that of the present weights
 void Viewer::frame_camera() {
-    const Framing framing = std::exchange(state_.framing, Framing::none);
-    if (framing == Framing::surface)
-        camera_.frame(surface_.extent(state_.session.weights()), aspect_of(layout_.view));
-    else if (framing == Framing::all_keys)
-        camera_.frame(portraits_.extent(), aspect_of(layout_.view));
+    const ViewTarget view_target = std::exchange(state_.view_target, ViewTarget::none);
+    if (view_target == ViewTarget::surface)
+        camera_.view_all(surface_.extent(state_.session.weights()), aspect_of(layout_.view));
+    else if (view_target == ViewTarget::all_keys)
+        camera_.view_all(portraits_.extent(), aspect_of(layout_.view));
 }
 
 void Viewer::draw_surface() {

@@ -12,7 +12,7 @@ struct ViewInput {
     glm::vec2 pan{0};         ///< the same
     float zoom = 1;           ///< factor, above 1 nearer
     glm::vec2 pointer{0};     ///< window coordinates
-    bool frame = false;       ///< see the whole model
+    bool view_all = false;    ///< see the whole model
     bool pointed_at = false;  ///< the pointer rests or moves over the area, and drags nothing
 };
 

@@ -166,11 +166,11 @@ TEST_CASE("Escape closes a message before it closes the help") {
     CHECK(state.file_wish == FileWish::none);
 }
 
-TEST_CASE("quitting, framing and reloading are wishes") {
+TEST_CASE("quitting, viewing all and reloading are wishes") {
     ViewerState state = sample_state();
-    state.framing = Framing::none;
+    state.view_target = ViewTarget::none;
     press(state, {GLFW_KEY_F});
-    CHECK(state.framing == Framing::surface);
+    CHECK(state.view_target == ViewTarget::surface);
     press(state, {GLFW_KEY_F5});
     CHECK(state.reload_wanted);
     press(state, {GLFW_KEY_Q, GLFW_MOD_CONTROL});
