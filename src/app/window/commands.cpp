@@ -351,7 +351,8 @@ std::span<const Command> commands() {
 
 const Command* find_command(Shortcut shortcut) {
     const auto* const found = std::ranges::find_if(table, [shortcut](const Command& command) {
-        return shortcut.key != 0 && std::ranges::find(command.shortcuts, shortcut) != command.shortcuts.end();
+        return shortcut.keyboard_key != 0 &&
+               std::ranges::find(command.shortcuts, shortcut) != command.shortcuts.end();
     });
     return found == std::end(table) ? nullptr : found;
 }

@@ -109,7 +109,7 @@ void ComparisonView::take(std::shared_ptr<const FitComparison> taken, std::strin
     ++surface_;
 }
 
-void ComparisonView::show(ViewerState& state, const Rect& area, const Camera& from, bool takes_keys) {
+void ComparisonView::show(ViewerState& state, const Rect& area, const Camera& from, bool takes_keyboard) {
     const auto compared = compared_keys(state.document.family(), state.comparisons);
     const auto found = std::ranges::find(compared, state.compared, &ComparedKey::comparison);
     const std::size_t chosen =
@@ -132,8 +132,9 @@ void ComparisonView::show(ViewerState& state, const Rect& area, const Camera& fr
     ImGui::GetBackgroundDrawList()->AddLine({area.x + half, area.y}, {area.x + half, area.y + height},
                                             colors::dark);
 
-    const ComparisonResult result = comparison_panel({area.x, area.y + height, area.width, panel},
-                                                     shown_of(state, compared, chosen, scale_), takes_keys);
+    const ComparisonResult result =
+        comparison_panel({area.x, area.y + height, area.width, panel},
+                         shown_of(state, compared, chosen, scale_), takes_keyboard);
     state.compared = compared[result.chosen].comparison;
     has_colors_ = state.compares_colors = result.has_colors;
     if (result.is_over) state.is_comparing = false;

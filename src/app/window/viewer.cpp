@@ -212,7 +212,7 @@ void Viewer::frame() {
     if (width == 0 || height == 0) return;  // minimised
 
     const double now = glfwGetTime();
-    gui_.begin_frame(std::exchange(input_.keys, {}));
+    gui_.begin_frame(std::exchange(input_.keyboard_keys, {}));
     read_input(now);
     state_.session.advance(now);
     places_ = {.window = {width, height},

@@ -32,7 +32,7 @@ struct ComparisonResult {
 /// Height of the panel in a window of \p width.
 float comparison_panel_height(float width);
 
-/// Left and Right choose another pair, unless \p takes_keys is off: then all keys are for something else.
-ComparisonResult comparison_panel(const Rect& rect, const ComparisonShown& shown, bool takes_keys);
+/// Left and Right choose another pair, unless \p takes_keyboard is off: then all keys are for something else.
+ComparisonResult comparison_panel(const Rect& rect, const ComparisonShown& shown, bool takes_keyboard);
 
 }  // namespace interleaf

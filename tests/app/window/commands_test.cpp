@@ -50,9 +50,9 @@ TEST_CASE("every command can be found in a menu and in the help, and by its keys
         const bool acts = command.run != nullptr;
         CHECK(acts);
         CHECK(names.insert(command.name).second);
-        CHECK(command.shortcuts[0].key != 0);
+        CHECK(command.shortcuts[0].keyboard_key != 0);
         for (const Shortcut shortcut : command.shortcuts) {
-            if (shortcut.key != 0) CHECK(find_command(shortcut) == &command);
+            if (shortcut.keyboard_key != 0) CHECK(find_command(shortcut) == &command);
         }
     }
 }
