@@ -9,7 +9,7 @@
 //
 // A megabyte is 10^6 bytes. The paper does not say which unit it means, but its printed figures for the
 // non-hierarchical mesh agree with this unit: 32 bytes per vertex for coordinates, normal and texture
-// coordinates, 24 bytes per triangle for vertices and neighbours.
+// coordinates, 24 bytes per triangle for vertices and neighbors.
 #include <array>
 #include <cmath>
 #include <iostream>

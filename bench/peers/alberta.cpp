@@ -153,7 +153,7 @@ long checked_euler_number(MESH* mesh) {
             if (other == nullptr || !IS_LEAF_EL(other) ||
                 vertex(leaf.el, i + 1) != vertex(other, opposite + 2) ||
                 vertex(leaf.el, i + 2) != vertex(other, opposite + 1))
-                fail("two neighbours do not fit");
+                fail("two neighbors do not fit");
             ++sides;
             auto seen = met[static_cast<std::size_t>(vertex(leaf.el, i))];
             if (!seen) ++vertices;

@@ -90,7 +90,7 @@ std::vector<Mark> marks_of(const Mesh& mesh, Workload workload, unsigned depth) 
     return marks;
 }
 
-/// Bisects \p face and its neighbour at their common refinement edge. If the neighbour has another refinement
+/// Bisects \p face and its neighbor at their common refinement edge. If the neighbor has another refinement
 /// edge, it is bisected there first. The marking of the icosahedron is compatible, so after one such
 /// bisection they share the edge, and each recursion is one level up.
 void bisect(Mesh& mesh, Mesh::FaceHandle face) {
@@ -129,7 +129,7 @@ double refine_to(Mesh& mesh, Workload workload, unsigned depth) {
     }
 }
 
-/// Fails unless each vertex, halfedge and face agrees with its neighbours, and all vertices are on the
+/// Fails unless each vertex, halfedge and face agrees with its neighbors, and all vertices are on the
 /// sphere.
 void check(const Mesh& mesh) {
     for (const auto vertex : mesh.vertices()) {

@@ -46,13 +46,13 @@ Triangle fan_triangle(const Vertices& vertices, Triangle triangle, Index vertex)
     return triangle;
 }
 
-/// A chain of neighbours of a vertex, counter-clockwise about it; closed if the chain goes all the way round.
+/// A chain of neighbors of a vertex, counter-clockwise about it; closed if the chain goes all the way round.
 struct Link {
     std::vector<Index> vertices;
     bool is_closed;
 };
 
-/// The neighbours of a vertex, one link per fan of triangles at it.
+/// The neighbors of a vertex, one link per fan of triangles at it.
 std::vector<Link> links_of(const Vertices& vertices, const Triangles& triangles, Index vertex) {
     std::map<Index, Index> next;
     std::map<Index, Index> previous;
@@ -149,7 +149,7 @@ Triangles cut_ears(const Vertices& vertices, Link link, Index removed) {
         row.erase(row.begin() + static_cast<std::ptrdiff_t>(*best));
     }
     if (link.is_closed && row.size() >= 3)
-        throw InputError("the vertex cannot be removed: its neighbours cannot be triangulated");
+        throw InputError("the vertex cannot be removed: its neighbors cannot be triangulated");
     return ears;
 }
 

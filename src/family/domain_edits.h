@@ -25,11 +25,11 @@ ParameterDomain with_vertex_moved(const ParameterDomain& domain, Index vertex, g
 ///     valid triangulation
 ParameterDomain with_vertex_added(const ParameterDomain& domain, glm::dvec2 at, std::size_t key, double snap);
 
-/// The domain without \p vertex: other triangles of its neighbours replace those around it. If the vertex is
+/// The domain without \p vertex: other triangles of its neighbors replace those around it. If the vertex is
 /// at a corner of the domain, the region that only its triangles covered is no longer covered. Vertices that
 /// then belong to no triangle are removed, too.
 /// \return the domain; none if it has no triangles left
-/// \throw InputError if the neighbours cannot be triangulated
+/// \throw InputError if the neighbors cannot be triangulated
 std::optional<ParameterDomain> without_vertex(const ParameterDomain& domain, Index vertex);
 
 /// The domain with \p key at \p vertex.

@@ -58,7 +58,7 @@ Distances distances(const MeshView& from, const SurfaceDistance& distance, const
         const double longest =
             std::max({glm::length(along_b), glm::length(along_c), glm::length(along_c - along_b)});
         const double parts = spacing > 0 ? std::clamp(std::ceil(longest / spacing), 1.0, max_parts) : 1;
-        // The centres of the grid's triangles that stand as the whole does: each for an equal part of it.
+        // The centers of the grid's triangles that stand as the whole does: each for an equal part of it.
         double sum = 0;
         double terms = 0;
         for (double row = 0; row < parts; ++row)

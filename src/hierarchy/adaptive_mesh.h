@@ -1,13 +1,13 @@
 // The adaptive mesh: a conforming triangulation that Algorithm (A) refines (paper, section 2, figures 1 to
 // 3), and that the inverse of Algorithm (A) coarsens.
 //
-// The mesh stores leaves only. A leaf knows its vertices, its three neighbours, its level and path, and the
+// The mesh stores leaves only. A leaf knows its vertices, its three neighbors, its level and path, and the
 // next leaf in preorder. The levels in that order determine the forest above the leaves. Bisection reuses the
 // leaf's place for its first child and takes a free place for the second, so the leaves of root r begin at
 // place r. One bisection costs O(1), and so does its inverse.
 //
-// refine() bisects a leaf together with its neighbour across the refinement edge. Before that, it bisects the
-// neighbour until the two share that edge, so the mesh conforms after every step. Under a marking of the
+// refine() bisects a leaf together with its neighbor across the refinement edge. Before that, it bisects the
+// neighbor until the two share that edge, so the mesh conforms after every step. Under a marking of the
 // roots where leaves wait for each other in a cycle, refine() bisects the whole cycle as one step, so it ends
 // for every marking.
 //
@@ -89,8 +89,8 @@ class AdaptiveMesh {
 
     const Triangle& vertices(Index leaf) const { return leaves_[leaf].vertices; }
 
-    /// Neighbours of \p leaf across the edges opposite its three vertices; no_index at the boundary.
-    const Triangle& neighbours(Index leaf) const { return leaves_[leaf].neighbours; }
+    /// Neighbors of \p leaf across the edges opposite its three vertices; no_index at the boundary.
+    const Triangle& neighbors(Index leaf) const { return leaves_[leaf].neighbors; }
 
     unsigned level(Index leaf) const { return leaves_[leaf].level; }
 
@@ -128,7 +128,7 @@ class AdaptiveMesh {
     /// \param fields  the fields of the hierarchy, with values up to vertex_bound()
     Hierarchy freeze(std::span<const Field> fields = {}) const;
 
-    /// Every violation of the mesh's own invariants (mutual and edge-matched neighbours, levels, order), one
+    /// Every violation of the mesh's own invariants (mutual and edge-matched neighbors, levels, order), one
     /// sentence per violation; for tests. checker.h states when the frozen hierarchy is sound.
     std::vector<std::string> violations() const;
 
@@ -143,7 +143,7 @@ class AdaptiveMesh {
 
     struct LeafRecord {
         Triangle vertices;
-        Triangle neighbours;
+        Triangle neighbors;
         Index next;          ///< the next leaf in preorder, no_index after the last
         std::uint8_t level;  ///< no_level if the place is free
         bool is_flagged;     ///< in the current chain, or marked for coarsening; false between calls
@@ -153,9 +153,9 @@ class AdaptiveMesh {
         Index leaf;
         std::uint8_t level;
     };
-    /// Consecutive marked leaves often have neighbours that are far apart in memory. The mesh prefetches what
+    /// Consecutive marked leaves often have neighbors that are far apart in memory. The mesh prefetches what
     /// the leaves these many places ahead will touch, in three steps, so that the data arrive together.
-    static constexpr std::size_t prefetch_leaf = 32, prefetch_neighbours = 16, prefetch_beyond = 8;
+    static constexpr std::size_t prefetch_leaf = 32, prefetch_neighbors = 16, prefetch_beyond = 8;
     /// The two children of a triangle, both leaves.
     struct Siblings {
         Index first;
@@ -212,8 +212,8 @@ class AdaptiveMesh {
 // Steps that refinement and coarsening share. They are defined here so that they are inlined.
 
 inline bool AdaptiveMesh::is_compatible(Index leaf) const {
-    const Index neighbour = leaves_[leaf].neighbours[refinement_side];
-    return neighbour == no_index || leaves_[neighbour].neighbours[refinement_side] == leaf;
+    const Index neighbor = leaves_[leaf].neighbors[refinement_side];
+    return neighbor == no_index || leaves_[neighbor].neighbors[refinement_side] == leaf;
 }
 
 inline bool AdaptiveMesh::is_second(Index leaf) const {
@@ -222,17 +222,17 @@ inline bool AdaptiveMesh::is_second(Index leaf) const {
     return (record.path >> (record.level - 1) & 1) != 0;
 }
 
-/// Makes \p a and \p b neighbours: \p b across side \p side_a of \p a, and \p a across side \p side_b of
+/// Makes \p a and \p b neighbors: \p b across side \p side_a of \p a, and \p a across side \p side_b of
 /// \p b.
 inline void AdaptiveMesh::link(Index a, unsigned side_a, Index b, unsigned side_b) {
-    leaves_[a].neighbours[side_a] = b;
-    leaves_[b].neighbours[side_b] = a;
+    leaves_[a].neighbors[side_a] = b;
+    leaves_[b].neighbors[side_b] = a;
 }
 
-/// Replaces the neighbour \p from of \p leaf by \p to. The side is computed without a branch, because it is
+/// Replaces the neighbor \p from of \p leaf by \p to. The side is computed without a branch, because it is
 /// unpredictable.
 inline void AdaptiveMesh::redirect(Index leaf, Index from, Index to) {
-    Triangle& sides = leaves_[leaf].neighbours;
+    Triangle& sides = leaves_[leaf].neighbors;
     const unsigned not_0 = sides[0] != from;
     const unsigned side = not_0 + (not_0 & static_cast<unsigned>(sides[1] != from));
     assert(sides[side] == from);

@@ -17,17 +17,17 @@ namespace interleaf {
     if (place + prefetch_leaf >= pending_.size()) return;
     __builtin_prefetch(&leaves_[pending_[place + prefetch_leaf].leaf]);
     const auto ask_for = [&](Index leaf) {
-        if (leaf != no_index) __builtin_prefetch(&leaves_[leaf].neighbours);
+        if (leaf != no_index) __builtin_prefetch(&leaves_[leaf].neighbors);
     };
-    const LeafRecord& later = leaves_[pending_[place + prefetch_neighbours].leaf];
+    const LeafRecord& later = leaves_[pending_[place + prefetch_neighbors].leaf];
     if (later.is_flagged)
-        for (const Index neighbour : later.neighbours) ask_for(neighbour);
+        for (const Index neighbor : later.neighbors) ask_for(neighbor);
     const LeafRecord& next = leaves_[pending_[place + prefetch_beyond].leaf];
     if (next.is_flagged)
         for (const unsigned side : {1U, 2U})
-            if (next.neighbours[side] != no_index) {
-                ask_for(leaves_[next.neighbours[side]].neighbours[0]);
-                ask_for(leaves_[next.neighbours[side]].neighbours[side]);
+            if (next.neighbors[side] != no_index) {
+                ask_for(leaves_[next.neighbors[side]].neighbors[0]);
+                ask_for(leaves_[next.neighbors[side]].neighbors[side]);
             }
 }
 
@@ -54,7 +54,7 @@ std::optional<AdaptiveMesh::Siblings> AdaptiveMesh::siblings(Index leaf) const {
     const LeafRecord& record = leaves_[leaf];
     if (record.level == 0) return std::nullopt;
     const bool second = is_second(leaf);
-    const Index sibling = record.neighbours[sibling_side[second]];
+    const Index sibling = record.neighbors[sibling_side[second]];
     if (leaves_[sibling].level != record.level) return std::nullopt;
     return second ? Siblings{sibling, leaf} : Siblings{leaf, sibling};
 }
@@ -68,8 +68,8 @@ bool AdaptiveMesh::coarsen_pair(Index leaf) {
     const std::optional<Siblings> pair = siblings(leaf);
     if (!pair || !is_flagged(*pair)) return false;
     const Index midpoint = leaves_[leaf].vertices[0];
-    const Siblings partners = {leaves_[pair->second].neighbours[half_side[1]],
-                               leaves_[pair->first].neighbours[half_side[0]]};
+    const Siblings partners = {leaves_[pair->second].neighbors[half_side[1]],
+                               leaves_[pair->first].neighbors[half_side[0]]};
     const bool at_boundary = partners.first == no_index;
     // A vertex is the newest vertex of the children of the triangles that were bisected there, and of no
     // other leaf.
@@ -93,7 +93,7 @@ std::optional<AdaptiveMesh::CycleMember> AdaptiveMesh::cycle_member(Index whole)
     const LeafRecord& record = leaves_[whole];
     if (record.level == 0) return std::nullopt;
     const bool second = is_second(whole);
-    const Index beside = record.neighbours[sibling_side[second]];
+    const Index beside = record.neighbors[sibling_side[second]];
     if (leaves_[beside].level != record.level + 1) return std::nullopt;
     const std::optional<Siblings> split = siblings(beside);
     if (!split) return std::nullopt;
@@ -104,8 +104,8 @@ std::optional<AdaptiveMesh::CycleMember> AdaptiveMesh::cycle_member(Index whole)
 /// triangle there, or no_index if that triangle does not have exactly one.
 Index AdaptiveMesh::whole_across(const Siblings& split) const {
     const Index midpoint = leaves_[split.first].vertices[0];
-    const Index one = leaves_[split.first].neighbours[half_side[0]];
-    const Index other = leaves_[split.second].neighbours[half_side[1]];
+    const Index one = leaves_[split.first].neighbors[half_side[0]];
+    const Index other = leaves_[split.second].neighbors[half_side[1]];
     if (one == no_index) return no_index;
     const bool one_is = leaves_[one].vertices[0] == midpoint;
     const bool other_is = leaves_[other].vertices[0] == midpoint;
@@ -136,10 +136,10 @@ bool AdaptiveMesh::coarsen_cycle(Index leaf) {
     for (const auto& [whole, is_second, split] : cycle_) {
         // The halves of the refinement edge and of the entry edge lose their links: the triangles across
         // these edges change, too.
-        leaves_[whole].neighbours[half_side[is_second]] = no_index;
-        leaves_[is_second ? split.second : split.first].neighbours[0] = no_index;
-        leaves_[split.first].neighbours[half_side[0]] = no_index;
-        leaves_[split.second].neighbours[half_side[1]] = no_index;
+        leaves_[whole].neighbors[half_side[is_second]] = no_index;
+        leaves_[is_second ? split.second : split.first].neighbors[0] = no_index;
+        leaves_[split.first].neighbors[half_side[0]] = no_index;
+        leaves_[split.second].neighbors[half_side[1]] = no_index;
         free_vertices_.push_back(leaves_[whole].vertices[0]);
     }
     for (CycleMember& member : cycle_) {
@@ -160,9 +160,9 @@ bool AdaptiveMesh::coarsen_cycle(Index leaf) {
 Index AdaptiveMesh::merge(const Siblings& pair) {
     LeafRecord& first = leaves_[pair.first];
     LeafRecord& second = leaves_[pair.second];
-    const Index across_ij = second.neighbours[0];
+    const Index across_ij = second.neighbors[0];
     if (across_ij != no_index) redirect(across_ij, pair.second, pair.first);
-    first.neighbours = {no_index, first.neighbours[0], across_ij};
+    first.neighbors = {no_index, first.neighbors[0], across_ij};
     first.vertices = interleaf::merge(first.vertices, second.vertices);
     first.next = second.next;
     --first.level;  // the path has no bit set for a first child

@@ -14,17 +14,17 @@ namespace interleaf {
 [[gnu::always_inline]] inline void AdaptiveMesh::prefetch_to_bisect(std::size_t place) const {
     if (place + prefetch_leaf >= pending_.size()) return;
     __builtin_prefetch(&leaves_[pending_[place + prefetch_leaf].leaf]);
-    if (const auto [leaf, level] = pending_[place + prefetch_neighbours]; leaves_[leaf].level == level) {
+    if (const auto [leaf, level] = pending_[place + prefetch_neighbors]; leaves_[leaf].level == level) {
         const LeafRecord& record = leaves_[leaf];
-        if (record.neighbours[0] != no_index) __builtin_prefetch(&leaves_[record.neighbours[0]]);
-        if (record.neighbours[2] != no_index) __builtin_prefetch(&leaves_[record.neighbours[2]].neighbours);
+        if (record.neighbors[0] != no_index) __builtin_prefetch(&leaves_[record.neighbors[0]]);
+        if (record.neighbors[2] != no_index) __builtin_prefetch(&leaves_[record.neighbors[2]].neighbors);
         __builtin_prefetch(&positions_[record.vertices[1]]);
         __builtin_prefetch(&positions_[record.vertices[2]]);
     }
     if (const auto [leaf, level] = pending_[place + prefetch_beyond]; leaves_[leaf].level == level) {
-        const Index partner = leaves_[leaf].neighbours[0];
-        const Index beyond = partner == no_index ? no_index : leaves_[partner].neighbours[2];
-        if (beyond != no_index) __builtin_prefetch(&leaves_[beyond].neighbours);
+        const Index partner = leaves_[leaf].neighbors[0];
+        const Index beyond = partner == no_index ? no_index : leaves_[partner].neighbors[2];
+        if (beyond != no_index) __builtin_prefetch(&leaves_[beyond].neighbors);
     }
 }
 
@@ -47,12 +47,12 @@ void AdaptiveMesh::refine(std::span<const Index> marked, std::vector<Index>* cha
 
 Index AdaptiveMesh::leaves_added_by(Index leaf) {
     collect_chain(leaf);
-    const bool ends_at_boundary = leaves_[chain_.back()].neighbours[refinement_side] == no_index;
+    const bool ends_at_boundary = leaves_[chain_.back()].neighbors[refinement_side] == no_index;
     return static_cast<Index>(2 * chain_.size()) - (ends_at_boundary ? 1 : 0);
 }
 
 /// Fills chain_ with \p leaf and the leaves that must be bisected before it. Each waits for the next one: its
-/// neighbour across its refinement edge, which has a different refinement edge. The last leaf is compatible,
+/// neighbor across its refinement edge, which has a different refinement edge. The last leaf is compatible,
 /// or waits for an earlier one.
 /// \return the place in chain_ where such a cycle begins; the chain's size if there is none
 std::size_t AdaptiveMesh::collect_chain(Index leaf) {
@@ -65,7 +65,7 @@ std::size_t AdaptiveMesh::collect_chain(Index leaf) {
             cycle_begin = chain_.size();
             break;
         }
-        leaf = leaves_[leaf].neighbours[refinement_side];
+        leaf = leaves_[leaf].neighbors[refinement_side];
         if (leaves_[leaf].is_flagged) {
             cycle_begin =
                 static_cast<std::size_t>(std::find(chain_.begin(), chain_.end(), leaf) - chain_.begin());
@@ -98,13 +98,13 @@ bool AdaptiveMesh::has_levels_left(std::size_t cycle_begin) const {
         const unsigned bisections = place > 0 || cycle_begin == 0 ? 2 : 1;
         if (leaves_[chain_[place]].level + bisections > max_level) return false;
     }
-    const Index partner = leaves_[chain_.back()].neighbours[refinement_side];
+    const Index partner = leaves_[chain_.back()].neighbors[refinement_side];
     return partner == no_index || leaves_[partner].level + 1U <= max_level;
 }
 
-/// Bisects a compatible leaf, and its neighbour if there is one, at their common refinement edge.
+/// Bisects a compatible leaf, and its neighbor if there is one, at their common refinement edge.
 void AdaptiveMesh::bisect_pair(Index leaf) {
-    const Index partner = leaves_[leaf].neighbours[refinement_side];
+    const Index partner = leaves_[leaf].neighbors[refinement_side];
     const Index midpoint = add_midpoint(leaf);
     const Index second = free_place();
     if (partner == no_index) return split(leaf, second, midpoint, {no_index, no_index});
@@ -132,13 +132,13 @@ void AdaptiveMesh::bisect_cycle(std::span<const Index> cycle) {
     for (std::size_t m = 0; m < cycle.size(); ++m) {
         members[m].leaf = cycle[m];
         members[m].midpoint = add_midpoint(cycle[m]);
-        const Triangle& sides = leaves_[cycle[m]].neighbours;
+        const Triangle& sides = leaves_[cycle[m]].neighbors;
         members[m].entry_side = sides[1] == cycle[before(m)] ? 1 : 2;
         assert(sides[members[m].entry_side] == cycle[before(m)]);
     }
     for (const Member& member : members)
-        leaves_[member.leaf].neighbours[refinement_side] =
-            leaves_[member.leaf].neighbours[member.entry_side] = no_index;
+        leaves_[member.leaf].neighbors[refinement_side] = leaves_[member.leaf].neighbors[member.entry_side] =
+            no_index;
 
     for (std::size_t m = 0; m < cycle.size(); ++m) {
         Member& member = members[m];
@@ -163,11 +163,11 @@ void AdaptiveMesh::bisect_cycle(std::span<const Index> cycle) {
 }
 
 /// Bisects one triangle. The first child takes its place, the second the place \p second.
-/// \param across_halves  the neighbours of the first and of the second child across their halves of the
+/// \param across_halves  the neighbors of the first and of the second child across their halves of the
 ///     refinement edge
 void AdaptiveMesh::split(Index leaf, Index second, Index midpoint, std::array<Index, 2> across_halves) {
     const LeafRecord parent = leaves_[leaf];
-    const auto [across_jk, across_ki, across_ij] = parent.neighbours;
+    const auto [across_jk, across_ki, across_ij] = parent.neighbors;
     const auto children = bisect(parent.vertices, midpoint);
     const auto level = static_cast<std::uint8_t>(parent.level + 1);
     leaves_[leaf] = {children[0], {across_ki, second, across_halves[0]}, second, level, false, parent.path};

@@ -209,7 +209,7 @@ class Walk {
     }
 
     unsigned boundary_of_root() const {
-        const Triangle& sides = hierarchy_.roots.neighbours()[root_];
+        const Triangle& sides = hierarchy_.roots.neighbors()[root_];
         unsigned boundary = 0;
         for (unsigned c = 0; c < 3; ++c) boundary |= static_cast<unsigned>(sides[c] == no_index) << c;
         return boundary;

@@ -40,9 +40,9 @@ class RootComplex {
 
     std::span<const Triangle> triangles() const { return connectivity_->triangles; }
 
-    /// The neighbours of each triangle, across the edges opposite its three vertices; no_index at the
+    /// The neighbors of each triangle, across the edges opposite its three vertices; no_index at the
     /// boundary.
-    std::span<const Triangle> neighbours() const { return connectivity_->neighbours; }
+    std::span<const Triangle> neighbors() const { return connectivity_->neighbors; }
 
     Index triangle_count() const { return static_cast<Index>(triangles().size()); }
     Index vertex_count() const { return connectivity_->vertex_count; }
@@ -60,7 +60,7 @@ class RootComplex {
         Index vertex_count = 0;
         Index boundary_edge_count = 0;
         std::vector<Triangle> triangles;
-        std::vector<Triangle> neighbours;
+        std::vector<Triangle> neighbors;
     };
     std::shared_ptr<const Connectivity> connectivity_;
 };

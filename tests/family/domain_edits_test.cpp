@@ -541,7 +541,7 @@ TEST_CASE("adding a vertex and removing it keeps the covered region") {
     }
 }
 
-TEST_CASE("removing a vertex on a straight boundary keeps the covered region, for any neighbours") {
+TEST_CASE("removing a vertex on a straight boundary keeps the covered region, for any neighbors") {
     const std::uint64_t seed = 3;
     CAPTURE(seed);
     Random random(seed);
@@ -584,7 +584,7 @@ TEST_CASE("removing a corner uncovers the region that only its triangles covered
     CHECK(after->vertices()[0] == DomainVertex{{1, 0}, 1});
 }
 
-TEST_CASE("removing a reflex corner keeps the region that its neighbours can cover without going outside") {
+TEST_CASE("removing a reflex corner keeps the region that its neighbors can cover without going outside") {
     const auto after = without_vertex(angle(), 0);
     REQUIRE(after);
     CHECK(is_triangulation(*after));
@@ -613,7 +613,7 @@ TEST_CASE("removing any vertex of the last triangle removes it") {
     for (Index vertex = 0; vertex < 3; ++vertex) CHECK_FALSE(without_vertex(triangle(), vertex));
 }
 
-TEST_CASE("a vertex whose neighbours lie partly on a line can be removed, although rounding bends the line") {
+TEST_CASE("a vertex whose neighbors lie partly on a line can be removed, although rounding bends the line") {
     for (int i = 0; i < 100; ++i) {
         CAPTURE(i);
         // A triangle around a middle vertex, whose sides are each split into three parts at rounded points.

@@ -126,7 +126,7 @@ TEST_CASE("a point inside stays where it is, to the last bit") {
 }
 
 TEST_CASE(
-    "a vertex of the domain gives its key weight 1 exactly, and its neighbours stay active with weight 0") {
+    "a vertex of the domain gives its key weight 1 exactly, and its neighbors stay active with weight 0") {
     for (const ParameterDomain& domain : {square(), hook(), fan(7)}) {
         for (const DomainVertex& vertex : domain.vertices()) {
             const Weights weights = domain.weights(domain.locate(vertex.at));

@@ -38,12 +38,12 @@ std::string inspected(const SurfaceFile& surface) {
     if (!std::ranges::all_of(surface.positions, is_finite)) return "unsound: a position is not finite";
     if (!std::ranges::all_of(surface.triangles, exists)) return "unsound: a vertex does not exist";
     if (!surface.colors.empty() && surface.colors.size() != surface.positions.size())
-        return "unsound: number of colours";
+        return "unsound: number of colors";
     constexpr std::size_t longest = 600;  // 80 bytes are quoted, six characters each
     for (const std::string& remark : surface.remarks)
         if (remark.empty() || remark.size() > longest || remark.find('\n') != std::string::npos)
             return "a remark is no sentence";
-    return std::ranges::all_of(surface.colors, is_color) ? "" : "unsound: a colour is not from 0 to 1";
+    return std::ranges::all_of(surface.colors, is_color) ? "" : "unsound: a color is not from 0 to 1";
 }
 
 Inspection read(ByteSpan bytes) {

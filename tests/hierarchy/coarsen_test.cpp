@@ -291,7 +291,7 @@ class WatchedMesh {
                 const Triangle& vertices = mesh_.vertices(leaf);
                 const auto across = triangle_along.find({vertices[(k + 2) % 3], vertices[(k + 1) % 3]});
                 is_right &=
-                    mesh_.neighbours(leaf)[k] == (across == triangle_along.end() ? no_index : across->second);
+                    mesh_.neighbors(leaf)[k] == (across == triangle_along.end() ? no_index : across->second);
             }
         REQUIRE(is_right);
     }
@@ -364,7 +364,7 @@ void require_unrefined(const AdaptiveMesh& mesh, const std::vector<glm::vec3>& p
         REQUIRE(mesh.is_leaf(root));
         REQUIRE(mesh.level(root) == 0);
         REQUIRE(mesh.vertices(root) == roots.triangles()[root]);
-        REQUIRE(mesh.neighbours(root) == roots.neighbours()[root]);
+        REQUIRE(mesh.neighbors(root) == roots.neighbors()[root]);
     }
 }
 

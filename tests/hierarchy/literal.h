@@ -76,7 +76,7 @@ std::set<Node> coarsened(InfiniteComplex& complex, const std::set<Node>& leaves,
 
 /// Violations of a conforming triangulation over the roots by \p leaves: an edge of more than two triangles,
 /// an edge of two triangles in the same direction, an edge of one triangle away from the boundary, a wrong
-/// Euler number, and neighbours whose levels differ by more than \p level_difference. Empty if there are
+/// Euler number, and neighbors whose levels differ by more than \p level_difference. Empty if there are
 /// none.
 std::vector<std::string> triangulation_violations(InfiniteComplex& complex, const std::vector<Node>& leaves,
                                                   unsigned level_difference);

@@ -41,7 +41,7 @@ RootComplex flipped_at_random(RootComplex roots, std::size_t count, Random& rand
     for (std::size_t n = 0; n < count; ++n) {
         const auto t = static_cast<Index>(random.below(roots.triangle_count()));
         const std::size_t k = random.below(3);
-        const Index u = roots.neighbours()[t][k];
+        const Index u = roots.neighbors()[t][k];
         if (u == no_index) continue;
         const auto& at = roots.triangles()[t];
         const Index a = at[k], b = at[(k + 1) % 3], c = at[(k + 2) % 3];

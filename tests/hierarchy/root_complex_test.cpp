@@ -9,7 +9,7 @@
 using namespace interleaf;
 using namespace interleaf::testing;
 
-TEST_CASE("neighbours are mutual and share the edge opposite the vertex they are listed at") {
+TEST_CASE("neighbors are mutual and share the edge opposite the vertex they are listed at") {
     for (std::uint64_t seed = 1; seed <= trials(2000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -17,17 +17,17 @@ TEST_CASE("neighbours are mutual and share the edge opposite the vertex they are
         Index boundary = 0;
         for (Index t = 0; t < roots.triangle_count(); ++t)
             for (std::size_t k = 0; k < 3; ++k) {
-                const Index neighbour = roots.neighbours()[t][k];
-                if (neighbour == no_index) {
+                const Index neighbor = roots.neighbors()[t][k];
+                if (neighbor == no_index) {
                     ++boundary;
                     continue;
                 }
                 const Index from = roots.triangles()[t][(k + 1) % 3], to = roots.triangles()[t][(k + 2) % 3];
                 bool shared = false;
                 for (std::size_t n = 0; n < 3; ++n)
-                    shared = shared || (roots.neighbours()[neighbour][n] == t &&
-                                        roots.triangles()[neighbour][(n + 1) % 3] == to &&
-                                        roots.triangles()[neighbour][(n + 2) % 3] == from);
+                    shared = shared || (roots.neighbors()[neighbor][n] == t &&
+                                        roots.triangles()[neighbor][(n + 1) % 3] == to &&
+                                        roots.triangles()[neighbor][(n + 2) % 3] == from);
                 REQUIRE(shared);
             }
         REQUIRE(boundary == roots.boundary_edge_count());

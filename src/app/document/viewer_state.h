@@ -50,7 +50,7 @@ struct ViewerState {
 
     Comparisons comparisons;      ///< of keys that were fitted to meshes since the document was opened
     bool is_comparing = false;    ///< one of them is shown instead of the document
-    bool compares_colors = true;  ///< with distances as colours
+    bool compares_colors = true;  ///< with distances as colors
     std::shared_ptr<const FitComparison> compared;  ///< which of them; the first where this is none of them
 
     FileWish file_wish = FileWish::none;

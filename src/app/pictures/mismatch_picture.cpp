@@ -187,7 +187,7 @@ void append_color(Buffer<float>& values, glm::vec3 color) {
     values.insert(values.end(), {light.r, light.g, light.b});
 }
 
-/// Gives the leaves of the root vertices of their own, in its colour.
+/// Gives the leaves of the root vertices of their own, in its color.
 void fill_root(MismatchPicture& picture, std::span<const std::size_t> leaves) {
     UnionMesh& mesh = picture.mesh;
     std::map<Index, Index> own;

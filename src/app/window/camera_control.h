@@ -8,7 +8,7 @@
 
 namespace interleaf {
 
-/// A point of the window in \p view's normalised device coordinates, -1 to 1, y up.
+/// A point of the window in \p view's normalized device coordinates, -1 to 1, y up.
 glm::vec2 device_coordinates(const Rect& view, glm::vec2 point);
 
 /// Width over height.

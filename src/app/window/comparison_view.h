@@ -1,4 +1,4 @@
-// A fitted key and its mesh side by side in the window, seen by one camera, with their distances as colours.
+// A fitted key and its mesh side by side in the window, seen by one camera, with their distances as colors.
 #pragma once
 
 #include <array>

@@ -209,7 +209,7 @@ void Viewer::frame() {
     int width = 0;
     int height = 0;
     glfwGetWindowSize(window_.handle(), &width, &height);
-    if (width == 0 || height == 0) return;  // minimised
+    if (width == 0 || height == 0) return;  // minimized
 
     const double now = glfwGetTime();
     gui_.begin_frame(std::exchange(input_.keyboard_keys, {}));

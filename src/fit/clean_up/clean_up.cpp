@@ -29,8 +29,8 @@ void check_numbers(const SurfaceMesh& mesh) {
             fmt::format("the mesh has {} vertices and {} triangles, at most 2^30 of each are expected",
                         mesh.positions.size(), mesh.triangles.size()));
     if (!mesh.colors.empty() && mesh.colors.size() != mesh.positions.size())
-        throw InputError(fmt::format("the mesh has {} colours for {} vertices", mesh.colors.size(),
-                                     mesh.positions.size()));
+        throw InputError(
+            fmt::format("the mesh has {} colors for {} vertices", mesh.colors.size(), mesh.positions.size()));
     const auto is_good = [](double number) {  // not of a NaN either
         return std::abs(number) <= std::numeric_limits<float>::max();
     };

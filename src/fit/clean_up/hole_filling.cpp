@@ -10,7 +10,7 @@
 namespace interleaf {
 namespace {
 
-/// A position and a colour that are blended alike.
+/// A position and a color that are blended alike.
 struct Sample {
     glm::dvec3 position{0};
     glm::vec3 color{0};

@@ -1,6 +1,6 @@
 // A bounding volume tree: finds, among many boxes, those that contain a point, or the item nearest to one.
 //
-// Boxes are halved at the median of their centres along the longest axis, down to a few a node. Ties are
+// Boxes are halved at the median of their centers along the longest axis, down to a few a node. Ties are
 // broken by number, so the tree, and the order in which it is walked, depend on the boxes alone.
 #pragma once
 

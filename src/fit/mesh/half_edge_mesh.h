@@ -52,7 +52,7 @@ class HalfEdgeMesh {
     Index rotated(Index half_edge) const { return twin_[previous(half_edge)]; }
 
     /// Moves the origin v of \p half_edge onto its target w: v and the two triangles at the edge go.
-    /// \pre v and w have exactly two common neighbours, and there are more than four vertices.
+    /// \pre v and w have exactly two common neighbors, and there are more than four vertices.
     void collapse(Index half_edge);
 
     /// Undoes the last collapse that has not been undone, which was of \p half_edge.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int max_rounds = 6;
 
-/// Parts of the way to a neighbour that are tried, towards it and away from it.
+/// Parts of the way to a neighbor that are tried, towards it and away from it.
 constexpr std::array<double, 10> way_parts = {0.4, -0.4, 0.2, -0.2, 0.1, -0.1, 0.05, -0.05, 0.025, -0.025};
 
 /// Places of a vertex, those of the best angles first, that are looked at closely.

@@ -98,8 +98,8 @@ class Decimation {
         for (const Index vertex : changed) push(vertex);
     }
 
-    /// Fills ring_ with the neighbours of \p vertex and marks those that its collapse must not go to: they
-    /// have a third neighbour in common with it.
+    /// Fills ring_ with the neighbors of \p vertex and marks those that its collapse must not go to: they
+    /// have a third neighbor in common with it.
     void gather_ring(Index vertex) {
         ring_.clear();
         half_edges_.clear();
@@ -112,8 +112,8 @@ class Decimation {
         } while (half_edge != mesh_.outgoing(vertex));
         blocked_.assign(ring_.size(), 0);
         if (ring_.size() == 3) return;
-        // Whether an edge joins two neighbours of large degree is not looked up: both count as blocked.
-        const auto is_large = [&](Index neighbour) { return mesh_.degree(neighbour) > max_degree_; };
+        // Whether an edge joins two neighbors of large degree is not looked up: both count as blocked.
+        const auto is_large = [&](Index neighbor) { return mesh_.degree(neighbor) > max_degree_; };
         const bool block_large = std::count_if(ring_.begin(), ring_.end(), is_large) > 1;
         for (Index place = 0; place < ring_.size(); ++place) {
             if (!is_large(ring_[place]))
@@ -163,7 +163,7 @@ class Decimation {
         return best;
     }
 
-    /// The squared cost of moving \p vertex onto its neighbour at \p place; anything not below \p limit
+    /// The squared cost of moving \p vertex onto its neighbor at \p place; anything not below \p limit
     /// when it is not.
     double cost_of(Index vertex, Index place, double limit) const {
         const auto size = static_cast<Index>(ring_.size());

@@ -1,4 +1,4 @@
-// Moebius centring (Baden, Crane and Kazhdan 2018, "Moebius Registration", algorithm 1).
+// Moebius centering (Baden, Crane and Kazhdan 2018, "Moebius Registration", algorithm 1).
 #include <cmath>
 
 #include <Eigen/Dense>
@@ -31,7 +31,7 @@ glm::dvec3 center_of_mass(std::span<const glm::dvec3> points, std::span<const do
     return sum;
 }
 
-/// The inversion that would bring the centre of mass to the origin if it were linear.
+/// The inversion that would bring the center of mass to the origin if it were linear.
 glm::dvec3 newton_inversion(std::span<const glm::dvec3> points, std::span<const double> weights) {
     Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -54,7 +54,7 @@ std::vector<glm::dvec3> inverted(std::span<const glm::dvec3> points, const glm::
     return moved;
 }
 
-/// The points after a Newton step that brings the centre of mass nearer to the origin; empty when none does.
+/// The points after a Newton step that brings the center of mass nearer to the origin; empty when none does.
 std::vector<glm::dvec3> centered_once(std::span<const glm::dvec3> points, std::span<const double> weights,
                                       double max_step) {
     constexpr int max_halvings = 20;

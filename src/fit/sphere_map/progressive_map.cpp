@@ -44,7 +44,7 @@ class ProgressiveMapping {
                 relaxed = restored_;
             }
             if (restore_next()) continue;
-            // The neighbourhood may be crowded by those that came since the last relaxation.
+            // The neighborhood may be crowded by those that came since the last relaxation.
             if (relaxed == restored_) return failure();
             relax_all();
             relaxed = restored_;

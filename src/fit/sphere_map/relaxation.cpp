@@ -80,8 +80,8 @@ void Relaxation::relax_star(Index vertex) {
         relax(vertex);
         Index half_edge = mesh_.outgoing(vertex);
         do {
-            const Index neighbour = mesh_.target(half_edge);
-            if (mesh_.degree(neighbour) <= max_degree) relax(neighbour);
+            const Index neighbor = mesh_.target(half_edge);
+            if (mesh_.degree(neighbor) <= max_degree) relax(neighbor);
             half_edge = mesh_.rotated(half_edge);
         } while (half_edge != mesh_.outgoing(vertex));
     }

@@ -106,7 +106,7 @@ double SphericalStar::energy(const glm::dvec2& place) const {
     const double squared_tangent = glm::dot(place, place);
     const double secant = std::sqrt(1 + squared_tangent);
     const double height = 1 / secant;
-    const glm::dvec3 moved = {place * height, -squared_tangent / (secant * (secant + 1))};  // less the centre
+    const glm::dvec3 moved = {place * height, -squared_tangent / (secant * (secant + 1))};  // less the center
     double sum = 0;
     for (const StarTriangle& triangle : triangles_) {
         const double determinant =

@@ -16,7 +16,7 @@ namespace interleaf {
 
 struct RootGluing {
     std::span<const Triangle> triangles;  ///< the triangles of the complex, which must outlive this
-    std::vector<Index> across;            ///< by side: the same edge as a side of the neighbour, or no_index
+    std::vector<Index> across;            ///< by side: the same edge as a side of the neighbor, or no_index
     /// By vertex: twice the number of triangles around it, plus 1 on the boundary.
     std::vector<Index> surroundings;
     /// The triangles, component after component; the component with the lowest triangle comes first.

@@ -31,8 +31,8 @@ double square(const glm::dvec3& v) {
 }
 
 /// The mean of the vertices of each component.
-std::vector<glm::dvec3> centres_of(const RootGluing& gluing, std::span<const glm::vec3> positions) {
-    std::vector<glm::dvec3> centres;
+std::vector<glm::dvec3> centers_of(const RootGluing& gluing, std::span<const glm::vec3> positions) {
+    std::vector<glm::dvec3> centers;
     std::vector<bool> visited(gluing.surroundings.size());
     for (Index c = 0; c < gluing.component_count(); ++c) {
         glm::dvec3 sum(0);
@@ -44,9 +44,9 @@ std::vector<glm::dvec3> centres_of(const RootGluing& gluing, std::span<const glm
                 sum += glm::dvec3(positions[vertex]);
                 ++count;
             }
-        centres.push_back(sum / count);
+        centers.push_back(sum / count);
     }
-    return centres;
+    return centers;
 }
 
 /// One of the two complexes, with the data that the search needs.
@@ -55,12 +55,12 @@ struct Searched {
         : gluing(gluing_of(complex.roots)),
           positions(complex.positions),
           signature(signatures(gluing, marked, signature_radius)),
-          centres(centres_of(gluing, positions)) {}
+          centers(centers_of(gluing, positions)) {}
 
     RootGluing gluing;
     std::span<const glm::vec3> positions;
     std::vector<std::uint64_t> signature;  ///< by side
-    std::vector<glm::dvec3> centres;       ///< by component
+    std::vector<glm::dvec3> centers;       ///< by component
 
     PlacedRoots placed() const { return {&gluing, positions}; }
 };
@@ -84,17 +84,17 @@ Index seed_of(const Searched& searched, Index component) {
     return rarest.second / 3;
 }
 
-/// Gives each of \p centres a partner among equally many \p others: each in turn takes the nearest of those
+/// Gives each of \p centers a partner among equally many \p others: each in turn takes the nearest of those
 /// that remain. Both sets are shifted to a common mean.
-std::vector<std::size_t> nearest_left(const std::vector<glm::dvec3>& centres,
+std::vector<std::size_t> nearest_left(const std::vector<glm::dvec3>& centers,
                                       const std::vector<glm::dvec3>& others) {
     glm::dvec3 shift(0);
-    for (std::size_t i = 0; i < centres.size(); ++i)
-        shift += (others[i] - centres[i]) / static_cast<double>(centres.size());
+    for (std::size_t i = 0; i < centers.size(); ++i)
+        shift += (others[i] - centers[i]) / static_cast<double>(centers.size());
     PointTree left(others);
     std::vector<std::size_t> partners;
-    partners.reserve(centres.size());
-    for (const glm::dvec3& centre : centres) partners.push_back(left.take_nearest(centre + shift));
+    partners.reserve(centers.size());
+    for (const glm::dvec3& center : centers) partners.push_back(left.take_nearest(center + shift));
     return partners;
 }
 
@@ -212,10 +212,10 @@ class Search {
             count * count * kind.walks.front().steps.size() <= max_assignment_steps)
             return assign(kind);
 
-        std::vector<glm::dvec3> centres, key_centres;
-        for (const Index c : kind.components) centres.push_back(reference_.centres[c]);
-        for (const Index c : kind.key_components) key_centres.push_back(key_.centres[c]);
-        const std::vector<std::size_t> partners = nearest_left(centres, key_centres);
+        std::vector<glm::dvec3> centers, key_centers;
+        for (const Index c : kind.components) centers.push_back(reference_.centers[c]);
+        for (const Index c : kind.key_components) key_centers.push_back(key_.centers[c]);
+        const std::vector<std::size_t> partners = nearest_left(centers, key_centers);
         for (std::size_t i = 0; i < count; ++i) {
             const std::optional<Image> image = image_of(kind.walks[i], kind.components[i], key_,
                                                         kind.key_components[partners[i]], Wanted::closest);
@@ -238,7 +238,7 @@ class Search {
                 images.push_back(image->side);
                 costs.push_back(image->distance +
                                 static_cast<double>(kind.walks[i].vertex_count) *
-                                    square(key_.centres[key_component] - reference_.centres[component]));
+                                    square(key_.centers[key_component] - reference_.centers[component]));
             }
         const std::vector<std::size_t> partners = assignment(count, costs);
         for (std::size_t i = 0; i < count; ++i) take(kind.walks[i], images[i * count + partners[i]]);
@@ -253,7 +253,7 @@ class Search {
         std::uint64_t allowed = allowed_steps(walk.steps.size(), parts);
         std::optional<Image> best;
         ImageRules rules{.marked = options_.marked,
-                         .shift = reference_.centres[component] - target.centres[other],
+                         .shift = reference_.centers[component] - target.centers[other],
                          .max_distance = infinity};
         for (const Index side : candidates(walk.steps.front().triangle, target, other, rules.shift)) {
             if (allowed == 0) {

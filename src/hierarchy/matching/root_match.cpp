@@ -53,7 +53,7 @@ RootMismatch mismatch_at(const ImageEnd& end, const RootGluing& reference, const
             mismatch.kind = Kind::given;
             break;
         default:
-            mismatch.kind = Kind::neighbour;
+            mismatch.kind = Kind::neighbor;
             break;
     }
     return mismatch;
@@ -247,7 +247,7 @@ std::string text_of(const RootMismatch& mismatch, std::string_view key, std::str
         case Kind::surroundings:
             return fmt::format("{}vertex {} corresponds to vertex {} of key {}; the first {}", at_root,
                                mismatch.vertex, mismatch.reference_vertex, reference, mismatch.figures);
-        case Kind::neighbour:
+        case Kind::neighbor:
             return fmt::format(
                 "{}edge {} corresponds to {}, but the roots across these edges do not correspond", at_root,
                 edge(mismatch.edge), counterpart);

@@ -21,8 +21,8 @@ struct RootMismatch {
         refinement_edge,
         boundary,        ///< exactly one of `edge` and its counterpart is on the boundary
         surroundings,    ///< the triangles around `vertex` and around its counterpart differ
-        neighbour,       ///< the triangle across `edge` does not correspond to the one across its counterpart
-        given,           ///< as `neighbour`, by the given permutation
+        neighbor,        ///< the triangle across `edge` does not correspond to the one across its counterpart
+        given,           ///< as `neighbor`, by the given permutation
         no_counterpart,  ///< no root of the reference looks like `root`
         components,      ///< single components match, but not all of them one to one
         undecided,       ///< too large and too symmetric for a complete search

@@ -48,7 +48,7 @@ struct ImageEnd {
         boundary,         ///< the side is on the boundary in exactly one of the complexes
         surroundings,     ///< the vertex has different surroundings in the other complex
         refinement_edge,  ///< the triangle across the side has a different refinement edge
-        neighbour,        ///< the triangle across the side already has a different image
+        neighbor,         ///< the triangle across the side already has a different image
         given,            ///< the triangle across the side has a different given image
     };
     Kind kind = Kind::complete;

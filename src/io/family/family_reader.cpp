@@ -9,7 +9,7 @@
 
 #include "family/new_family.h"
 #include "family/origin.h"
-#include "family/synchronise_keys.h"
+#include "family/synchronize_keys.h"
 #include "hierarchy/error.h"
 #include "io/family/family_file.h"
 #include "io/family/family_format.h"
@@ -112,16 +112,16 @@ std::vector<std::vector<Index>> given_roots(const JsonPlace& place, std::span<co
 
 /// Puts all keys over the roots of the first. \p place_of says where a key was read from.
 template <typename PlaceOf>
-void synchronise_all(std::span<Key> keys, std::span<const std::vector<Index>> given, const PlaceOf& place_of,
+void synchronize_all(std::span<Key> keys, std::span<const std::vector<Index>> given, const PlaceOf& place_of,
                      std::vector<std::string>* changes) {
-    const Synchronisation synchronisation = synchronise(keys, given);
+    const Synchronization synchronization = synchronize(keys, given);
     std::vector<std::string> faults;
-    faults.reserve(synchronisation.mismatches.size());
-    for (const KeyMismatch& mismatch : synchronisation.mismatches)
+    faults.reserve(synchronization.mismatches.size());
+    for (const KeyMismatch& mismatch : synchronization.mismatches)
         faults.push_back(fmt::format("{}: {}", place_of(mismatch.key), mismatch.text));
-    if (!faults.empty()) throw MismatchError(joined(faults, "; "), keys, synchronisation.mismatches.front());
+    if (!faults.empty()) throw MismatchError(joined(faults, "; "), keys, synchronization.mismatches.front());
     if (changes != nullptr)
-        changes->insert(changes->end(), synchronisation.changes.begin(), synchronisation.changes.end());
+        changes->insert(changes->end(), synchronization.changes.begin(), synchronization.changes.end());
 }
 
 /// Index of the key that is named at a place.
@@ -224,7 +224,7 @@ Family read_family_json(const fs::path& file, std::vector<std::string>* changes)
         const auto place_of = [&](std::size_t key) {
             return fmt::format("{}: keys[{}]", file.string(), key);
         };
-        synchronise_all(family.keys, given_roots(keys, family.keys), place_of, changes);
+        synchronize_all(family.keys, given_roots(keys, family.keys), place_of, changes);
     }
     if (const auto violations = check(family); !violations.empty()) keys.fail(joined(violations, "; "));
 
@@ -307,7 +307,7 @@ Family read_keys(std::span<const fs::path> files, std::vector<std::string>* chan
     if (changes != nullptr) changes->insert(changes->end(), read.remarks.begin(), read.remarks.end());
     for (Hierarchy& hierarchy : read.keys)
         keys.push_back({name_of(files[keys.size()]), std::move(hierarchy)});
-    synchronise_all(
+    synchronize_all(
         keys, {}, [&](std::size_t key) { return files[key].string(); }, changes);
     const std::string name = files.size() == 1
                                  ? name_of(files.front())

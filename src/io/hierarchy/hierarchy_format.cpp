@@ -144,7 +144,7 @@ std::vector<FieldName> read_field_table(const Header& header, SummedInput& input
         require(2);
         const auto [kind, length] = input.read_value<std::array<std::uint8_t, 2>>();
         if (kind != component_count(FieldKind::scalar) && kind != component_count(FieldKind::color))
-            fail_at(n, fmt::format("the kind is {}, expected 1 (scalar) or 3 (colour)", kind));
+            fail_at(n, fmt::format("the kind is {}, expected 1 (scalar) or 3 (color)", kind));
         if (length == 0) fail_at(n, "the name is empty");
         require(length);
         FieldName field{std::string(length, ' '), static_cast<FieldKind>(kind)};

@@ -15,7 +15,7 @@ namespace interleaf {
 
 /// The differences of \p positions, one row a vertex in prediction_order(), as BytePlanes holds them. A
 /// coordinate counts in steps of \p grid, on which all of \p positions lie; without a grid as its place among
-/// all floats, so that neighbouring floats differ by 1. The first root vertex is expected at the origin, each
+/// all floats, so that neighboring floats differ by 1. The first root vertex is expected at the origin, each
 /// other one where the one before it is.
 Buffer<std::byte> position_planes(std::span<const glm::vec3> positions, const Connectivity& connectivity,
                                   const std::optional<CoordinateGrid>& grid);

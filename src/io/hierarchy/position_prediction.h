@@ -1,6 +1,6 @@
 // Where a midpoint is expected, from vertices that come before it: what its position is stored relative to.
 //
-// Vertices are taken level by level, so that a midpoint is the centre of a square of known vertices: the ends
+// Vertices are taken level by level, so that a midpoint is the center of a square of known vertices: the ends
 // of its edge and the apexes of the two triangles beside it. The younger end y of the edge was itself put on
 // an edge, which one of the square's diagonals runs along; how far y stands off that edge's middle tells how
 // much the surface bends in that direction, and the diagonal, half as long, bends a quarter of that:

@@ -48,7 +48,7 @@ class Ring {
     struct Link {
         Index previous;
         Index next;
-        Index age;  ///< how often its neighbours have changed
+        Index age;  ///< how often its neighbors have changed
     };
 
     struct Candidate {
@@ -102,7 +102,7 @@ class Ring {
             touching == Touching::forbidden ? ReflexTree::Border::inside : ReflexTree::Border::outside);
     }
 
-    /// Clips ears until there are none. An ear that is none stays none until a neighbour of it is clipped:
+    /// Clips ears until there are none. An ear that is none stays none until a neighbor of it is clipped:
     /// what lies in its triangle is outside the polygon, and the outside only grows.
     void clip_ears(Touching touching) {
         candidates_ = {};

@@ -1,4 +1,4 @@
-// Divides polygons into triangles by clipping ears: corners whose triangle with their neighbours holds no
+// Divides polygons into triangles by clipping ears: corners whose triangle with their neighbors holds no
 // other corner (Meisters, "Polygons have ears", 1975). Of all ears the one with the shortest diagonal goes
 // first, so that a round polygon does not become a fan of needles.
 #pragma once

@@ -127,7 +127,7 @@ std::string face_difference(const PolygonMesh& lines, const PolygonMesh& first, 
     return "";
 }
 
-/// The colours that formats with one colour a vertex get; null when there are none.
+/// The colors that formats with one color a vertex get; null when there are none.
 const Field* vertex_colors(std::span<const Field> fields) {
     if (const Field* named = find_field(fields, {std::string(color_name), FieldKind::color})) return named;
     const auto found = std::ranges::find(fields, FieldKind::color, &Field::kind);

@@ -37,7 +37,7 @@ MeshKeys read_obj_series(std::span<const std::filesystem::path> files,
 Hierarchy read_obj(const std::filesystem::path& file);
 
 /// Wavefront OBJ as text. Floats are written so that they are read back the same. Each face begins with the
-/// vertex opposite its refinement edge. Of \p fields the colour field "color", or else the first one, gives
+/// vertex opposite its refinement edge. Of \p fields the color field "color", or else the first one, gives
 /// the vertices their colors; OBJ has no place for others. \p origin is added to all positions, in double.
 std::string obj_text(std::span<const Triangle> triangles, std::span<const glm::vec3> positions,
                      std::span<const Field> fields = {}, const glm::dvec3& origin = glm::dvec3(0));

@@ -20,7 +20,7 @@ std::string word(std::string_view text) {
     return result;
 }
 
-/// \p name, with a number where it is taken: by the position, the colours or a property before.
+/// \p name, with a number where it is taken: by the position, the colors or a property before.
 std::string free_name(const std::string& name, std::span<const PlyProperty> properties) {
     const auto is_taken = [&](std::string_view candidate) {
         constexpr std::array<std::string_view, 6> reserved = {"x", "y", "z", "red", "green", "blue"};

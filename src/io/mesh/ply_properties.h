@@ -10,7 +10,7 @@
 
 namespace interleaf {
 
-/// A component of a field: a byte, 0 to 255, for a colour's, a float for a scalar.
+/// A component of a field: a byte, 0 to 255, for a color's, a float for a scalar.
 struct PlyProperty {
     std::string name;  ///< letters, digits and '_'; unique
     bool is_byte;
@@ -18,7 +18,7 @@ struct PlyProperty {
     std::size_t component;
 };
 
-/// The properties of \p fields, in their order. The colours \p vertex_colors, one of them or null, are red,
+/// The properties of \p fields, in their order. The colors \p vertex_colors, one of them or null, are red,
 /// green and blue, as other programs look for them.
 std::vector<PlyProperty> ply_properties(std::span<const Field> fields, const Field* vertex_colors);
 

@@ -50,7 +50,7 @@ std::errc parse_word(std::string_view word, Number& number) {
 std::optional<double> parse_double(std::string_view word);
 
 /// The float nearest to \p number. A function of its own, for g++ 12 takes a vector of doubles that goes to
-/// floats and back for unchanged when it optimises both in one place.
+/// floats and back for unchanged when it optimizes both in one place.
 double rounded_to_float(double number);
 
 /// The same as parse_double() for a coordinate or a part of a color: within the range of floats, and such

@@ -1,5 +1,5 @@
 // What stands below a fitted key and its mesh while they are compared: which pair it is, how near they are,
-// and what the colours mean.
+// and what the colors mean.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct ComparisonShown {
     double root_mean_square = 0;  ///< percent of the box diagonal
     double min_angle = 0;         ///< degrees
     std::size_t flipped_leaves = 0;
-    bool has_colors = true;  ///< distances as colours, by this scale:
+    bool has_colors = true;  ///< distances as colors, by this scale:
     ColorScale scale;        ///< percent of the box diagonal
 };
 

@@ -112,7 +112,7 @@ TEST_CASE("each line key switches its own lines") {
     CHECK(state.session.display == expected);
 }
 
-TEST_CASE("colourings come round, that by a field where there is one") {
+TEST_CASE("colorings come round, that by a field where there is one") {
     for (const std::size_t count : {4u, 5u}) {
         ViewerState state = sample_state();
         if (count == 5) state.session.display.field = "height";
@@ -202,7 +202,7 @@ TEST_CASE(
         CHECK(is_enabled(command_named(name), state));
 
     const Coloring before = state.session.display.coloring;
-    run_command(command_named("Next colouring"), state, 0);
+    run_command(command_named("Next coloring"), state, 0);
     CHECK_FALSE(state.compares_colors);
     CHECK(state.session.display.coloring == before);
 

@@ -238,7 +238,7 @@ TEST_CASE("points that are missing, not unit or not finite are a fault") {
 }
 
 TEST_CASE(
-    "centring brings the surface's centre of mass to the sphere's centre and keeps the map one to one") {
+    "centering brings the surface's center of mass to the sphere's center and keeps the map one to one") {
     for (const auto& [name, mesh] : closed_meshes()) {
         if (mesh.positions.size() < 100 || name.starts_with("all")) continue;
         CAPTURE(name);
@@ -251,7 +251,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("centring undoes a Moebius map, up to a rotation") {
+TEST_CASE("centering undoes a Moebius map, up to a rotation") {
     const SurfaceMesh mesh = icosphere(4);
     std::vector<glm::dvec3> points = on_sphere(mesh);
     const glm::dvec3 c = {0.3, -0.5, 0.4};

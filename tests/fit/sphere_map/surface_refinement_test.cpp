@@ -146,7 +146,7 @@ TEST_CASE("a mesh of many well-shaped triangles is mapped as it is") {
     CHECK(fit(mesh, {}).hierarchy.positions == mapped.hierarchy.positions);
 }
 
-TEST_CASE("colours between the vertices of a refined mesh are those of the mesh") {
+TEST_CASE("colors between the vertices of a refined mesh are those of the mesh") {
     SurfaceMesh mesh = cylinder(48, 2, Cap::corner_fan);
     const auto color = [](const glm::dvec3& p) {
         return glm::vec3(0.5 + 0.3 * p.x, 0.5 - 0.3 * p.y, 0.25 * p.z);

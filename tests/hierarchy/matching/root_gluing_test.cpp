@@ -23,9 +23,9 @@ TEST_CASE("side 3 t + k is the edge opposite corner k of triangle t, and has the
                 const Triangle& corners = roots.triangles()[t];
                 REQUIRE(gluing.apex(side) == corners[k]);
                 const Index across = gluing.across[side];
-                REQUIRE((across == no_index) == (roots.neighbours()[t][k] == no_index));
+                REQUIRE((across == no_index) == (roots.neighbors()[t][k] == no_index));
                 if (across == no_index) continue;
-                REQUIRE(across / 3 == roots.neighbours()[t][k]);
+                REQUIRE(across / 3 == roots.neighbors()[t][k]);
                 REQUIRE(gluing.across[across] == side);
                 const Triangle& others = roots.triangles()[across / 3];
                 const Index l = across % 3;

@@ -21,9 +21,9 @@ constexpr float smallest = std::numeric_limits<float>::denorm_min();
 /// Points in a box anywhere, of any size that floats have room for.
 std::vector<glm::vec3> points_anywhere(Random& random) {
     const float scale = std::ldexp(1.0F, static_cast<int>(random.below(220)) - 130);
-    const glm::vec3 centre = random.point() * (random.chance(0.5) ? 0.0F : 40.0F);
+    const glm::vec3 center = random.point() * (random.chance(0.5) ? 0.0F : 40.0F);
     std::vector<glm::vec3> points(2 + random.below(20));
-    for (glm::vec3& point : points) point = scale * (centre + random.point());
+    for (glm::vec3& point : points) point = scale * (center + random.point());
     return points;
 }
 

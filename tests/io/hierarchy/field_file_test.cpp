@@ -29,7 +29,7 @@ constexpr HierarchyFileOptions plain_form{};
 /// Where the table of fields begins.
 constexpr std::size_t plain_table = 32, compressed_table = 72;
 
-/// A key with a scalar field and a colour field.
+/// A key with a scalar field and a color field.
 Hierarchy sample_with_fields() {
     std::mt19937 random(3);
     Hierarchy key = random_hierarchy(random, false, 10);
@@ -198,14 +198,14 @@ TEST_CASE("each part of a field that is wrong is named, with what was expected")
             return error_with(form, [=](Bytes& b) { b[place] = static_cast<std::byte>(value); });
         };
         CHECK(contains(put(12, 65), "field count: is 65, expected at most 64"));
-        CHECK(contains(put(table, 0), "field 0: the kind is 0, expected 1 (scalar) or 3 (colour)"));
+        CHECK(contains(put(table, 0), "field 0: the kind is 0, expected 1 (scalar) or 3 (color)"));
         CHECK(contains(put(table, 2), "field 0: the kind is 2"));
         CHECK(contains(put(table + 1, 0), "field 0: the name is empty"));
         CHECK(contains(put(table, 3), is_plain ? "size: " : "checksum of the content: "));
         CHECK(contains(put(12, 1), "key.ilh: size: "));
         CHECK_FALSE(put(table + 1, 255).empty());
     }
-    // A name that moves a terminal's cursor; a value that is none; a colour that is none.
+    // A name that moves a terminal's cursor; a value that is none; a color that is none.
     CHECK(contains(error_with(plain_form, [](Bytes& b) { b[plain_table + 2] = std::byte{0x1b}; }),
                    "hierarchy: the name of field 0 is not"));
     const auto last_float = [&](float value) {

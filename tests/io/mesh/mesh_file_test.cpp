@@ -276,7 +276,7 @@ TEST_CASE("a PLY has its header and its bytes") {
     CHECK(std::memcmp(ply.data() + header.size() + 37, triangles.data(), 12) == 0);
 }
 
-TEST_CASE("colours of vertices become a colour field, white where there are none") {
+TEST_CASE("colors of vertices become a color field, white where there are none") {
     const ScratchFolder folder;
     const Hierarchy triangle =
         obj_hierarchy(folder, "v 9 9 9 0 0 0\nv 0 0 0\nv 1 0 0 1 0.5 0.25\nv 0 1 0 0 1e-3 1 0.5\nf 2 3 4\n");
@@ -293,7 +293,7 @@ TEST_CASE("colours of vertices become a colour field, white where there are none
     }
 }
 
-TEST_CASE("an OBJ gives back the same colours") {
+TEST_CASE("an OBJ gives back the same colors") {
     const ScratchFolder folder;
     for (unsigned seed = 0; seed < 50; ++seed) {
         CAPTURE(seed);

@@ -1,4 +1,4 @@
-// Readers of surfaces: each form, colours, polygons, and files that are not what they say.
+// Readers of surfaces: each form, colors, polygons, and files that are not what they say.
 #include "io/mesh/surface_file.h"
 
 #include <algorithm>
@@ -219,7 +219,7 @@ TEST_CASE("an OBJ near 0 gives a surface the floats that it gives a key") {
             CHECK(surface.positions[i][axis] == double{key.positions[i][axis]});
 }
 
-TEST_CASE("colours are read; in an OBJ a vertex without one is white") {
+TEST_CASE("colors are read; in an OBJ a vertex without one is white") {
     const ScratchFolder folder;
     put(folder / "p.obj", obj);
     const std::vector<glm::vec3> expected = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5F, 0.5F, 0.5F}, {1, 1, 1}};

@@ -1,4 +1,4 @@
-#include "hierarchy/matching/synchronise.h"
+#include "hierarchy/matching/synchronize.h"
 
 #include <algorithm>
 #include <cassert>

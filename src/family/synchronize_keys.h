@@ -22,7 +22,7 @@ struct KeyMismatch {
     std::string text;  ///< the mismatch in words, with the keys' names
 };
 
-struct Synchronisation {
+struct Synchronization {
     std::vector<std::string> changes;  ///< one sentence for each key that was changed
     std::vector<KeyMismatch> mismatches;
 };
@@ -51,6 +51,6 @@ struct MismatchError : InputError {
 ///     this key. If the permutation is empty or missing, the match is searched for (root_isomorphism.h). The
 ///     first key's permutation is empty.
 /// \pre  keys pass check(); each permutation is a permutation of its key's roots
-Synchronisation synchronise(std::span<Key> keys, std::span<const std::vector<Index>> given = {});
+Synchronization synchronize(std::span<Key> keys, std::span<const std::vector<Index>> given = {});
 
 }  // namespace interleaf

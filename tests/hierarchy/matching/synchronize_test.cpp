@@ -1,4 +1,4 @@
-#include "hierarchy/matching/synchronise.h"
+#include "hierarchy/matching/synchronize.h"
 
 #include <algorithm>
 #include <array>
@@ -167,11 +167,11 @@ TEST_CASE(
         REQUIRE(check(shuffled) == std::vector<std::string>{});
         const std::optional<RootMatch> match = match_of(reference, shuffled);
         REQUIRE(match);
-        const Hierarchy synchronised = with_roots_of(reference.roots, shuffled, *match);
-        REQUIRE(check(synchronised) == std::vector<std::string>{});
-        REQUIRE(synchronised.roots == reference.roots);
-        REQUIRE(union_triangles(reference, synchronised) == union_triangles(reference, key));
-        REQUIRE(is_same(synchronised, key));
+        const Hierarchy synchronized = with_roots_of(reference.roots, shuffled, *match);
+        REQUIRE(check(synchronized) == std::vector<std::string>{});
+        REQUIRE(synchronized.roots == reference.roots);
+        REQUIRE(union_triangles(reference, synchronized) == union_triangles(reference, key));
+        REQUIRE(is_same(synchronized, key));
     }
     for (int genus = 0; genus < 4; ++genus) {
         CHECK(closed_seen[genus] >= trials(125));
@@ -338,10 +338,10 @@ TEST_CASE("a key without bisections takes the marking of the roots it is put ove
         const Hierarchy shuffled = renumbered(key, random_renumbering(roots, random));
         const std::optional<RootMatch> match = match_of(reference, shuffled, {.marked = false});
         REQUIRE(match);
-        const Hierarchy synchronised = with_roots_of(roots, shuffled, *match);
-        REQUIRE(synchronised.roots == roots);
-        REQUIRE(synchronised.positions == key.positions);
-        REQUIRE(check(synchronised) == std::vector<std::string>{});
+        const Hierarchy synchronized = with_roots_of(roots, shuffled, *match);
+        REQUIRE(synchronized.roots == roots);
+        REQUIRE(synchronized.positions == key.positions);
+        REQUIRE(check(synchronized) == std::vector<std::string>{});
 
         // In the other direction, the marking of the roots changes.
         const std::optional<RootMatch> back = match_of(shuffled, reference, {.marked = false});
@@ -508,7 +508,7 @@ TEST_CASE("the search ends at its limit: with a match if there is one, undecided
     // first.
     const Hierarchy other = scattered(torus(30, 20), random);
     CHECK(mismatch_of(reference, other, {.step_limit = 1}).kind == Kind::undecided);
-    CHECK(mismatch_of(reference, other).kind == Kind::neighbour);
+    CHECK(mismatch_of(reference, other).kind == Kind::neighbor);
     CHECK(text_of(mismatch_of(reference, other, {.step_limit = 1})).find("so symmetric") !=
           std::string::npos);
 }

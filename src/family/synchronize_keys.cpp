@@ -1,4 +1,4 @@
-#include "family/synchronise_keys.h"
+#include "family/synchronize_keys.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "hierarchy/matching/synchronise.h"
+#include "hierarchy/matching/synchronize.h"
 
 namespace interleaf {
 
@@ -16,14 +16,14 @@ bool is_bisected(const Key& key) {
     return !key.hierarchy->midpoints.empty();
 }
 
-class Synchroniser {
+class Synchronizer {
   public:
-    Synchroniser(std::span<Key> keys, std::span<const std::vector<Index>> given)
+    Synchronizer(std::span<Key> keys, std::span<const std::vector<Index>> given)
         : keys_(keys), given_(given) {}
 
-    Synchronisation run() {
+    Synchronization run() {
         mark_first();
-        for (std::size_t key = 1; key < keys_.size(); ++key) synchronise(key);
+        for (std::size_t key = 1; key < keys_.size(); ++key) synchronize(key);
         return std::move(result_);
     }
 
@@ -48,7 +48,7 @@ class Synchroniser {
         if (marking->hierarchy->roots == first().roots && given(key).empty()) return;
         const auto found = match(key, false);
         const auto* const correspondence = std::get_if<RootMatch>(&found);
-        if (correspondence == nullptr) return;  // synchronise() will report why
+        if (correspondence == nullptr) return;  // synchronize() will report why
         const RootComplex roots = with_marking_of(first().roots, marking->hierarchy->roots, *correspondence);
         if (roots == first().roots) return;
         Hierarchy marked = first();
@@ -60,7 +60,7 @@ class Synchroniser {
                         keys_.front().name, marking->name));
     }
 
-    void synchronise(std::size_t key) {
+    void synchronize(std::size_t key) {
         if (keys_[key].hierarchy->roots == first().roots && given(key).empty()) return;
         const auto found = match(key, is_bisected(keys_[key]));
         if (const auto* const mismatch = std::get_if<RootMismatch>(&found)) {
@@ -103,7 +103,7 @@ class Synchroniser {
     std::span<Key> keys_;
     std::span<const std::vector<Index>> given_;
     std::string marked_as_;  ///< the key whose refinement edges the first key took
-    Synchronisation result_;
+    Synchronization result_;
 };
 
 }  // namespace
@@ -114,8 +114,8 @@ MismatchError::MismatchError(const std::string& text, std::span<const Key> famil
       keys(std::make_shared<const MismatchedKeys>(
           MismatchedKeys{family[mismatch.key], family.front(), mismatch.mismatch})) {}
 
-Synchronisation synchronise(std::span<Key> keys, std::span<const std::vector<Index>> given) {
-    return Synchroniser(keys, given).run();
+Synchronization synchronize(std::span<Key> keys, std::span<const std::vector<Index>> given) {
+    return Synchronizer(keys, given).run();
 }
 
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-#include "family/synchronise_keys.h"
+#include "family/synchronize_keys.h"
 
 #include <algorithm>
 
@@ -69,7 +69,7 @@ TEST_CASE(
         const Shuffled shuffled = shuffled_keys(seed, seed % 2 == 0);
         for (const bool is_given : {false, true}) {
             std::vector<Key> keys = shuffled.keys;
-            const Synchronisation result = synchronise(
+            const Synchronization result = synchronize(
                 keys, is_given ? std::span(shuffled.given) : std::span<const std::vector<Index>>());
             REQUIRE(result.mismatches.empty());
             for (std::size_t n = 0; n < keys.size(); ++n) {
@@ -78,7 +78,7 @@ TEST_CASE(
                         keys[0].hierarchy->roots.triangles().data());
             }
             std::vector<Key> again = keys;
-            const Synchronisation nothing = synchronise(again);
+            const Synchronization nothing = synchronize(again);
             REQUIRE(nothing.changes.empty());
             REQUIRE(nothing.mismatches.empty());
         }
@@ -92,7 +92,7 @@ TEST_CASE("the result has a sentence for each change") {
                           {"star", renumbered(bisected(roots, 1), random_renumbering(roots, random))},
                           {"same", bisected(roots, 2)},
                           {"flat", with_roots(marked_otherwise(roots, 5))}};
-    const Synchronisation result = synchronise(keys);
+    const Synchronization result = synchronize(keys);
     REQUIRE(result.changes.size() == 2);
     CHECK(result.changes[0] == "key star: its roots were renumbered to match key sphere");
     CHECK(result.changes[1] ==
@@ -108,7 +108,7 @@ TEST_CASE("a first key without bisections gets the marking of the first key with
                           {"flat too", with_roots(marked_otherwise(roots, 9))},
                           {"star", renumbered(bisected(marked, 7), random_renumbering(roots, random))},
                           {"bone", bisected(marked_otherwise(marked, 12), 0)}};
-    const Synchronisation result = synchronise(keys);
+    const Synchronization result = synchronize(keys);
     for (const std::size_t n : {0U, 1U, 2U}) {
         CHECK(keys[n].hierarchy->roots == marked);
         CHECK(check(*keys[n].hierarchy).empty());
@@ -127,7 +127,7 @@ TEST_CASE(
     const RootComplex roots = flipped_at_random(plate(1), 60, random);
     std::vector<Key> keys{{"sphere", bisected(roots, 0)}, {"star", bisected(marked_otherwise(roots, 4), 0)}};
     const Hierarchy before = *keys[1].hierarchy;
-    const Synchronisation result = synchronise(keys);
+    const Synchronization result = synchronize(keys);
     CHECK(result.changes.empty());
     REQUIRE(result.mismatches.size() == 1);
     CHECK(contains(result.mismatches[0].text, "key star: root 4: its refinement edge ("));
