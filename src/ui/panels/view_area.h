@@ -16,7 +16,8 @@ struct ViewInput {
     bool pointed_at = false;  ///< the pointer rests or moves over the area, and drags nothing
 };
 
-/// Left drag orbits; right, middle and Shift + left drag pan; the wheel zooms; a double click views the whole model.
+/// Left drag orbits; right, middle and Shift + left drag pan; the wheel zooms; a double click views the whole
+/// model.
 /// \param name  unique in the frame
 ViewInput view_area(const Rect& rect, const char* name = "view");
 
