@@ -1,5 +1,6 @@
-// Hierarchy files: reading a plain key from the page cache, and the parts of that, beside a plain read() of
-// the file; reading, writing and size of the compressed form. Rates are bytes of the plain file a second.
+// Hierarchy files: reading a plain key from the page cache and the parts of that, compared with a plain
+// read() of the file; reading, writing and size of the compressed form. Rates are bytes of the plain file per
+// second.
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -21,7 +22,7 @@ namespace {
 
 using namespace interleaf;
 
-/// A key, and its plain file, removed at the end.
+/// A key and its plain file, which is removed at the end.
 class KeyFile {
   public:
     explicit KeyFile(Index leaves)
@@ -43,7 +44,7 @@ class KeyFile {
     std::size_t size = 0;
 };
 
-/// The key of \p state's first argument in leaves, made once.
+/// The key with as many leaves as the first argument of \p state, made once.
 const KeyFile& key_file(const benchmark::State& state) {
     static std::map<std::int64_t, std::unique_ptr<KeyFile>> files;
     std::unique_ptr<KeyFile>& file = files[state.range(0)];
@@ -62,7 +63,7 @@ void file_read(benchmark::State& state) {
     count_bytes(state, file);
 }
 
-/// The limit: the bytes of the file into memory that is there already.
+/// The limit: reads the bytes of the file into memory that is already mapped.
 void plain_read(benchmark::State& state) {
     const KeyFile& file = key_file(state);
     std::vector<std::byte> bytes(file.size);

@@ -1,6 +1,6 @@
-// What the fit of a key to a mesh costs, by stage, and the sampling of a large key. The mesh is a shape's key
-// with as many vertices as are asked for, denser where the shape bends more. Prints one line of JSON; seconds
-// are those of the processor, which other work on the machine disturbs least.
+// The cost of fitting a key to a mesh, by stage, and of sampling a large key. The mesh is a shape's key with
+// the requested number of vertices, denser where the shape bends more. Prints one line of JSON. Seconds are
+// processor time, which other work on the machine disturbs least.
 #include "fit/fit.h"
 
 #include <cstdlib>
@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
                        {"sample_and_measure_seconds", sampling},
                        {"fit_seconds", cleaning + mapping + centering + sampling},
                        {"hausdorff", key.report.quality.hausdorff},
-                       {"least_angle", key.report.quality.least_angle},
+                       {"least_angle", key.report.quality.min_angle},
                        {"flipped_leaves", key.report.quality.flipped_leaves},
                        {"sampled_leaves", leaves},
                        {"sampling_seconds", sampling_more}});

@@ -1,6 +1,6 @@
-// What the program itself does for a frame: Renderer::draw() with the calls that draw and clear replaced by
-// nothing, since without a graphics card they are the rendering. Counts what is uploaded. Prints one line of
-// JSON.
+// The program's own work per frame: Renderer::draw() with the calls that draw and clear replaced by no-ops,
+// because without a graphics card these calls are the rendering. Counts the uploaded bytes. Prints one line
+// of JSON.
 #include <cstdlib>
 #include <utility>
 #include <vector>
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
     Renderer renderer;
     renderer.upload(mesh, normal_form(mesh));
     Camera camera;
-    camera.frame(extent_of(bounding_box(mesh.positions[0])), 1);
+    camera.view_all(extent_of(bounding_box(mesh.positions[0])), 1);
     const std::vector<float> weights = {0.2F, 0.3F, 0.5F};
     const Display display;
     renderer.draw(target, camera, weights, display);
@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
     glad_glClear = clear_nothing;
     buffer_data = std::exchange(glad_glBufferData, count_upload);
     constexpr int frames = 1000;
-    const double seconds = bench::least_seconds_of(5, [&] {
+    const double seconds = bench::min_seconds_of(5, [&] {
         uploaded = 0;
         for (int frame = 0; frame < frames; ++frame) renderer.draw(target, camera, weights, display);
     });

@@ -1,13 +1,14 @@
-// How refine, union, morph and load grow: two keys of one size, each uniform but for half of its leaves,
-// which are bisected once more, a different half in each. Prints one line of JSON. The morph is read against
-// a triad of the same size, for its speed follows that of the memory level it fits in.
-#include <algorithm>
+// The growth of refine, union, morph and load. The two keys have the same size. Each is uniform, except that
+// half of its leaves are bisected once more, a different half in each key. Prints one line of JSON. The morph
+// is compared with a triad of the same size, because its speed depends on the memory level that the data fit
+// in.
 #include <cstdlib>
 #include <filesystem>
 #include <random>
 #include <vector>
 
 #include "json_line.h"
+#include "triad.h"
 #include <glm/geometric.hpp>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -42,16 +43,6 @@ Hierarchy make_key(unsigned depth, unsigned seed, double& refining) {
     return mesh.freeze();
 }
 
-/// Bytes a second of a = b + factor * c, counted as in STREAM, over arrays of \p count floats in all.
-double triad_rate(std::size_t count) {
-    Buffer<float> a(count / 3), b(count / 3, 1.0F), c(count / 3, 2.0F);
-    std::fill(a.begin(), a.end(), 0.0F);
-    const double seconds = bench::least_seconds_of(runs, [&] {
-        for (std::size_t n = 0; n < a.size(); ++n) a[n] = b[n] + 3.0F * c[n];
-    });
-    return a.back() == 7.0F ? 3 * sizeof(float) * static_cast<double>(a.size()) / seconds : 0;
-}
-
 long page_faults() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -75,18 +66,18 @@ int main(int argc, char** argv) {
     const long faults_before = page_faults();
     const double first_union = bench::seconds_of([&] { unite(pointers, mesh); });
     const long faults = page_faults() - faults_before;
-    const double uniting = bench::least_seconds_of(runs, [&] { unite(pointers, mesh); });
+    const double uniting = bench::min_seconds_of(runs, [&] { unite(pointers, mesh); });
 
     const std::vector<float> weights = {0.3F, 0.7F};
     Buffer<glm::vec3> positions;
     morph(mesh, weights, positions);
-    const double morphing = bench::least_seconds_of(runs, [&] { morph(mesh, weights, positions); });
+    const double morphing = bench::min_seconds_of(runs, [&] { morph(mesh, weights, positions); });
     const std::size_t morph_bytes = 3 * positions.size() * sizeof(glm::vec3);
 
     const auto file =
         std::filesystem::temp_directory_path() / ("interleaf-growth-" + std::to_string(::getpid()) + ".ilh");
     write_hierarchy(keys[0], file);
-    const double loading = bench::least_seconds_of(runs, [&] { read_hierarchy(file); });
+    const double loading = bench::min_seconds_of(runs, [&] { read_hierarchy(file); });
     const auto file_bytes = std::filesystem::file_size(file);
     std::filesystem::remove(file);
 
@@ -98,7 +89,7 @@ int main(int argc, char** argv) {
                        {"first_union_page_faults", faults},
                        {"morph_seconds", morphing},
                        {"morph_bytes", morph_bytes},
-                       {"triad_bytes_per_second", triad_rate(morph_bytes / sizeof(float))},
+                       {"triad_bytes_per_second", bench::triad_rate(morph_bytes / sizeof(float), runs)},
                        {"load_seconds", loading},
                        {"file_bytes", file_bytes}});
     return 0;

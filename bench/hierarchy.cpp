@@ -1,5 +1,6 @@
-// The core: union, normals and morph of three keys, beside a copy of the same bytes (the limit that memory
-// sets), and the memory of frozen keys, beside the plain indexed mesh of the same leaves.
+// The core: union, normals and morph of three keys, compared with a copy of the same bytes, which is the
+// limit set by memory. Also the memory of frozen keys, compared with the plain indexed mesh of the same
+// leaves.
 #include <cstring>
 #include <vector>
 
@@ -31,19 +32,19 @@ ThreeKeys three(MakeKey make_key) {
     return result;
 }
 
-/// Refined at random all over; the union has about twice the leaves of one.
+/// Keys refined at random all over; the union has about twice the leaves of one key.
 const ThreeKeys& random_keys() {
     static const ThreeKeys keys = three(bench::random_key);
     return keys;
 }
 
-/// Refined at different places; the union has nearly the leaves of all three.
+/// Keys refined at different places; the union has nearly the leaves of all three.
 const ThreeKeys& local_keys() {
     static const ThreeKeys keys = three(bench::local_key);
     return keys;
 }
 
-/// Each a part of the next: the union is the last.
+/// Keys of which each is a part of the next; the union is the last key.
 const ThreeKeys& nested_keys() {
     static const ThreeKeys keys = [] {
         ThreeKeys result;
@@ -60,7 +61,7 @@ void count_leaves(benchmark::State& state, std::size_t leaves) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(leaves));
 }
 
-/// Bytes that a union writes: leaves with tag and origin, vertices with one position a key.
+/// Bytes that a union writes: leaves with tag and origin, vertices with one position per key.
 std::size_t union_bytes(const UnionMesh& mesh) {
     return mesh.leaf_count() * (sizeof(Triangle) + sizeof(LeafTag) + sizeof(KeySet)) +
            mesh.vertex_count() * (sizeof(VertexOrigin) + mesh.key_count() * sizeof(glm::vec3));
@@ -106,7 +107,7 @@ void normals_reused(benchmark::State& state, const ThreeKeys& keys) {
     count_leaves(state, mesh.leaf_count());
 }
 
-/// Three streams of as many vertices as the first argument of \p state, with numbers in them.
+/// Three filled streams with as many vertices as the first argument of \p state.
 std::vector<Buffer<glm::vec3>> three_streams(const benchmark::State& state) {
     std::vector<Buffer<glm::vec3>> streams(3);
     for (std::size_t s = 0; s < 3; ++s)
@@ -116,7 +117,7 @@ std::vector<Buffer<glm::vec3>> three_streams(const benchmark::State& state) {
 
 constexpr float blend[] = {0.2F, 0.3F, 0.5F};
 
-/// Bytes read and written by a weighted sum of three streams, as STREAM counts them.
+/// Counts the bytes that a weighted sum of three streams reads and writes, as STREAM does.
 void count_blended(benchmark::State& state) {
     state.SetBytesProcessed(state.iterations() * state.range(0) * std::int64_t{4 * sizeof(glm::vec3)});
 }
@@ -124,7 +125,7 @@ void count_blended(benchmark::State& state) {
 void morph_streams(benchmark::State& state) {
     const auto streams = three_streams(state);
     Buffer<glm::vec3> sum;
-    weighted_sum(streams, blend, sum);  // touches its pages, as those of the others are touched
+    weighted_sum(streams, blend, sum);  // touches the pages of the sum, as the other benchmarks do
     for (auto _ : state) {
         weighted_sum(streams, blend, sum);
         benchmark::DoNotOptimize(sum.data());
@@ -149,7 +150,7 @@ void morph_eigen(benchmark::State& state) {
     count_blended(state);
 }
 
-/// a = b + factor * c, as in STREAM, over as many bytes in all.
+/// a = b + factor * c, as in STREAM, over the same number of bytes in total.
 void triad(benchmark::State& state) {
     const auto length = static_cast<std::size_t>(state.range(0)) * 4;
     Buffer<float> a(length, 0.0F), b(length, 1.0F), c(length, 2.0F);

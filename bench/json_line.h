@@ -1,4 +1,4 @@
-// What a benchmark program prints: one JSON object on one line.
+// The output of a benchmark program: one JSON object on one line.
 #pragma once
 
 #include <algorithm>
@@ -22,9 +22,9 @@ double seconds_of(Work&& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The least of \p runs runs: other work on the machine only ever adds to it.
+/// The minimum over \p runs runs, because other work on the machine only adds to the time.
 template <typename Work>
-double least_seconds_of(int runs, Work&& work) {
+double min_seconds_of(int runs, Work&& work) {
     double least = seconds_of(work);
     for (int run = 1; run < runs; ++run) least = std::min(least, seconds_of(work));
     return least;

@@ -14,7 +14,7 @@ namespace interleaf::bench {
 
 namespace {
 
-/// Refines what \p choose chooses, in rounds, until there are \p leaves leaves.
+/// Refines the leaves that \p choose selects, in rounds, until there are \p leaves leaves.
 Hierarchy refined_sphere(Index leaves, const std::function<bool(const AdaptiveMesh&, Index leaf)>& choose) {
     const Hierarchy roots = icosahedron();
     const AdaptiveMesh* self = nullptr;

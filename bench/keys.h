@@ -1,4 +1,4 @@
-// The keys that are measured: spheres over the icosahedron's 20 triangles.
+// The measured keys: spheres over the icosahedron's 20 triangles.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,13 @@
 
 namespace interleaf::bench {
 
-/// A key of \p leaves leaves, but for closure, refined at random all over: keys of different seeds share most
-/// of their nodes.
+/// A key refined at random all over, with \p leaves leaves plus those of closure. Keys with different seeds
+/// share most of their nodes.
 Hierarchy random_key(Index leaves, std::uint64_t seed);
 
-/// The same, refined around one of the icosahedron's vertices, \p place from 0 to 11: keys of different
-/// places share few nodes.
+/// A key refined around one of the icosahedron's vertices, with \p leaves leaves plus those of closure. Keys
+/// with different places share few nodes.
+/// \param place  0 to 11
 Hierarchy local_key(Index leaves, std::size_t place);
 
 }  // namespace interleaf::bench

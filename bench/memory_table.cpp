@@ -1,13 +1,15 @@
-// The paper's appendix, "Space Requirements", beside what the same hierarchies take here; one line of JSON.
+// The table of the paper's appendix, "Space Requirements", compared with the same hierarchies here. Prints
+// one line of JSON.
 //
-// Memory depends on the numbers of roots, leaves and vertices alone, so each hierarchy has the paper's roots
-// and leaves, over whatever surface: sphere and brezel are ours, and for the bunnies a star stands in, over a
-// globe of as many triangles as the bunny has roots. (A file may be compressed, which depends on the
-// surface.) Leaves and bytes are compared, not vertices: the printed ones do not satisfy Euler's formula.
+// Memory depends only on the numbers of roots, leaves and vertices. So each hierarchy has the paper's numbers
+// of roots and leaves, over any surface: sphere and brezel are the generated ones, and a star over a globe
+// replaces the bunnies, with as many triangles as the bunny has roots. (Compressed files depend on the
+// surface as well.) The comparison uses leaves and bytes, not vertices, because the printed numbers of
+// vertices do not satisfy Euler's formula.
 //
-// Megabytes are 10^6 bytes. The paper does not say which it means, but what it lists for its non-hierarchical
-// mesh comes to its printed figures in these: 32 bytes a vertex for coordinates, normal and texture
-// coordinates, 24 a triangle for vertices and neighbours.
+// A megabyte is 10^6 bytes. The paper does not say which unit it means, but its printed figures for the
+// non-hierarchical mesh agree with this unit: 32 bytes per vertex for coordinates, normal and texture
+// coordinates, 24 bytes per triangle for vertices and neighbors.
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -63,7 +65,7 @@ Hierarchy globe() {
     return unrefined(mark_compatibly(RootComplex(north + 1, std::move(triangles))), std::move(positions));
 }
 
-/// A row of the paper's table, and the shape that is made in its place.
+/// A row of the paper's table, and the shape that replaces its model.
 struct Row {
     std::string_view model;
     Index roots;
@@ -82,7 +84,7 @@ constexpr std::array<Row, 4> table = {{
     {"brezel", 144, 128280, 17, 13, 5, brezel, brezel_surface},
 }};
 
-/// Bytes of the products that a key of its own needs for its normals.
+/// Bytes of the normal products of a single key.
 std::size_t normal_bytes(const Hierarchy& key) {
     const std::array<const Hierarchy*, 1> keys = {&key};
     return normal_form(unite(keys)).products.size() * sizeof(glm::vec3);

@@ -1,6 +1,6 @@
-// Touches so many megabytes of memory, and gives them back. On a virtual machine the host backs a page when
-// it is first touched and may take it away some time after it was freed, which costs ten times a page fault
-// of the guest's own. Run right before a measurement, this takes the host out of it.
+// Touches the given number of megabytes of memory, and frees them. On a virtual machine, the host backs a
+// page when it is first touched, and may take it away some time after it was freed. That costs ten times a
+// page fault of the guest. Running this program right before a measurement keeps the host out of it.
 #include <cstdlib>
 
 #include <sys/mman.h>

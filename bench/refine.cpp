@@ -1,6 +1,5 @@
-// Refines the icosahedron by one of the workloads and coarsens it back to its roots, each once, in memory
-// that is fresh, and prints one line of JSON. The peers in bench/peers do the same work and print the same
-// line.
+// Refines the icosahedron by one of the workloads and coarsens it back to its roots, each once, in fresh
+// memory. Prints one line of JSON. The peers in bench/peers do the same work and print the same line.
 #include <cstdlib>
 #include <vector>
 
@@ -16,7 +15,7 @@ namespace {
 
 using namespace interleaf;
 
-/// The leaves less deep than \p workload wants them.
+/// Marks the leaves that are less deep than \p workload demands.
 void mark(const AdaptiveMesh& mesh, bench::Workload workload, unsigned depth, std::vector<Index>& marks) {
     marks.clear();
     for (Index leaf = 0; leaf < mesh.leaf_bound(); ++leaf) {

@@ -1,8 +1,8 @@
-// The refinements that are timed, the same for Interleaf and for its peers.
+// The timed refinements, the same for Interleaf and for its peers.
 //
-// Each starts from the icosahedron on the unit sphere and goes on in rounds until none is left to do: every
-// leaf that lies less deep than wanted at its centroid is marked, and the mesh refined once; new vertices are
-// put on the sphere.
+// Each starts from the icosahedron on the unit sphere and proceeds in rounds until no leaf is marked. A round
+// marks every leaf that is less deep than demanded at its centroid, and refines the mesh once. New vertices
+// are placed on the sphere.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace interleaf::bench {
 
 enum class Workload {
     uniform,  ///< the same depth everywhere
-    point,    ///< deepest around the point (1, 0, 0), from there on less
-    curve,    ///< deepest along the circle z = 0.3, from there on less
+    point,    ///< deepest around the point (1, 0, 0), less deep farther away
+    curve,    ///< deepest along the circle z = 0.3, less deep farther away
 };
 
 inline std::optional<Workload> workload_named(std::string_view name) {
@@ -25,8 +25,8 @@ inline std::optional<Workload> workload_named(std::string_view name) {
     return std::nullopt;
 }
 
-/// The level wanted at the centroid (\p x, \p y, \p z) of a leaf: \p depth where the workload is deepest, and
-/// two less (half the length of an edge) for each doubling of the distance beyond \p core.
+/// The level demanded at the centroid (\p x, \p y, \p z) of a leaf: \p depth where the workload is deepest,
+/// and two levels less (half the edge length) for each doubling of the distance beyond \p core.
 inline double wanted_level(Workload workload, unsigned depth, double x, double y, double z) {
     if (workload == Workload::uniform) return depth;
     constexpr double core = 0.05;

@@ -1,5 +1,5 @@
 #version 330 core
-// A vertical gradient, dithered: 8 bits would show its steps as bands.
+// A vertical gradient, dithered, because 8 bits would show its steps as bands.
 
 in float height;
 
@@ -15,7 +15,7 @@ float noise(vec2 pixel) {
 
 void main() {
     vec3 light = mix(bottom, top, height * height * (3.0 - 2.0 * height));
-    // About the light of one step of the sRGB encoding, which is nearly a square root.
+    // The approximate light of one step of the sRGB encoding, which is nearly a square root.
     vec3 step_of_light = 2.0 * sqrt(light) / 255.0;
     color = vec4(light + noise(gl_FragCoord.xy) * step_of_light, 1.0);
 }

@@ -1,7 +1,7 @@
 #version 330 core
-// Colour by leaf, by a field or by the place in the root, light, and edges of constant width in pixels.
-// Defined by the renderer: EDGES and CHECKER, 1 where they are drawn, behind surface.geom then; FIELD as in
-// surface.vert.
+// Colors the surface by leaf, by a field or by the place in the root, lights it, and draws edges of constant
+// width in pixels. The renderer defines EDGES and CHECKER, which are 1 if edges or the checkerboard are drawn
+// (this shader then follows surface.geom), and FIELD as in surface.vert.
 
 #if EDGES || CHECKER
 in Surface {
@@ -24,15 +24,15 @@ in Corner {
 } surface;
 
 uniform bool flat_shading;
-uniform int coloring;             // 0 plain, 1 by level, 2 by origin; FIELD and CHECKER go before
+uniform int coloring;             // 0 plain, 1 by level, 2 by origin; FIELD and CHECKER take precedence
 uniform bool show_wireframe;
 uniform bool show_refinement_edges;
 uniform bool show_root_edges;
-uniform float line_width;         // pixels
-uniform usamplerBuffer leaf_data; // x the tag; y which corners touch root edges, above: its origin's place
+uniform float line_width;         // in pixels
+uniform usamplerBuffer leaf_data; // x: tag; y: bits 0-2 corners on root edges, above: place of its origin
 uniform samplerBuffer palette;    // linear light
 #if FIELD == 1
-uniform vec2 value_range;         // what has a colour of its own
+uniform vec2 value_range;         // values outside get the color of the nearer end
 uniform vec3 placing;             // base, factor and offset of a value's place in the palette, 0 to 1
 #endif
 
@@ -50,13 +50,13 @@ const vec3 wire_color = vec3(0.012, 0.014, 0.020);
 const vec3 refinement_color = vec3(0.90, 0.10, 0.03);
 const vec3 root_color = vec3(0.92, 0.95, 1.00);
 
-// Normalises without under- or overflow; the zero vector stays zero.
+// Normalizes without underflow or overflow; the zero vector stays zero.
 vec3 direction(vec3 v) {
     float largest = max(abs(v.x), max(abs(v.y), abs(v.z)));
     return largest > 0.0 ? normalize(v / largest) : vec3(0.0);
 }
 
-// Towards the viewer.
+// The normal that points towards the viewer.
 vec3 shading_normal() {
     vec3 face = cross(dFdx(surface.position), dFdy(surface.position));
     vec3 smoothed = gl_FrontFacing ? surface.normal : -surface.normal;
@@ -88,8 +88,8 @@ vec3 square_wave(vec3 x, vec3 width) {
     return wave * clamp(2.0 - 2.0 * width, 0.0, 1.0);
 }
 
-// Triangles of two colours. Each edge of a root is lined by cells of one colour on both sides, so the pattern
-// does not show how roots are marked.
+// Triangles of two colors. Along each edge of a root, the cells on both sides have one color, so the pattern
+// does not show how the roots are marked.
 vec3 checker_color() {
     vec3 x = cells * surface.in_root;
     vec3 waves = square_wave(x, max(fwidth(x), 1e-20));
@@ -109,7 +109,7 @@ vec3 lit(vec3 albedo, vec3 normal) {
     diffuse += fill_light * max(dot(normal, fill_direction), 0.0);
     float gloss = max(dot(normal, normalize(key_direction + to_viewer)), 0.0);
     for (int i = 0; i < 5; ++i) gloss *= gloss;  // to the power of 32
-    // A highlight would falsify colours that mean something.
+    // A highlight would falsify colors that have a meaning.
     float shine = coloring == 0 ? 0.06 : 0.015;
     return albedo * (ambient + diffuse) + shine * gloss * key_light;
 }
@@ -117,11 +117,11 @@ vec3 lit(vec3 albedo, vec3 normal) {
 #if EDGES
 vec3 flags(uint bits) { return vec3(bits & 1u, (bits >> 1) & 1u, (bits >> 2) & 1u); }
 
-// Where the fragment is in its triangle, in pixels. Measured by derivatives of the barycentric coordinates,
-// which, unlike corners projected to the window, are right also where a corner is behind the viewer.
+// The place of the fragment in its triangle, in pixels. It is computed from derivatives of the barycentric
+// coordinates, which are correct even if a corner is behind the viewer, unlike corners projected to the window.
 struct Place {
-    vec3 rise;        // of each coordinate in a pixel: the inverse of the triangle's height
-    vec3 to_edges;    // opposite each corner
+    vec3 rise;        // of each coordinate per pixel: the inverse of the triangle's height
+    vec3 to_edges;    // distances to the edges opposite each corner
     vec3 to_corners;
 };
 
@@ -132,7 +132,7 @@ Place place_in_triangle() {
     Place place;
     place.rise = max(sqrt(x * x + y * y), 1e-20);
     place.to_edges = abs(b) / place.rise;
-    // Cramer's rule; the bound keeps a sliver of no area finite.
+    // Cramer's rule; the bound keeps the result finite for a sliver of no area.
     mat2 adjugate = mat2(y.y, -x.y, -y.x, x.x);
     float determinant = max(abs(x.x * y.y - y.x * x.y), 1e-30);
     place.to_corners.x = length(adjugate * (b.xy - vec2(1.0, 0.0))) / determinant;
@@ -141,22 +141,22 @@ Place place_in_triangle() {
     return place;
 }
 
-// How much of the fragment lines of this width cover whose middles are at these distances, 0 to 1.
+// The fraction (0 to 1) of the fragment that lines of this width cover if their middles are at these distances.
 vec3 coverage(vec3 distances, float width) {
     return 1.0 - smoothstep(0.5 * width - 0.6, 0.5 * width + 0.6, distances);
 }
 
 float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
-// The lines of a triangle darken at most this part of it: they fade as their triangle shrinks, so that on a
-// dense mesh the shape does not drown.
+// Lines fade as their triangle shrinks, so that they do not hide the shape of a dense mesh: they cover at
+// most a fixed fraction of the triangle.
 float fade(vec3 rise, vec3 shown) {
-    const float most = 0.35;
-    return min(1.0, most / (line_width * dot(rise, shown)));
+    const float max_fraction = 0.35;
+    return min(1.0, max_fraction / (line_width * dot(rise, shown)));
 }
 
-// Edges of the roots are light with a dark rim, so that they stand out from every colour. They are wider than
-// small triangles: a triangle that only touches one draws its share of the line, too.
+// Root edges are light with a dark rim, so that they stand out from every color. They are wider than small
+// triangles, so a triangle that only touches a root edge also draws its share of the line.
 vec3 with_root_edges(vec3 light, uvec2 leaf, Place place) {
     vec3 edges = flags(leaf.x >> 7);
     vec3 corners = flags(leaf.y);
@@ -167,7 +167,7 @@ vec3 with_root_edges(vec3 light, uvec2 leaf, Place place) {
     return mix(mix(light, wire_color, largest(rim)), root_color, largest(core));
 }
 
-// Edges of all leaves, above them refinement edges, above them edges of the roots.
+// Leaf edges, refinement edges above them, and root edges on top.
 vec3 with_edges(vec3 light, uvec2 leaf) {
     const vec3 refinement = vec3(1.0, 0.0, 0.0);
     Place place = place_in_triangle();

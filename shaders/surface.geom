@@ -1,7 +1,7 @@
 #version 330 core
 // Gives each corner its barycentric coordinates in the leaf, from which the fragment shader finds the edges
-// (single-pass wireframe, after Baerentzen et al. 2006), and with CHECKER those in the root: a vertex has
-// others in each root that it belongs to. FIELD as in surface.vert.
+// (single-pass wireframe, after Baerentzen et al. 2006). With CHECKER it also gives the coordinates in the
+// root, which differ between the roots that share a vertex. FIELD as in surface.vert.
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
@@ -31,16 +31,16 @@ out Surface {
 } surface;
 
 #if CHECKER
-uniform usamplerBuffer leaf_data;   // x the tag
-uniform usamplerBuffer leaf_paths;  // bit n of the 64 is the child taken at level n
+uniform usamplerBuffer leaf_data;   // x: tag
+uniform usamplerBuffer leaf_paths;  // bit n of 64 is the child taken at level n
 
-// Level map (paper, equation (1)): where a point of a child is in its parent. Halving is exact, and so is
-// the sum of what is halved less than 24 times: down to level 48 these are the coordinates without error.
+// Level map (paper, equation (1)): the coordinates in the parent of a point in a child. Halving is exact, and
+// so is a sum of numbers that were halved less than 24 times. So the coordinates are exact down to level 48.
 vec3 in_parent(vec3 b, bool second) {
     return second ? vec3(b.y, 0.5 * b.x + b.z, 0.5 * b.x) : vec3(b.z, 0.5 * b.x, 0.5 * b.x + b.y);
 }
 
-// The corners of the leaf in its root.
+// The coordinates of the leaf's corners in its root.
 mat3 corners_in_root() {
     uvec2 path = texelFetch(leaf_paths, gl_PrimitiveIDIn).xy;
     mat3 corners = mat3(1.0);

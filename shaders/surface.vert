@@ -1,7 +1,7 @@
 #version 330 core
 // The morph: the weighted sum of the keys' positions, and the normal as a quadratic form in the weights.
-// A field, where it is shown, is the weighted sum of the keys' values. Defined by the renderer: KEY_COUNT;
-// FIELD, the components of the field, 0 where none is shown.
+// A shown field is the weighted sum of the keys' values. The renderer defines KEY_COUNT, and FIELD, the
+// number of components of the shown field, 0 for none.
 
 layout(location = 0) in vec3 position[KEY_COUNT];
 layout(location = 4) in vec3 product[KEY_COUNT * (KEY_COUNT + 1) / 2];
@@ -10,10 +10,10 @@ uniform mat4 view;
 uniform mat4 projection;
 uniform float weights[KEY_COUNT];
 #if FIELD
-uniform samplerBuffer field_values;  // those of a vertex together, key after key; colours in linear light
+uniform samplerBuffer field_values;  // vertex after vertex, key after key; colors in linear light
 #endif
 
-// In the camera's coordinates; the normal is not normalised, so that it interpolates by area and may be zero.
+// In the camera's coordinates. The normal is not normalized, so it interpolates by area and may be zero.
 out Corner {
     vec3 position;
     vec3 normal;

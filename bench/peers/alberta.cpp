@@ -1,10 +1,11 @@
 // Peer ALBERTA 3 (A. Schmidt, K. G. Siebert, Design of Adaptive Finite Element Software, Springer 2005): its
 // own bisection of a triangle mesh in space, timed on the workloads of bench/workload.h, and its own
-// coarsening back to the icosahedron. Prints one line of JSON, where bytes_per_leaf is by how much refinement
-// has made the resident memory grow; ends with 1 when the mesh is not what it has to be.
+// coarsening back to the icosahedron. Prints one line of JSON, where bytes_per_leaf is the growth of the
+// resident memory by refinement. Ends with status 1 if the mesh is wrong.
 //
-// Nothing is added to what ALBERTA does by itself: no finite elements, no vectors. It finds positions on its
-// way down from the macro triangulation, projected ones in EL::new_coord; refine() always numbers vertices.
+// The program adds nothing to ALBERTA's own work: no finite elements, no vectors. ALBERTA computes positions
+// on its way down from the macro triangulation, and projected positions in EL::new_coord. refine() always
+// numbers vertices.
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -42,7 +43,7 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Bytes of this process that lie in memory now.
+/// Resident bytes of this process.
 double resident_bytes() {
     double total = 0, resident = 0;
     std::ifstream("/proc/self/statm") >> total >> resident;
@@ -60,7 +61,8 @@ void put_on_sphere(REAL_D point, const EL_INFO*, const REAL_B) {
 
 NODE_PROJECTION sphere{put_on_sphere};
 
-/// Slot 0 of a macro element is the projection of every new vertex in it, the others are for its edges alone.
+/// Slot 0 of a macro element is the projection of every new vertex in it, the other slots are for its edges
+/// alone.
 NODE_PROJECTION* projection_of(MESH*, MACRO_EL*, int slot) {
     return slot == 0 ? &sphere : nullptr;
 }
@@ -76,7 +78,7 @@ MESH* icosahedron() {
         put_on_sphere(data->coords[corner], nullptr, nullptr);
     }
     for (int root = 0; root < root_count; ++root) {
-        // ALBERTA's refinement edge is that of the local vertices 0 and 1.
+        // ALBERTA's refinement edge connects the local vertices 0 and 1.
         for (int i = 0; i < 3; ++i) data->mel_vertices[3 * root + i] = roots[root][(i + 1) % 3];
     }
     compute_neigh_fast(data);
@@ -94,7 +96,8 @@ void for_each_leaf(MESH* mesh, FLAGS filled, Visit visit) {
     free_traverse_stack(stack);
 }
 
-/// Marks the leaves less deep than \p workload wants them for one bisection; false if there is none.
+/// Marks the leaves that are less deep than \p workload demands for one bisection.
+/// \return false if there is none
 bool mark_for_refinement(MESH* mesh, Workload workload, unsigned depth) {
     bool any = false;
     for_each_leaf(mesh, FILL_COORDS, [&](const EL_INFO& leaf) {
@@ -133,8 +136,8 @@ double coarsen_to_roots(MESH* mesh) {
     return seconds;
 }
 
-/// The Euler number, counted from the leaves; fails unless each edge joins two leaves that have the same ends
-/// of it in opposite order, and all vertices are on the sphere.
+/// The Euler number, counted from the leaves. Fails unless each edge joins two leaves that have its ends in
+/// opposite order, and all vertices are on the sphere.
 long checked_euler_number(MESH* mesh) {
     const DOF_ADMIN* numbering = get_vertex_admin(mesh, ADM_FLAGS_DFLT);
     const int at = numbering->n0_dof[VERTEX];
@@ -150,7 +153,7 @@ long checked_euler_number(MESH* mesh) {
             if (other == nullptr || !IS_LEAF_EL(other) ||
                 vertex(leaf.el, i + 1) != vertex(other, opposite + 2) ||
                 vertex(leaf.el, i + 2) != vertex(other, opposite + 1))
-                fail("two neighbours do not fit");
+                fail("two neighbors do not fit");
             ++sides;
             auto seen = met[static_cast<std::size_t>(vertex(leaf.el, i))];
             if (!seen) ++vertices;
@@ -179,10 +182,10 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: %s uniform|point|curve DEPTH (at most 24)\n", argv[0]);
         return 2;
     }
-    // refine() mostly copies one array to another. malloc puts them 20 KiB and 16 bytes apart, for copying
-    // the worst of distances (4 KiB aliasing); on pages of their own refine() is up to twice as fast.
+    // refine() mostly copies one array to another. malloc places them 20 KiB and 16 bytes apart, the worst
+    // possible distance for copying (4 KiB aliasing). On pages of their own, refine() is up to twice as fast.
     mallopt(M_MMAP_THRESHOLD, 8 * 1024);
-    open_msg_file("/dev/null", "w");  // standard output is for the one line
+    open_msg_file("/dev/null", "w");  // standard output is only for the one line
     MESH* mesh = icosahedron();
     const double bytes_before = resident_bytes();
     const double refine_seconds = refine_to(mesh, *workload, *depth);

@@ -1,11 +1,12 @@
-// What one does without a common hierarchy: to blend two surfaces with different meshes, the vertices of one
-// mesh are located on the other by closest point, with CGAL's AABB tree (Alliez, Tayeb, Wormser), and carry
-// the blend on their own mesh. Measured beside the union: time, and distance from the true blend.
+// The alternative without a common hierarchy. To blend two surfaces with different meshes, the vertices of
+// one mesh are located on the other by closest point, with CGAL's AABB tree (Alliez, Tayeb, Wormser), and
+// carry the blend on their own mesh. The comparison with the union covers time and distance from the true
+// blend.
 //
-// Two pairs of keys, each of N leaves (the argument, 20,000 if left out). Two ways to locate: on the unit
-// sphere, where both keys have the points their vertices were made from, a common parametrisation that one
-// is seldom given; and in space, from surface to surface. The true blend is that of the two formulas, over
-// the sphere.
+// There are two pairs of keys, each with N leaves (the argument; 20,000 by default), and two ways to locate.
+// One is on the unit sphere, where both keys have the points that their vertices were made from, a common
+// parametrization that is rarely available. The other is in space, from surface to surface. The true blend is
+// that of the two formulas, over the sphere.
 //
 // Prints one line of JSON. Errors are fractions of the diagonal of the true blend's box.
 #include <algorithm>
@@ -37,13 +38,13 @@ using namespace interleaf::bench;
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
-/// A plain surface with one that has features, and two with features in different places.
+/// A plain surface with one that has features, and two surfaces with features in different places.
 constexpr std::array<std::pair<const char*, const char*>, 2> pairs_of_shapes = {
     {{"sphere", "star"}, {"star", "bone"}}};
 constexpr int repetitions = 5;
 constexpr Index truth_leaves = 200000;
 
-/// A key as its user sees it, and the points of the unit sphere that its vertices were made from.
+/// A key as a plain mesh, and the points of the unit sphere that its vertices were made from.
 struct KeyMesh {
     Mesh surface;
     Points sphere;
@@ -60,7 +61,8 @@ double median_seconds(const std::function<void()>& measured) {
     return seconds[repetitions / 2];
 }
 
-/// The sphere's points of the vertices of a union, as make_key() makes them: middles of edges, pushed out.
+/// The points of the sphere for the vertices of a union, as make_key() makes them: midpoints of edges,
+/// projected.
 Points sphere_points(const UnionMesh& mesh) {
     const Hierarchy roots = unit_sphere.roots();
     Points points;
@@ -79,8 +81,8 @@ KeyMesh key_mesh(const Hierarchy& key) {
             sphere_points(mesh)};
 }
 
-/// For each of \p queries, the point of \p surface where its location on \p located_on lies; both have the
-/// same triangles.
+/// For each of \p queries, the point of \p surface at the place of its location on \p located_on; both have
+/// the same triangles.
 Points carried_over(const Points& queries, const ClosestSurface& located_on, const Mesh& surface) {
     Points carried;
     carried.reserve(queries.size());
@@ -98,7 +100,7 @@ Mesh blended(const std::vector<Triangle>& triangles, const Points& first, const 
     return mesh;
 }
 
-/// The blend of the two formulas, on the union of keys of many leaves.
+/// The blend of the two formulas, on the union of keys with many leaves.
 class Truth {
   public:
     Truth(const Shape& first, const Shape& second) {
@@ -133,7 +135,8 @@ struct Located {
     std::array<Method, 2> methods;  ///< the blend on the first key's mesh, and on the second's
 };
 
-/// Locates the vertices of each key on the other: those points of either that \p place gives.
+/// Locates the vertices of each key on the other key.
+/// \param place  the points of a key to use
 Located locate(const KeyMesh& first, const KeyMesh& second, const Points& (*place)(const KeyMesh&),
                std::array<const char*, 2> names) {
     std::optional<ClosestSurface> on_first;
@@ -158,7 +161,7 @@ Json to_json(const Error& error) {
     return {{"largest", error.largest}, {"root_mean_square", error.root_mean_square}};
 }
 
-/// The union of the keys, its time into \p figures.
+/// The union of the keys; writes its time to \p figures.
 Method united(const Hierarchy& first, const Hierarchy& second, Json& figures) {
     const std::array keys = {&first, &second};
     UnionMesh mesh;

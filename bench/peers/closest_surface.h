@@ -1,5 +1,5 @@
-// A triangle mesh that finds closest points, with CGAL's AABB tree (P. Alliez, S. Tayeb, C. Wormser), and how
-// far another mesh is from it.
+// A triangle mesh that finds closest points, with CGAL's AABB tree (P. Alliez, S. Tayeb, C. Wormser), and the
+// distance of another mesh from it.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct Mesh {
     Points points;
 };
 
-/// The tree refers to the triangles, so a surface stays where it is.
+/// A mesh with its tree. The tree refers to the triangles, so the object must not move.
 class ClosestSurface {
     using Kernel = CGAL::Simple_cartesian<double>;
     using Triangles = std::vector<Kernel::Triangle_3>;
@@ -40,7 +40,8 @@ class ClosestSurface {
             triangles_.emplace_back(to_cgal(points[i]), to_cgal(points[j]), to_cgal(points[k]));
         tree_.rebuild(triangles_.cbegin(), triangles_.cend());
         tree_.accelerate_distance_queries();
-        tree_.closest_point(triangles_.front().vertex(0));  // what it puts off to the first query is done
+        // finishes the work that the tree defers to the first query
+        tree_.closest_point(triangles_.front().vertex(0));
     }
     ClosestSurface(const ClosestSurface&) = delete;
     ClosestSurface& operator=(const ClosestSurface&) = delete;
@@ -78,14 +79,14 @@ class ClosestSurface {
     Tree tree_;
 };
 
-/// The largest distance of samples of a mesh from a surface, and the root of their mean square by area.
+/// The maximum distance of samples of a mesh from a surface, and the root mean square distance by area.
 struct Distances {
     double largest = 0;
     double squares = 0;
     double area = 0;
 };
 
-/// Triangles are sampled at their corners and at the centroids of \p parts squared parts.
+/// Samples triangles at their corners and at the centroids of \p parts squared parts.
 inline Distances distances(const Mesh& from, unsigned parts, const ClosestSurface& to) {
     Distances result;
     for (const glm::dvec3& point : from.points) result.largest = std::max(result.largest, to.distance(point));
@@ -108,15 +109,15 @@ inline Distances distances(const Mesh& from, unsigned parts, const ClosestSurfac
     return result;
 }
 
-/// How far a mesh is from a reference, as fractions of the diagonal of the reference's box.
+/// The distance of a mesh from a reference, as fractions of the diagonal of the reference's box.
 struct Error {
     double largest;           ///< distance, in either direction
     double root_mean_square;  ///< of the distances of the reference from the mesh, by area
 };
 
-/// A surface that results are held against.
+/// The surface that results are compared with.
 class Reference {
-    // The true blend has many small triangles, a result fewer and larger ones.
+    // The true blend has many small triangles, a result has fewer and larger ones.
     static constexpr unsigned parts_of_reference = 1;
     static constexpr unsigned parts_of_result = 4;
 

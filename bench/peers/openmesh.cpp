@@ -1,12 +1,12 @@
 // Peer OpenMesh 9 (M. Botsch et al., OpenMesh: a generic and efficient polygon mesh data structure, 2002):
-// newest-vertex bisection as a user would write it on split(edge, vertex), timed on the workloads of
-// bench/workload.h. Prints one line of JSON, where bytes_per_leaf is by how much refinement has made the
-// resident memory grow; ends with 1 when the mesh is not what it has to be.
+// newest-vertex bisection as a user would write it with split(edge, vertex), timed on the workloads of
+// bench/workload.h. Prints one line of JSON, where bytes_per_leaf is the growth of the resident memory by
+// refinement. Ends with status 1 if the mesh is wrong.
 //
-// OpenMesh lets its user choose which halfedge a face refers to. Here it is the one at the refinement edge,
-// so that this takes no memory and no look-up. Coarsening is left out: it would be a collapse of edges, with
-// status attributes and garbage collection. Debian builds split() with assertions; without them and with -O3,
-// the program refines 1.3 (curve) to 1.7 times (uniform) as fast.
+// OpenMesh lets its user choose the halfedge that a face refers to. Here it is the one at the refinement
+// edge, which therefore takes no memory and no look-up. Coarsening is left out: it would be a collapse of
+// edges, with status attributes and garbage collection. Debian builds split() with assertions. Without them
+// and with -O3, the program refines 1.3 (curve) to 1.7 times (uniform) as fast.
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -48,7 +48,7 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Bytes of this process that lie in memory now.
+/// Resident bytes of this process.
 double resident_bytes() {
     double total = 0, resident = 0;
     std::ifstream("/proc/self/statm") >> total >> resident;
@@ -71,13 +71,14 @@ Mesh icosahedron() {
     return mesh;
 }
 
-/// A leaf to be bisected. Bisection leaves the handle to one of the children, of which the level tells.
+/// A leaf to be bisected. After a bisection the handle refers to one of the children, which the level
+/// reveals.
 struct Mark {
     Mesh::FaceHandle face;
     unsigned char level;
 };
 
-/// The leaves less deep than \p workload wants them.
+/// The leaves that are less deep than \p workload demands.
 std::vector<Mark> marks_of(const Mesh& mesh, Workload workload, unsigned depth) {
     std::vector<Mark> marks;
     for (const auto face : mesh.faces()) {
@@ -89,9 +90,9 @@ std::vector<Mark> marks_of(const Mesh& mesh, Workload workload, unsigned depth) 
     return marks;
 }
 
-/// Bisects \p face and its neighbour at their common refinement edge; first the neighbour at its own if that
-/// is another. The marking of the icosahedron is compatible, so after this once they have theirs in common,
-/// and each recursion is one level up.
+/// Bisects \p face and its neighbor at their common refinement edge. If the neighbor has another refinement
+/// edge, it is bisected there first. The marking of the icosahedron is compatible, so after one such
+/// bisection they share the edge, and each recursion is one level up.
 void bisect(Mesh& mesh, Mesh::FaceHandle face) {
     const auto side = mesh.halfedge_handle(face);
     const auto other_side = mesh.opposite_halfedge_handle(side);
@@ -103,9 +104,9 @@ void bisect(Mesh& mesh, Mesh::FaceHandle face) {
     const int children = static_cast<int>(mesh.n_faces());
     mesh.split(edge, mesh.add_vertex(middle.normalized()));
 
-    // Each child's refinement edge is opposite the new vertex. There split() has put the two new faces, but
-    // the two old ones at the half that is still called edge: its halfedge 0 starts at the new vertex, 1 ends
-    // there.
+    // Each child's refinement edge is opposite the new vertex. For the two new faces, split() has set it. The
+    // two old ones lie at the half that is still called edge: its halfedge 0 starts at the new vertex,
+    // halfedge 1 ends there.
     const auto out = mesh.halfedge_handle(edge, 0), in = mesh.halfedge_handle(edge, 1);
     const auto left = mesh.face_handle(out), right = mesh.face_handle(in);
     mesh.set_halfedge_handle(left, mesh.next_halfedge_handle(out));
@@ -128,7 +129,8 @@ double refine_to(Mesh& mesh, Workload workload, unsigned depth) {
     }
 }
 
-/// Fails unless each vertex, halfedge and face agrees with its neighbours and all vertices are on the sphere.
+/// Fails unless each vertex, halfedge and face agrees with its neighbors, and all vertices are on the
+/// sphere.
 void check(const Mesh& mesh) {
     for (const auto vertex : mesh.vertices()) {
         if (std::abs(mesh.point(vertex).norm() - 1) > 1e-5F) fail("a vertex is not on the sphere");
@@ -166,7 +168,7 @@ int main(int argc, char** argv) {
     }
     Mesh mesh = icosahedron();
     const std::size_t uniform_count = std::size_t{root_count} << *depth;
-    // Only here does a user know how large the mesh becomes.
+    // Only for this workload does a user know the size of the mesh in advance.
     if (*workload == Workload::uniform)
         mesh.reserve(uniform_count / 2 + 2, uniform_count / 2 * 3, uniform_count);
     const double bytes_before = resident_bytes();

@@ -9,9 +9,9 @@
 namespace interleaf::bench {
 namespace {
 
-/// Distance, at most, between \p key and the leaf's own triangles, divided by \p line, that have the key's
-/// values at their vertices. The difference is linear between the corners, the middles of the edges and the
-/// centroid, and zero at the corners and at the end of the line.
+/// Upper bound of the distance between \p key and the leaf's own triangles, which \p line divides and which
+/// have the key's values at their vertices. The difference is linear between the corners, the midpoints of
+/// the edges and the centroid, and zero at the corners and at the end of the line.
 double loss_in_leaf(const RedGreenKey& key, const KeyOverNode& over, unsigned line) {
     const auto at = [&](const glm::dvec3& b) { return point_over(key, over, b); };
     std::array<glm::dvec3, 3> corner_points;
@@ -48,7 +48,7 @@ ClosedAgain closed_again(std::span<const RedGreenKey> keys) {
     result.forest.close();
     result.added_splits = split_count(result.forest) - united;
     result.triangles = mesh_of(result.forest).size();
-    result.largest_loss.resize(keys.size());
+    result.max_loss.resize(keys.size());
     visit_nodes(result.forest, keys, [&](Index node, std::span<const KeyOverNode> over) {
         if (result.forest.is_split(node)) return;
         const unsigned line = result.forest.green_line(node);
@@ -56,7 +56,7 @@ ClosedAgain closed_again(std::span<const RedGreenKey> keys) {
         for (std::size_t key = 0; key < keys.size(); ++key) {
             if (!over[key].is_cut() || over[key].line == line) continue;
             is_lost = true;
-            double& largest = result.largest_loss[key];
+            double& largest = result.max_loss[key];
             largest = std::max(largest, loss_in_leaf(keys[key], over[key], line));
         }
         if (is_lost) ++result.leaves_with_loss;

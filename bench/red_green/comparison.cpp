@@ -23,7 +23,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// As in make_key(): the surface may be this much farther off between the samples than at them.
+/// As in make_key(): between the samples, the distance to the surface may exceed the one at the samples by
+/// this fraction.
 constexpr double sampling_margin = 0.1;
 
 /// As in make_key(): the diagonal of the surface's box, from samples.
@@ -42,12 +43,12 @@ double box_diagonal(Surface surface) {
     return glm::distance(low, high);
 }
 
-double least_tolerance(std::size_t most_leaves, const std::function<std::size_t(double)>& leaves) {
+double min_tolerance(std::size_t max_leaves, const std::function<std::size_t(double)>& leaves) {
     double too_small = 1e-5;
     double enough = 0.1;
     while (enough > too_small * 1.001) {
         const double middle = std::sqrt(too_small * enough);
-        (leaves(middle) <= most_leaves ? enough : too_small) = middle;
+        (leaves(middle) <= max_leaves ? enough : too_small) = middle;
     }
     return enough;
 }
@@ -65,8 +66,8 @@ std::size_t total(std::span<const std::size_t> counts) {
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
-/// How far the area of a union with the positions of \p key, its key at \p place, is from the key's own, as a
-/// fraction.
+/// The relative difference between the area of a union with the positions of \p key, its key at \p place, and
+/// the key's own area.
 double area_difference(const UnionMesh& mesh, std::size_t place, const Hierarchy& key) {
     std::vector<Triangle> leaves;
     leaves.reserve(key.leaf_count());
@@ -77,7 +78,7 @@ double area_difference(const UnionMesh& mesh, std::size_t place, const Hierarchy
     return std::abs(here / own - 1);
 }
 
-/// The overlay must be a closed manifold and have each key's area: what the page claims of it.
+/// Checks what the documentation claims: the overlay is a closed manifold and has each key's area.
 Json checks(const Overlay& overlay, std::span<const Triangle> triangles, std::span<const RedGreenKey> keys) {
     double largest = 0;
     for (std::size_t key = 0; key < keys.size(); ++key) {
@@ -142,12 +143,12 @@ Hierarchy Subject::bisected(double tolerance) const {
 }
 
 double Subject::red_green_tolerance(std::size_t leaves) {
-    return least_tolerance(leaves,
-                           [&](double tolerance) { return mesh_of(red_green(tolerance).forest).size(); });
+    return min_tolerance(leaves,
+                         [&](double tolerance) { return mesh_of(red_green(tolerance).forest).size(); });
 }
 
 double Subject::bisection_tolerance(std::size_t leaves) const {
-    return least_tolerance(leaves, [&](double tolerance) { return bisected(tolerance).leaf_count(); });
+    return min_tolerance(leaves, [&](double tolerance) { return bisected(tolerance).leaf_count(); });
 }
 
 std::vector<RedGreenKey> red_green_keys(std::span<Subject* const> subjects,
@@ -173,7 +174,7 @@ Json red_green_figures(std::span<Subject* const> subjects, std::span<const doubl
     const ClosedAgain closed = closed_again(keys);
     Json losses = Json::array();
     for (std::size_t i = 0; i < keys.size(); ++i)
-        losses.push_back(closed.largest_loss[i] / subjects[i]->diagonal());
+        losses.push_back(closed.max_loss[i] / subjects[i]->diagonal());
     return {{"tolerances", tolerances},
             {"key_leaves", leaves},
             {"sum_of_key_leaves", total(leaves)},
@@ -196,9 +197,9 @@ Json bisection_figures(std::span<Subject* const> subjects, std::span<const doubl
     const UnionMesh mesh = unite(pointers);
     std::set<int> own_keys;
     for (const KeySet origin : mesh.origins) own_keys.insert(std::popcount(origin));
-    double largest_difference = 0;
+    double max_difference = 0;
     for (std::size_t i = 0; i < keys.size(); ++i)
-        largest_difference = std::max(largest_difference, area_difference(mesh, i, keys[i]));
+        max_difference = std::max(max_difference, area_difference(mesh, i, keys[i]));
     const auto of_no_key = std::count_if(
         mesh.vertices.begin(), mesh.vertices.end(),
         [](const VertexOrigin& vertex) { return vertex.edge[0] != no_index && vertex.keys == 0; });
@@ -213,7 +214,7 @@ Json bisection_figures(std::span<Subject* const> subjects, std::span<const doubl
             {"checks",
              {{"closed_manifold", is_closed_manifold(mesh.triangles)},
               {"euler_number", euler_number(mesh.triangles)},
-              {"largest_difference_of_area_from_a_key", largest_difference}}}};
+              {"largest_difference_of_area_from_a_key", max_difference}}}};
 }
 
 }  // namespace interleaf::bench

@@ -1,5 +1,5 @@
-// The two unions that the same surfaces need: keys by bisection and by red-green refinement, over the same
-// roots and refined by the same error.
+// The two unions that the same surfaces need: of keys by bisection and of keys by red-green refinement, over
+// the same roots and refined by the same error.
 #pragma once
 
 #include <memory>
@@ -15,23 +15,23 @@
 
 namespace interleaf::bench {
 
-/// A surface with everything that is measured on it only once.
+/// A surface with all data that are measured on it only once.
 class Subject {
   public:
-    /// \param shape  the name of a shape that is no icosahedron
+    /// \param shape  the name of a shape other than the icosahedron
     Subject(RedComplex& complex, std::string_view shape);
 
     std::string_view name() const { return shape_->name; }
 
-    /// Of the surface's box.
+    /// The diagonal of the surface's box.
     double diagonal() const { return diagonal_; }
 
-    /// No leaf farther from its part of the surface than \p tolerance times the diagonal, less make_key()'s
-    /// margin.
+    /// The key whose leaves are within \p tolerance times the diagonal of their parts of the surface, less
+    /// make_key()'s margin.
     RedGreenKey red_green(double tolerance);
     Hierarchy bisected(double tolerance) const;
 
-    /// Smallest tolerance, to a thousandth of it, whose key has at most \p leaves leaves.
+    /// The minimum tolerance, to a relative 1/1000, whose key has at most \p leaves leaves.
     double red_green_tolerance(std::size_t leaves);
     double bisection_tolerance(std::size_t leaves) const;
 
@@ -50,7 +50,7 @@ std::vector<RedGreenKey> red_green_keys(std::span<Subject* const> subjects,
                                         std::span<const double> tolerances);
 std::vector<Hierarchy> bisected_keys(std::span<Subject* const> subjects, std::span<const double> tolerances);
 
-/// Both unions of the same subjects, as numbers.
+/// The figures of both unions of the same subjects.
 nlohmann::ordered_json red_green_figures(std::span<Subject* const> subjects,
                                          std::span<const double> tolerances);
 nlohmann::ordered_json bisection_figures(std::span<Subject* const> subjects,

@@ -16,7 +16,7 @@ constexpr float row_height = 1.95F;
 /// The root triangles that each of the two keys refines.
 const std::array<std::vector<Index>, 2> refined = {{{0}, {2, 5}}};
 
-/// A hexagon of six triangles. Neighbours in pairs share their refinement edge.
+/// A hexagon of six triangles, where pairs of neighbors share their refinement edge.
 Hierarchy hexagon() {
     std::vector<glm::vec3> positions;
     for (int corner = 0; corner < 6; ++corner) {
@@ -40,7 +40,7 @@ glm::dvec3 mean(const glm::dvec3& a, const glm::dvec3& b) {
     return (a + b) / 2.0;
 }
 
-/// The bisected key that has the midpoints of all edges of \p refined_roots, no two of them neighbours.
+/// The bisected key with the midpoints of all edges of \p refined_roots, no two of which are neighbors.
 Hierarchy bisected(const Hierarchy& roots, const std::vector<Index>& refined_roots) {
     AdaptiveMesh mesh(roots.roots, roots.positions);
     for (const Index root : refined_roots) {

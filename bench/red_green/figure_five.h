@@ -1,4 +1,4 @@
-// The paper's figure 5, drawn out: two keys of six flat triangles around a vertex, refined in different
+// The paper's figure 5 as a drawing: two keys of six flat triangles around a vertex, refined in different
 // places, and the union that they need, with 4-1 splits and with bisection.
 #pragma once
 

@@ -5,7 +5,7 @@
 namespace interleaf::bench {
 namespace {
 
-/// Barycentric coordinates of the corners of child \p child in its parent, a column each.
+/// Barycentric coordinates in the parent of the corners of child \p child, one column per corner.
 glm::dmat3 corners_of_child(unsigned child) {
     glm::dmat3 corners(0);
     for (unsigned d = 0; d < 3; ++d) {

@@ -32,8 +32,8 @@ LeafKind kind_of(std::span<const KeyOverNode> over, const Lines& lines) {
     return is_across ? LeafKind::across : LeafKind::green;
 }
 
-/// Adds leaves and their vertices to an overlay. Keys agree on an edge of a leaf from both its sides, so a
-/// vertex gets its positions where it is met first.
+/// Adds leaves and their vertices to an overlay. The keys agree on an edge of a leaf from both sides, so a
+/// vertex gets its positions at its first visit.
 class Builder {
   public:
     Builder(Overlay& overlay, std::span<const RedGreenKey> keys) : overlay_(overlay), keys_(keys) {}

@@ -1,13 +1,13 @@
-// The overlay of red-green keys: the coarsest conforming mesh on which each of them is linear in every
-// triangle. It is to red-green keys what the union (src/hierarchy/union_mesh.h) is to bisected ones.
+// The overlay of red-green keys: the coarsest conforming mesh on which each key is linear in every triangle.
+// It is to red-green keys what the union (src/hierarchy/union_mesh.h) is to bisected keys.
 //
-// A leaf of the union of the red forests is divided by the green lines of the keys over it. Each is a median
-// of the leaf: its own key's where the leaf is one, or the line of a larger leaf, which runs through the red
-// triangles inside along their medians. So a key divides a leaf once at most, and several keys leave it as it
-// is, or halve it, or divide it by two or three medians that cross in the centroid.
+// The green lines of the keys divide the leaves of the union of the red forests. Each line is a median of the
+// leaf: the line of a key that has the same leaf, or the line of a larger leaf, which passes through the red
+// triangles inside along their medians. So each key divides a leaf at most once. Several keys leave a leaf
+// undivided, halve it, or divide it by two or three medians that cross in the centroid.
 //
-// The centroid is no vertex of any red-green mesh over these roots: all of those have dyadic barycentric
-// coordinates, and it has thirds. Splitting red once more does not help: the two medians cross again in
+// The centroid is no vertex of any red-green mesh over these roots: their vertices have dyadic barycentric
+// coordinates, but the centroid has thirds. Another red split does not help: the two medians cross again in
 // the middle child. So the overlay is not a red-green hierarchy, and no red-green hierarchy represents the
 // keys.
 #pragma once
@@ -21,11 +21,11 @@
 
 namespace interleaf::bench {
 
-/// What the green lines of the keys do to a leaf of the united red forest.
+/// How the green lines of the keys divide a leaf of the united red forest.
 enum class LeafKind {
     plain,     ///< no line
-    green,     ///< halved by a line whose keys all have the leaf as a leaf: as in one key alone
-    across,    ///< halved by a line that comes from a larger leaf, which another key splits
+    green,     ///< halved by a line, and all keys with the line have the leaf as a leaf, as in a single key
+    across,    ///< halved by a line of a larger leaf, which another key splits
     crossing,  ///< two lines, five triangles
     triple,    ///< three lines, six triangles
 };
@@ -51,7 +51,7 @@ struct Overlay {
     std::size_t vertex_count() const { return positions.front().size(); }
 };
 
-/// \pre the keys are over one red complex, and at least one
+/// \pre  there is at least one key, and all are over one red complex
 Overlay overlay(std::span<const RedGreenKey> keys);
 
 std::vector<Triangle> triangles_of(const Overlay& overlay);

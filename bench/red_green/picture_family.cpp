@@ -7,7 +7,7 @@
 namespace interleaf::bench {
 namespace {
 
-/// The keys, in the order of the colours that `interleaf render` gives them.
+/// The keys, in the order of the colors that `interleaf render` gives them.
 constexpr std::array<std::string_view, 4> key_names = {"across", "surface", "green", "crossing"};
 constexpr std::size_t surface_key = 1;
 
@@ -25,11 +25,11 @@ std::size_t key_of(LeafKind kind) {
     }
 }
 
-/// The root triangles of all pieces, each piece with vertices of its own, and what each key makes of them.
-/// New vertices are numbered from 0 here; the roots' come before them in the hierarchies.
+/// The root triangles of all pieces, each piece with its own vertices, and the bisections of each key. New
+/// vertices are numbered from 0 here; in the hierarchies, the root vertices come before them.
 struct Pieces {
     struct Tree {
-        std::size_t key;  ///< which bisects it
+        std::size_t key;  ///< the key that bisects it
         Triangle root;
         std::vector<Leaf> leaves;  ///< in that key; new vertices counted from first_new
     };
@@ -55,8 +55,8 @@ void add_halved(Pieces& pieces, const PicturePiece& piece, unsigned line, Index 
     pieces.trees.push_back({key_of(piece.kind), root, {{left, 1}, {right, 1}}});
 }
 
-/// One half of a leaf whose lines cross: \p root is beside the line that is its refinement edge, \p
-/// outer_child is the child that reaches the edge on which another line may end, at \p end.
+/// Adds one half of a leaf whose lines cross. \p root lies beside the line that is its refinement edge.
+/// \p outer_child is the child that reaches the edge on which another line may end, at \p end.
 void add_crossed_half(Pieces& pieces, const Triangle& root, Index centroid, unsigned outer_child,
                       const glm::vec3* end) {
     const auto children = bisect(root, centroid);

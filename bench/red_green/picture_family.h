@@ -1,9 +1,9 @@
-// Meshes as families that `interleaf render --color origin` draws with the special cases in colour.
+// Meshes as families that `interleaf render --color origin` draws with the special cases in color.
 //
-// Origin colours tell which keys bisect a leaf. So each leaf of the red forest becomes a root triangle, or
-// two where lines cross, and there is one key for each colour, which bisects the roots of that colour along
-// their lines and no others. All other leaves are grey. The keys are drawn with weight 1 each: one holds the
-// surface, the others only how far their midpoints lie from the middle of the edge.
+// Origin colors show which keys bisect a leaf. So each leaf of the red forest becomes one root triangle, or
+// two if lines cross. There is one key per color, which bisects exactly the roots of that color, along their
+// lines. All other leaves are gray. The keys are drawn with weight 1 each: one key holds the surface, the
+// others hold only the displacements of their midpoints from the middle of the edge.
 #pragma once
 
 #include <array>
@@ -18,19 +18,19 @@
 
 namespace interleaf::bench {
 
-/// A leaf with all points it may be divided at.
+/// A leaf with all points where it may be divided.
 struct PicturePiece {
     LeafKind kind = LeafKind::plain;
     std::array<glm::vec3, 3> corners{};
-    std::array<bool, 3> lines{};         ///< which medians are lines
-    std::array<glm::vec3, 3> middles{};  ///< their ends
+    std::array<bool, 3> lines{};         ///< whether each median is a line
+    std::array<glm::vec3, 3> middles{};  ///< ends of the medians
     glm::vec3 centroid{};
 };
 
-/// The leaves of \p overlay where the keys are blended by \p weights.
+/// The leaves of \p overlay with the keys blended by \p weights.
 std::vector<PicturePiece> pieces_of(const Overlay& overlay, std::span<const double> weights);
 
-/// Triangles without anything special.
+/// Plain triangles, without special cases.
 std::vector<PicturePiece> pieces_of(std::span<const Triangle> triangles,
                                     std::span<const glm::vec3> positions);
 

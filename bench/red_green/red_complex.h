@@ -1,14 +1,14 @@
 // The complex of all red splits: the triangles that 4-1 splits can make over a root complex, each made when
-// it is first asked for (paper, sections 1 and 2; Bank and Sherman 1981).
+// first requested (paper, sections 1 and 2; Bank and Sherman 1981).
 //
-// Keys over the same roots share one of these, so that a triangle, an edge and a vertex have the same number
-// in all of them; a key is the set of triangles it splits (red_forest.h). Green triangles are not in here:
-// they are what the 4-1 split does not make.
+// Keys over the same roots share one complex, so a triangle, an edge and a vertex have the same number in all
+// of them. A key is the set of triangles it splits (red_forest.h). The complex has no green triangles,
+// because 4-1 splits do not make them.
 //
-// Corners 0 to 2 of a triangle are opposite its edges 0 to 2. The children 0 to 2 lie at these corners and
-// child 3 in the middle, its corner c on edge c of its parent. So a child's edges are parallel to those of
-// the same numbers in its parent, and the median from corner c to edge c runs on as the median c of the
-// children c and 3.
+// Corners 0 to 2 of a triangle are opposite its edges 0 to 2. The children 0 to 2 lie at these corners, and
+// child 3 in the middle, with its corner c on edge c of its parent. So a child's edges are parallel to the
+// edges of the same numbers in its parent, and the median from corner c to edge c continues as the median c
+// of the children c and 3.
 #pragma once
 
 #include <array>
@@ -31,15 +31,16 @@ struct RedNode {
 struct RedEdge {
     std::array<Index, 2> ends;
     Index midpoint = no_index;      ///< no_index until it is made
-    std::array<Index, 2> halves{};  ///< at the two ends; they are made with the midpoint
+    std::array<Index, 2> halves{};  ///< at the two ends; made together with the midpoint
 };
 
-/// The vertex that a midpoint gets, from the vertices at the ends of its edge.
+/// The position of a midpoint, from the positions of the ends of its edge.
 using MiddlePoint = glm::dvec3 (*)(const glm::dvec3& a, const glm::dvec3& b);
 
 class RedComplex {
   public:
-    /// \p points holds one point a root vertex, \p middle gives those of all others.
+    /// \param points  one per root vertex
+    /// \param middle  places all other vertices
     RedComplex(const RootComplex& roots, std::vector<glm::dvec3> points, MiddlePoint middle);
 
     /// The roots are the first nodes.

@@ -1,8 +1,8 @@
 // Red-green refinement instead of bisection (paper, section 1 and figure 5): the same surfaces, the union
-// that their keys need, and what is special about it. Prints one JSON object on one line; the same on every
-// machine whose mathematical library rounds alike. docs/red-green.md explains the figures.
+// that their keys need, and its special cases. Prints one JSON object on one line. The output is the same on
+// every machine whose mathematical library rounds in the same way. docs/red-green.md explains the figures.
 //
-// With --families FOLDER it writes the families instead of which docs/draw-pictures makes that page's
+// With --families FOLDER, it writes instead the families from which docs/draw-pictures makes that page's
 // pictures.
 #include <array>
 #include <cstdio>
@@ -74,7 +74,7 @@ Json all_runs() {
     return runs;
 }
 
-/// The blend that the pictures show, coarse enough that its triangles can be told apart.
+/// The blend in the pictures, coarse enough for its triangles to be distinguishable.
 void write_families(const std::filesystem::path& folder) {
     RedComplex complex = sphere_complex();
     Subject sphere(complex, "sphere");

@@ -15,7 +15,8 @@ glm::dvec3 point_in_leaf(const RedGreenKey& key, Index leaf, const glm::dvec3& b
     glm::dvec3 part = b;
     glm::dvec3 point(0);
     if (line != no_line) {
-        // The smaller of the two coordinates beside the line goes to its end, twice: the end is their mean.
+        // The smaller of the two coordinates beside the line is transferred to the line's end, twice, because
+        // the end is their mean.
         const int left = static_cast<int>(line + 1) % 3;
         const int right = static_cast<int>(line + 2) % 3;
         const double smaller = std::min(b[left], b[right]);

@@ -1,5 +1,5 @@
-// A key made by red-green refinement: a closed red forest and the surface its vertices lie on, refined by the
-// error that make_key() in src/shapes uses for a tolerance.
+// A key made by red-green refinement: a closed red forest and the surface of its vertices. The refinement
+// uses the same error as make_key() in src/shapes does for a tolerance.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct RedGreenKey {
     RedForest forest;
     Surface surface;
 
-    /// \pre \p vertex is one of the key's
+    /// \pre  \p vertex is a vertex of the key
     glm::dvec3 position(Index vertex) const { return surface(forest.complex().point(vertex)); }
 };
 
@@ -25,22 +25,22 @@ struct RedGreenKey {
 /// its two green triangles.
 glm::dvec3 point_in_leaf(const RedGreenKey& key, Index leaf, const glm::dvec3& b);
 
-/// Errors of the leaves of keys on one surface, measured once each.
+/// Errors of the leaves of keys on one surface, each measured once.
 class LeafErrors {
   public:
     LeafErrors(const RedComplex& complex, Surface surface) : complex_(&complex), surface_(surface) {}
 
-    /// The largest LeafFit::apart of the triangles as which \p leaf is drawn.
+    /// The largest LeafFit::apart of the triangles that \p leaf is drawn as.
     double error(Index leaf, unsigned line);
 
   private:
     const RedComplex* complex_;
     Surface surface_;
-    std::vector<std::array<double, 4>> known_;  // for each node and line; negative: not yet
+    std::vector<std::array<double, 4>> known_;  // by node and line; negative if not measured yet
 };
 
-/// The key with no triangle, green or red, whose error is larger than \p most: in rounds, each of which
-/// splits the leaves that have such a triangle, and closes.
+/// The key without any triangle, green or red, whose error exceeds \p most. Works in rounds: each splits the
+/// leaves with such a triangle, and closes.
 RedGreenKey refined_to(double most, RedComplex& complex, Surface surface, LeafErrors& errors);
 
 }  // namespace interleaf::bench

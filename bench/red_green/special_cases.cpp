@@ -26,7 +26,7 @@ constexpr std::array<std::array<unsigned, 4>, 6> symmetries = {{{0, 1, 2, no_lin
                                                                 {2, 1, 0, no_line},
                                                                 {1, 0, 2, no_line}}};
 
-/// The first of all configurations that differ from \p codes by a symmetry or the order of keys.
+/// The first of all configurations that differ from \p codes by a symmetry or by the order of keys.
 Configuration canonical(const Configuration& codes) {
     Configuration first;
     for (const auto& symmetry : symmetries) {
@@ -76,7 +76,7 @@ SpecialCases special_cases(const Overlay& overlay, std::span<const RedGreenKey> 
         const bool is_split = overlay.forest.is_split(node);
         count_green_pairs(is_split, over, cases.green_pairs);
         if (is_split) {
-            // The line runs through the middle of one inner edge, whose ends lie on either side of it. That
+            // The line passes through the middle of one inner edge, whose ends lie on either side of it. That
             // middle is a vertex of the overlay: the edge's triangles are split there, or the line halves
             // them.
             cases.means_that_fail += static_cast<std::size_t>(

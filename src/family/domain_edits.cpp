@@ -39,20 +39,20 @@ double double_area(const Vertices& vertices, Index a, Index b, Index c) {
     return ab.x * ac.y - ab.y * ac.x;
 }
 
-/// \p triangle counter-clockwise and with \p vertex first.
+/// \p triangle, counter-clockwise and with \p vertex first.
 Triangle fan_triangle(const Vertices& vertices, Triangle triangle, Index vertex) {
     if (double_area(vertices, triangle[0], triangle[1], triangle[2]) < 0) std::swap(triangle[1], triangle[2]);
     std::ranges::rotate(triangle, std::ranges::find(triangle, vertex));
     return triangle;
 }
 
-/// A row of neighbours of a vertex, counter-clockwise about it; closed when they go all round.
+/// A chain of neighbors of a vertex, counter-clockwise about it; closed if the chain goes all the way round.
 struct Link {
     std::vector<Index> vertices;
     bool is_closed;
 };
 
-/// The neighbours of a vertex, one link for each fan of triangles at it.
+/// The neighbors of a vertex, one link per fan of triangles at it.
 std::vector<Link> links_of(const Vertices& vertices, const Triangles& triangles, Index vertex) {
     std::map<Index, Index> next;
     std::map<Index, Index> previous;
@@ -91,7 +91,7 @@ double longest_edge(const Vertices& vertices, const Triangle& triangle) {
     return longest;
 }
 
-/// What counts as flat: a height that ParameterDomain takes for none in a domain of these vertices.
+/// The height up to which ParameterDomain regards a triangle as flat, in a domain of these vertices.
 double flat_height(const Vertices& vertices) {
     glm::dvec2 low = vertices.front().at;
     glm::dvec2 high = low;
@@ -102,8 +102,8 @@ double flat_height(const Vertices& vertices) {
     return 1e-9 * glm::distance(low, high);
 }
 
-/// Whether \p vertex is inside \p ear, counter-clockwise, or outside by less than \p margin; with a negative
-/// one, whether it is inside by more than that.
+/// Whether \p vertex is inside \p ear, which is counter-clockwise, or outside by less than \p margin. With a
+/// negative margin: whether the vertex is inside by more than -margin.
 bool holds(const Vertices& vertices, const Triangle& ear, Index vertex, double margin) {
     for (unsigned i = 0; i < 3; ++i) {
         const Index a = ear[i];
@@ -114,10 +114,12 @@ bool holds(const Vertices& vertices, const Triangle& ear, Index vertex, double m
     return true;
 }
 
-/// Cuts ears, the roundest first, off the polygon or the row of vertices that \p link is, until no more are
-/// left; an open row keeps its ends. Ears hold neither others of its vertices nor, in an open row, \p
-/// removed. Rounding bends rows of vertices on a straight line: what is out of line by less than a flat
-/// triangle's height is in it.
+/// Cuts ears off the polygon or chain of vertices that \p link is, the roundest first, until none is left. An
+/// open chain keeps its ends.
+///
+/// An ear contains no other vertex of the link and, in an open chain, not \p removed. Rounding bends chains
+/// of vertices on a straight line, so a vertex counts as on the line if its distance is less than the height
+/// of a flat triangle.
 Triangles cut_ears(const Vertices& vertices, Link link, Index removed) {
     const double flat = flat_height(vertices);
     std::vector<Index>& row = link.vertices;
@@ -126,7 +128,7 @@ Triangles cut_ears(const Vertices& vertices, Link link, Index removed) {
     };
     const auto is_ear = [&](const Triangle& ear) {
         if (double_area(vertices, ear[0], ear[1], ear[2]) <= flat * longest_edge(vertices, ear)) return false;
-        // On a straight boundary it lies in the last ear's edge between the row's ends.
+        // On a straight boundary, the removed vertex lies in the last ear's edge between the chain's ends.
         const double margin = row.size() == 3 ? -flat : flat;
         if (!link.is_closed && holds(vertices, ear, removed, margin)) return false;
         return std::ranges::none_of(
@@ -147,11 +149,11 @@ Triangles cut_ears(const Vertices& vertices, Link link, Index removed) {
         row.erase(row.begin() + static_cast<std::ptrdiff_t>(*best));
     }
     if (link.is_closed && row.size() >= 3)
-        throw InputError("the vertex cannot be removed: its neighbours cannot be triangulated");
+        throw InputError("the vertex cannot be removed: its neighbors cannot be triangulated");
     return ears;
 }
 
-/// Without the vertices that no triangle uses; none without triangles.
+/// The domain without the vertices that no triangle uses; none if there are no triangles.
 std::optional<ParameterDomain> domain_of_used(const Vertices& vertices, Triangles triangles) {
     if (triangles.empty()) return std::nullopt;
     std::vector<Index> new_index(vertices.size(), no_index);
@@ -172,8 +174,8 @@ std::optional<ParameterDomain> domain_of_used(const Vertices& vertices, Triangle
 struct NearEdge {
     std::array<Index, 2> ends;
     double distance;
-    glm::dvec2 at;          ///< its point that is nearest
-    std::size_t triangles;  ///< it belongs to
+    glm::dvec2 at;          ///< the nearest point on the edge
+    std::size_t triangles;  ///< number of triangles with this edge
 };
 
 /// Every edge, nearest first.
@@ -197,7 +199,7 @@ std::vector<NearEdge> edges_by_distance(const Vertices& vertices, const Triangle
     return edges;
 }
 
-/// Each triangle with the edge \p ends split at the last vertex.
+/// Splits each triangle with the edge \p ends at the last vertex.
 void split_edge(Triangles& triangles, const std::array<Index, 2>& ends, Index added) {
     const std::size_t count = triangles.size();
     for (std::size_t t = 0; t < count; ++t) {
@@ -216,7 +218,8 @@ void split_triangle(Triangles& triangles, Index triangle, Index added) {
     triangles.push_back({c, a, added});
 }
 
-/// Whether a triangle of \p domain turns the other way, or none, where its vertices are those of \p moved.
+/// Whether a triangle of \p domain loses its area or reverses its orientation when the vertices move to
+/// \p moved.
 bool turns_over(const ParameterDomain& domain, const Vertices& moved) {
     const Vertices vertices = vertices_of(domain);
     return std::ranges::any_of(domain.triangles(), [&](const Triangle& t) {
@@ -226,7 +229,7 @@ bool turns_over(const ParameterDomain& domain, const Vertices& moved) {
     });
 }
 
-/// The domain with a triangle more, over the nearest boundary edge where that is valid.
+/// The domain with another triangle, over the nearest boundary edge for which the result is valid.
 ParameterDomain extended(const Vertices& vertices, const Triangles& triangles,
                          const std::vector<NearEdge>& edges, Index added) {
     for (const NearEdge& edge : edges) {
@@ -239,7 +242,7 @@ ParameterDomain extended(const Vertices& vertices, const Triangles& triangles,
             continue;  // seen from behind, or another triangle is in the way
         }
     }
-    throw InputError("from there no edge of the domain is seen");
+    throw InputError("no edge of the domain faces this point");
 }
 
 }  // namespace
@@ -275,11 +278,11 @@ ParameterDomain with_vertex_moved(const ParameterDomain& domain, Index vertex, g
 
 ParameterDomain with_vertex_added(const ParameterDomain& domain, glm::dvec2 at, std::size_t key,
                                   double snap) {
-    const DomainPoint place = domain.locate(at);  // also refuses what is not finite
+    const DomainPoint place = domain.locate(at);  // also rejects a point that is not finite
     Vertices vertices = vertices_of(domain);
     Triangles triangles = triangles_of(domain);
     for (const DomainVertex& vertex : vertices)
-        if (glm::distance(vertex.at, at) <= snap) throw InputError("there is a vertex of the domain already");
+        if (glm::distance(vertex.at, at) <= snap) throw InputError("the domain already has a vertex there");
 
     const std::vector<NearEdge> edges = edges_by_distance(vertices, triangles, at);
     const auto added = static_cast<Index>(vertices.size());

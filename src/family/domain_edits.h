@@ -1,5 +1,5 @@
-// Edits of a parameter domain (paper, section 4.2). Each gives a changed domain, which is a valid
-// triangulation of what it covers, as every ParameterDomain is.
+// Edits of a parameter domain (paper, section 4.2). Each returns a changed domain. Like every
+// ParameterDomain, the result is a valid triangulation of the region it covers.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +11,28 @@
 
 namespace interleaf {
 
-/// With \p vertex at \p to, or, where triangles would turn over or overlap, as far on the straight way there
-/// as they do not.
+/// The domain with \p vertex moved to \p to. If triangles would turn over or overlap there, the vertex stops
+/// before that on its straight path.
 ParameterDomain with_vertex_moved(const ParameterDomain& domain, Index vertex, glm::dvec2 to);
 
-/// With the last vertex, of \p key, at \p at: the triangle there is split in three; an edge nearer than \p
-/// snap, in domain units, is split together with its triangles, the vertex then lying on it; a point further
-/// outside than that gets a triangle over the boundary edge it sees nearest. \throw InputError where a vertex
-/// is nearer than \p snap, where the point is not finite, or where no valid triangulation comes of it
+/// The domain with another vertex for \p key at \p at; it becomes the last vertex.
+///
+/// An edge nearer than \p snap is split together with its triangles, so that the vertex lies on it. Otherwise
+/// the triangle around the point is split into three. A point farther outside gets a triangle over the
+/// nearest boundary edge that faces it.
+/// \param snap  a distance in domain units
+/// \throw InputError if a vertex is nearer than \p snap, if the point is not finite, or if the result is no
+///     valid triangulation
 ParameterDomain with_vertex_added(const ParameterDomain& domain, glm::dvec2 at, std::size_t key, double snap);
 
-/// With the triangles about \p vertex replaced by others of its neighbours; what only triangles at \p vertex
-/// covered, at a corner of the domain, is no longer covered. Vertices that then belong to no triangle go with
-/// it, and none is left of a domain without triangles.
-/// \throw InputError if the neighbours cannot be triangulated
+/// The domain without \p vertex: other triangles of its neighbors replace those around it. If the vertex is
+/// at a corner of the domain, the region that only its triangles covered is no longer covered. Vertices that
+/// then belong to no triangle are removed, too.
+/// \return the domain; none if it has no triangles left
+/// \throw InputError if the neighbors cannot be triangulated
 std::optional<ParameterDomain> without_vertex(const ParameterDomain& domain, Index vertex);
 
-/// With \p key at \p vertex.
+/// The domain with \p key at \p vertex.
 ParameterDomain with_vertex_key(const ParameterDomain& domain, Index vertex, std::size_t key);
 
 }  // namespace interleaf

@@ -35,8 +35,8 @@ void check_roots(const Family& family, std::vector<std::string>& violations) {
 void check_references(const Family& family, std::vector<std::string>& violations) {
     const auto check_key = [&](std::string_view place, std::size_t i, std::size_t key) {
         if (key < family.keys.size()) return;
-        violations.push_back(
-            fmt::format("{} {} names key {}, but there are only {}", place, i, key, family.keys.size()));
+        violations.push_back(fmt::format("{} {} refers to key {}, but there are only {} keys", place, i, key,
+                                         family.keys.size()));
     };
     if (family.timeline) {
         const auto keys = family.timeline->keys();

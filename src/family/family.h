@@ -27,20 +27,21 @@ struct Family {
     std::vector<Key> keys;
     std::optional<Timeline> timeline;
     std::optional<ParameterDomain> domain;
-    glm::dvec3 origin{0};  ///< that was subtracted from all positions (origin.h)
+    glm::dvec3 origin{0};  ///< the point that was subtracted from all positions (origin.h)
 };
 
-/// Index of the key called \p name; none when there is no such key.
+/// Index of the key called \p name; none if there is no such key.
 std::optional<std::size_t> find_key(const Family& family, std::string_view name);
 
-/// Every violation of what a family promises: at least one key, names unique and not empty, the same root
-/// complex (constraints (B), naming the keys), timeline and domain naming keys that exist. One sentence each.
+/// Every violation of a family's invariants, one sentence per violation. There is at least one key. Names are
+/// unique and not empty. All keys have the same root complex (constraints (B); the violation names the keys).
+/// Timeline and domain refer to existing keys.
 std::vector<std::string> check(const Family& family);
 
-/// The union of the active keys of \p weights, one position stream a weight, in their order.
+/// The union of the active keys of \p weights, with one position stream per weight, in their order.
 UnionMesh unite(const Family& family, const Weights& weights);
 
-/// The same into the buffers of \p mesh.
+/// As above, but reuses the memory of \p mesh.
 void unite(const Family& family, const Weights& weights, UnionMesh& mesh);
 
 }  // namespace interleaf

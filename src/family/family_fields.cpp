@@ -18,7 +18,7 @@ std::vector<const Hierarchy*> active_hierarchies(const Family& family, const Wei
     return active;
 }
 
-/// Widens \p field to the values of \p other.
+/// Extends the range of \p field to the values of \p other.
 void include(FamilyField& field, const Field& other) {
     const auto [least, greatest] = std::ranges::minmax_element(other.values);
     field.min = std::min(field.min, *least);

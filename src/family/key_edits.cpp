@@ -16,12 +16,12 @@ namespace interleaf {
 
 namespace {
 
-/// Of two at one time the one that is later in \p keys is the one refused.
+/// If two entries have the same time, the error names the later one in \p keys.
 void set_times(Family& family, std::vector<TimelineKey> keys) {
     std::ranges::stable_sort(keys, {}, &TimelineKey::time);
     const auto same = std::ranges::adjacent_find(keys, {}, &TimelineKey::time);
     if (same != keys.end())
-        throw InputError(fmt::format("at {:.10g} s there is the key \"{}\" already", same->time,
+        throw InputError(fmt::format("the time {:.10g} s is already taken by key \"{}\"", same->time,
                                      family.keys[same->key].name));
     family.timeline.reset();
     if (!keys.empty()) family.timeline.emplace(std::move(keys));
@@ -32,7 +32,7 @@ std::vector<TimelineKey> times_of(const Family& family) {
     return {family.timeline->keys().begin(), family.timeline->keys().end()};
 }
 
-/// Timeline and domain with the new index of each key they name.
+/// Replaces the key indices in timeline and domain by the new ones.
 void renumber_keys(Family& family, const std::function<std::size_t(std::size_t)>& new_index) {
     std::vector<TimelineKey> times = times_of(family);
     for (TimelineKey& time : times) time.key = new_index(time.key);
@@ -76,7 +76,7 @@ Family with_key_added(Family family, Key key) {
         const std::string found = difference(first.hierarchy->roots, key.hierarchy->roots);
         if (!found.empty())
             throw InputError(
-                fmt::format("key \"{}\" has other roots than \"{}\": {}", key.name, first.name, found));
+                fmt::format("key \"{}\" has different roots from \"{}\": {}", key.name, first.name, found));
     }
     family.keys.push_back(std::move(key));
     return family;
@@ -103,7 +103,7 @@ Family with_key_renamed(Family family, std::size_t key, std::string name) {
     if (name.empty()) throw InputError("a key needs a name");
     if (has_control_characters(name)) throw InputError("the name of a key holds no control characters");
     const auto same = find_key(family, name);
-    if (same && *same != key) throw InputError(fmt::format("there is a key called \"{}\" already", name));
+    if (same && *same != key) throw InputError(fmt::format("another key is already called \"{}\"", name));
     family.keys[key].name = std::move(name);
     return family;
 }

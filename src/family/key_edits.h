@@ -1,5 +1,6 @@
-// Edits of a family's keys and of their times. Each takes a family and gives the changed one; copying a
-// family copies no hierarchy. What names keys by index, timeline and domain, is kept in step.
+// Edits of a family's keys and of their times. Each takes a family and returns the changed one; copying a
+// family copies no hierarchy. Timeline and domain refer to keys by index, and the edits keep these indices
+// valid.
 #pragma once
 
 #include <cstddef>
@@ -10,36 +11,40 @@
 
 namespace interleaf {
 
-/// \p wanted, or with a number after it, so that no key of \p family is called so; "key" for an empty one.
+/// A name that no key of \p family has: \p wanted, with a number appended if it is taken. An empty \p wanted
+/// counts as "key".
 std::string unused_name(const Family& family, std::string_view wanted);
 
-/// With \p key as the last one, under a name of its own.
-/// \throw InputError if its roots are not the family's
+/// The family with \p key as its last key, under a unique name.
+/// \throw InputError if the key's roots differ from the family's
 Family with_key_added(Family family, Key key);
 
-/// With a second key of the same hierarchy, under a name of its own, just after \p key; neither on the
-/// timeline nor in the domain.
+/// The family with a second key of the same hierarchy just after \p key, under a unique name. The new key is
+/// neither on the timeline nor in the domain.
 Family with_key_duplicated(Family family, std::size_t key);
 
-/// Without \p key, its times and its domain vertices; timeline and domain go with the last of them.
-/// \throw InputError if it is the only key, or as without_vertex()
+/// The family without \p key, its times and its domain vertices. The timeline is removed with its last entry,
+/// the domain with its last triangle.
+/// \throw InputError if it is the only key, or as without_vertex() does
 Family with_key_removed(Family family, std::size_t key);
 
-/// \throw InputError if \p name is empty, taken, or holds control characters
+/// The family with \p key called \p name.
+/// \throw InputError if \p name is empty, taken, or contains control characters
 Family with_key_renamed(Family family, std::size_t key, std::string name);
 
-/// With the key \p from at the place \p to, and those between moved up or down by one.
+/// The family with the key \p from moved to the place \p to; the keys between move up or down by one.
 Family with_key_moved(Family family, std::size_t from, std::size_t to);
 
-/// With \p key at \p time, in seconds, too; it makes the timeline if there is none.
+/// The family with another timeline entry of \p key at \p time. Creates the timeline if there is none.
+/// \param time  in seconds
 /// \throw InputError if the time is taken or not finite
 Family with_time_added(Family family, std::size_t key, double time);
 
-/// With the entry \p place of the timeline at \p time; it may pass others.
+/// The family with the timeline entry \p place moved to \p time; it may pass other entries.
 /// \throw InputError if the time is taken or not finite
 Family with_time_moved(Family family, std::size_t place, double time);
 
-/// Without the entry \p place of the timeline, which goes with its last one.
+/// The family without the timeline entry \p place. The timeline is removed with its last entry.
 Family with_time_removed(Family family, std::size_t place);
 
 }  // namespace interleaf

@@ -11,7 +11,7 @@ namespace interleaf {
 
 namespace {
 
-constexpr std::size_t most_domain_keys = 9;
+constexpr std::size_t max_domain_keys = 9;
 
 void make_unique(std::vector<Key>& keys) {
     std::set<std::string> taken;
@@ -24,7 +24,7 @@ void make_unique(std::vector<Key>& keys) {
     }
 }
 
-/// Corner \p corner of a regular polygon about the origin that stands on a side, in millionths.
+/// Corner \p corner of a regular polygon about the origin that stands on a side, rounded to millionths.
 glm::dvec2 polygon_corner(std::size_t corner, std::size_t count) {
     const double turn = (static_cast<double>(corner) - 0.5) / static_cast<double>(count) - 0.25;
     const double angle = 2 * std::numbers::pi * turn;
@@ -60,7 +60,7 @@ Family family_of_keys(std::string name, std::vector<Key> keys) {
         for (std::size_t key = 0; key < count; ++key) times.push_back({static_cast<double>(key), key});
         family.timeline.emplace(std::move(times));
     }
-    if (count >= 3 && count <= most_domain_keys) family.domain = domain_of(count);
+    if (count >= 3 && count <= max_domain_keys) family.domain = domain_of(count);
     return family;
 }
 

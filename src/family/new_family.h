@@ -1,4 +1,4 @@
-// A family made from keys alone: what a timeline and a parameter domain are when nobody has said.
+// A family made from keys alone, with a default timeline and a default parameter domain.
 #pragma once
 
 #include <string>
@@ -8,11 +8,13 @@
 
 namespace interleaf {
 
-/// The family of \p keys, whose names are made unique by numbers. With two keys or more it has a linear
-/// timeline of one second from key to key. With three it has a triangle as its domain; with four to nine a
-/// regular polygon with the first key in the middle and the others around it, so that the first blends with
-/// any two neighbours. With more keys there is no domain: they are a series in time. \pre  there is a key,
-/// and they have the same roots
+/// The family of \p keys. Numbers make their names unique.
+///
+/// Two or more keys get a linear timeline with one second from key to key. Three keys get a triangle as their
+/// domain. Four to nine keys get a regular polygon with the first key in the middle and the others around it,
+/// so that the first key blends with any two adjacent ones. More keys get no domain: they are a series in
+/// time.
+/// \pre  there is at least one key, and all have the same roots
 Family family_of_keys(std::string name, std::vector<Key> keys);
 
 }  // namespace interleaf

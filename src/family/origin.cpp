@@ -12,7 +12,7 @@ namespace interleaf {
 
 glm::dvec3 origin_for(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles) {
     constexpr double max_diagonals = 100;
-    constexpr double least_gain = 10;
+    constexpr double min_gain = 10;
     glm::dvec3 least(std::numeric_limits<double>::infinity());
     glm::dvec3 most = -least;
     for (const Triangle& triangle : triangles)
@@ -26,12 +26,12 @@ glm::dvec3 origin_for(std::span<const glm::dvec3> positions, std::span<const Tri
     if (!(distance > max_diagonals * glm::distance(least, most)) || !std::isfinite(distance))
         return glm::dvec3(0);
     const glm::dvec3 origin = glm::round(center);
-    return glm::distance(origin, center) * least_gain < distance ? origin : glm::dvec3(0);
+    return glm::distance(origin, center) * min_gain < distance ? origin : glm::dvec3(0);
 }
 
 std::string origin_sentence(const glm::dvec3& origin) {
-    return fmt::format("Far from 0: positions count from ({}, {}, {}), which was subtracted.", origin.x,
-                       origin.y, origin.z);
+    return fmt::format("Far from 0: ({}, {}, {}) was subtracted from all positions.", origin.x, origin.y,
+                       origin.z);
 }
 
 void move_origin(std::vector<Key>& keys, const glm::dvec3& from, const glm::dvec3& to) {

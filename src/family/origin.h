@@ -1,6 +1,6 @@
-// Where the numbers of a family's positions count from. Floats have seven digits: of a mesh in the
-// coordinates of a map, millions of meters from 0, they would keep no detail. So such meshes are read in
-// double, and a place of whole numbers is subtracted, one for all keys.
+// The origin of a family's positions. Floats have seven digits, so they keep no detail of a mesh in map
+// coordinates, millions of meters from 0. Readers therefore read such meshes in double precision and subtract
+// a point with whole-number coordinates, the same for all keys.
 #pragma once
 
 #include <span>
@@ -14,14 +14,16 @@
 
 namespace interleaf {
 
-/// The origin for a mesh: the middle of its box, in whole numbers, where the mesh is over 100 diagonals of
-/// its box from 0; otherwise 0. \pre positions are finite
+/// The origin for a mesh: the center of its box, in whole numbers, if the mesh is farther from 0 than 100
+/// diagonals of its box; otherwise 0.
+/// \pre  positions are finite
 glm::dvec3 origin_for(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles);
 
-/// A sentence about an origin that is not 0: what was subtracted.
+/// A sentence that tells which point was subtracted.
+/// \pre  \p origin is not 0
 std::string origin_sentence(const glm::dvec3& origin);
 
-/// Moves the positions of \p keys, which count from \p from, so that they count from \p to.
+/// Converts the positions of \p keys from the origin \p from to the origin \p to.
 void move_origin(std::vector<Key>& keys, const glm::dvec3& from, const glm::dvec3& to);
 
 }  // namespace interleaf

@@ -31,8 +31,8 @@ Corners oriented(Corners corners) {
     return corners;
 }
 
-/// Height over the longest edge.
-double least_height(const Corners& corners) {
+/// The height over the longest edge.
+double min_height(const Corners& corners) {
     double longest = 0;
     for (unsigned i = 0; i < 3; ++i) {
         longest = std::max(longest, glm::distance(corners[i], corners[(i + 1) % 3]));
@@ -40,7 +40,7 @@ double least_height(const Corners& corners) {
     return std::abs(double_area(corners[0], corners[1], corners[2])) / longest;
 }
 
-/// Sides parallel to the axes.
+/// A rectangle with sides parallel to the axes.
 struct Rectangle {
     glm::dvec2 low;
     glm::dvec2 high;
@@ -51,7 +51,7 @@ Rectangle rectangle_about(const Corners& corners) {
     return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
 
-/// Whether an edge of \p a has all of \p points outside or at most \p slack inside. Corners
+/// Whether an edge of \p a has each of \p points outside, or at most \p slack inside. The corners are
 /// counter-clockwise.
 bool edge_separates(const Corners& a, std::span<const glm::dvec2> points, double slack) {
     for (unsigned i = 0; i < 3; ++i) {
@@ -65,7 +65,7 @@ bool edge_separates(const Corners& a, std::span<const glm::dvec2> points, double
     return false;
 }
 
-/// The point of a closed triangle that is nearest to a given one.
+/// The point of a closed triangle that is nearest to a given point.
 struct Nearest {
     double distance;
     glm::dvec2 at;
@@ -114,10 +114,10 @@ double diagonal(std::span<const DomainVertex> vertices) {
     return glm::distance(low, high);
 }
 
-/// What counts as touching, as a fraction of the domain's diagonal: far above rounding, far below a pixel.
+/// Tolerance for touching, as a fraction of the domain's diagonal: far above rounding, far below a pixel.
 constexpr double touching = 1e-12;
 
-/// The least height of a triangle, as a fraction of the domain's diagonal.
+/// The minimum height of a triangle, as a fraction of the domain's diagonal.
 constexpr double thinnest = 1e-9;
 
 void check_vertices(std::span<const DomainVertex> vertices, std::span<const Triangle> triangles) {
@@ -130,8 +130,9 @@ void check_vertices(std::span<const DomainVertex> vertices, std::span<const Tria
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         for (const Index vertex : triangles[t]) {
             if (vertex >= vertices.size()) {
-                throw InputError(fmt::format("domain triangle {} names vertex {}, but there are only {}", t,
-                                             vertex, vertices.size()));
+                throw InputError(
+                    fmt::format("domain triangle {} refers to vertex {}, but there are only {} vertices", t,
+                                vertex, vertices.size()));
             }
             used[vertex] = true;
         }
@@ -146,7 +147,7 @@ bool meet(const Rectangle& a, const Rectangle& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
-/// The numbers from 0 to \p count - 1 by ascending \p place_of.
+/// The numbers from 0 to \p count - 1 in ascending order of \p place_of.
 template <typename PlaceOf>
 std::vector<Index> sorted_by(std::size_t count, const PlaceOf& place_of) {
     std::vector<Index> order(count);
@@ -155,17 +156,17 @@ std::vector<Index> sorted_by(std::size_t count, const PlaceOf& place_of) {
     return order;
 }
 
-/// Two numbers of what does not fit, the smallest there are; none if all fits.
+/// Two numbers that violate a rule, the smallest such pair; none if there is no violation.
 using Misfit = std::optional<std::array<Index, 2>>;
 
 void keep_least(Misfit& misfit, std::array<Index, 2> other) {
     misfit = misfit ? std::min(*misfit, other) : other;
 }
 
-/// What is to be checked of a domain's triangles. Only what is near each other is compared: along x in order,
-/// as far as rectangles about triangles meet. Triangles whose rectangles are apart do not overlap, and a
-/// point outside a rectangle is at least as far from the triangle in it. In a domain of n triangles of about
-/// one size that are as wide as high this takes about n^1.5 steps, quick ones.
+/// The checks of a domain's triangles. They compare only objects that are near each other: those whose
+/// bounding rectangles meet, found in order along x. Triangles with disjoint rectangles do not overlap, and a
+/// point outside a rectangle is at least as far from the triangle in it. For n triangles of about the same
+/// size, as wide as high, this takes about n^1.5 quick steps.
 class TriangleChecks {
   public:
     TriangleChecks(std::span<const DomainVertex> vertices, std::span<const Triangle> triangles)
@@ -181,9 +182,9 @@ class TriangleChecks {
     /// The first triangle without area.
     std::optional<std::size_t> flat() const {
         const double least = thinnest * diagonal(vertices_);
-        // Negated, so that what overflows is flat, too.
+        // The comparison is negated so that an overflow also counts as flat.
         const auto found = std::ranges::find_if(
-            corners_, [least](const Corners& corners) { return !(least_height(corners) > least); });
+            corners_, [least](const Corners& corners) { return !(min_height(corners) > least); });
         if (found == corners_.end()) return std::nullopt;
         return static_cast<std::size_t>(found - corners_.begin());
     }
@@ -201,7 +202,7 @@ class TriangleChecks {
         return misfit;
     }
 
-    /// The same of those in which a triangle with the corner \p vertex takes part.
+    /// As overlap(), among the pairs in which a triangle has the corner \p vertex.
     Misfit overlap_at(Index vertex) const {
         Misfit misfit;
         for (Index t = 0; t < triangles_.size(); ++t) {
@@ -212,7 +213,7 @@ class TriangleChecks {
         return misfit;
     }
 
-    /// A triangle, and a vertex on it that is no corner of it.
+    /// A triangle, and a vertex on it that is not its corner.
     Misfit vertex_on_triangle() const {
         Misfit misfit;
         const auto x_of = [this](Index v) { return vertices_[v].at.x; };
@@ -227,7 +228,7 @@ class TriangleChecks {
         return misfit;
     }
 
-    /// The same where the vertex is \p vertex, or a corner of the triangle is.
+    /// As vertex_on_triangle(), among the pairs with \p vertex as the vertex or as a corner of the triangle.
     Misfit vertex_on_triangle_at(Index vertex) const {
         Misfit misfit;
         for (Index t = 0; t < triangles_.size(); ++t) {
@@ -268,7 +269,7 @@ class TriangleChecks {
     std::vector<Rectangle> rectangles_;
 };
 
-/// Triangles may share vertices and edges, and nothing else: weights would jump across a vertex in an edge.
+/// Triangles may share vertices and edges, and nothing else: weights would jump at a vertex inside an edge.
 void require_fit(const std::optional<std::size_t>& flat, const Misfit& overlap, const Misfit& on_triangle) {
     if (flat) throw InputError(fmt::format("domain triangle {} has no area", *flat));
     if (overlap)
@@ -288,10 +289,9 @@ ParameterDomain::ParameterDomain(std::vector<DomainVertex> vertices, std::vector
     require_fit(checks.flat(), checks.overlap(), checks.vertex_on_triangle());
 }
 
-// What is checked of triangles and vertices depends on their positions and on the diagonal of them all, which
-// the tolerances are fractions of. With the same diagonal all that the vertex has no part in is as it was,
-// and so passes again. That a move keeps the diagonal is the rule: only those of the outermost vertices
-// change it.
+// The checks of triangles and vertices depend on their positions and on the diagonal of the domain, which
+// scales the tolerances. If the diagonal stays the same, all pairs without the moved vertex are unchanged, so
+// they pass again. Most moves keep the diagonal: only moves of the outermost vertices change it.
 ParameterDomain ParameterDomain::with_vertex_at(Index vertex, glm::dvec2 at) const {
     ParameterDomain moved = *this;
     moved.vertices_[vertex].at = at;
@@ -307,7 +307,7 @@ DomainPoint ParameterDomain::locate(glm::dvec2 point, Index current) const {
     if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
         throw InputError("the point of the parameter domain is not finite");
     }
-    // Squares of what is larger would overflow.
+    // Squares of larger numbers would overflow.
     point = glm::clamp(point, -1e100, 1e100);
 
     Nearest nearest{std::numeric_limits<double>::infinity(), {}, {}};
@@ -319,14 +319,15 @@ DomainPoint ParameterDomain::locate(glm::dvec2 point, Index current) const {
             nearest_triangle = t;
         }
     }
-    // On a shared edge rounding decides which triangle is nearest, so all that touch count.
+    // On a shared edge, rounding decides which triangle is nearest. So all triangles that touch the point
+    // count.
     const double slack = touching * diagonal(vertices_);
     const auto distance_to = [&](Index triangle) {
         return nearest_in_triangle(corners_of(vertices_, triangles_[triangle]), nearest.at).distance;
     };
     Index triangle = current;
     if (current >= triangles_.size() || distance_to(current) > slack) {
-        // Far from the origin even the nearest triangle may not touch its own rounded point.
+        // Far from the origin, even the nearest triangle may not touch its own rounded point.
         triangle = 0;
         while (triangle < nearest_triangle && distance_to(triangle) > slack) ++triangle;
     }

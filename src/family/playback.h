@@ -1,25 +1,25 @@
-// Playback: time of the animation as a function of wall time. It knows no user interface and no clock.
+// Playback: the animation's time as a function of wall time. It depends on no user interface and on no clock.
 #pragma once
 
 namespace interleaf {
 
 class Playback {
   public:
-    /// Paused at \p begin of the animation's interval [\p begin, \p end], in seconds.
+    /// Paused at the beginning of the animation's interval [\p begin, \p end], in seconds.
     Playback(double begin, double end);
 
-    /// The animation's time at wall time \p now, in seconds. A loop goes from end() to begin() at once;
-    /// without it the animation rests at end().
+    /// The animation's time at wall time \p now, in seconds. A loop jumps from end() to begin(); without a
+    /// loop the animation stays at end().
     double time(double now) const;
 
-    /// Whether it moves at \p now: false also when it has come to the end without a loop.
+    /// Whether the animation is moving at \p now. It is not if it has reached the end without a loop.
     bool is_playing(double now) const;
 
-    /// Starts from where it is; from begin() when it rests at the end.
+    /// Continues from the current time, or from begin() if the animation has reached the end.
     void play(double now);
     void pause(double now);
 
-    /// Jumps to \p time, clamped to the interval; goes on playing when it was playing.
+    /// Jumps to \p time, clamped to the interval. A playing animation keeps playing.
     void seek(double time, double now);
 
     void set_loops(bool loops, double now);

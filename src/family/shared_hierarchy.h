@@ -1,5 +1,5 @@
-// A hierarchy that is never changed and may be a key of many families at once: copying a family copies none
-// of its hierarchies, so every state of a document can be kept.
+// An immutable hierarchy that many families may share as a key. Copying a family copies none of its
+// hierarchies, so a document can keep every state.
 #pragma once
 
 #include <memory>

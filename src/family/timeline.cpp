@@ -32,7 +32,7 @@ Weights Timeline::at(double time) const {
     if (keys_.size() == 1) return {{keys_.front().key, 1}};
 
     time = std::clamp(time, begin(), end());
-    // The end belongs to the last interval, so it is left out of the search.
+    // The end belongs to the last interval, so the search excludes it.
     const auto after = std::upper_bound(keys_.begin() + 1, keys_.end() - 1, time,
                                         [](double t, const TimelineKey& key) { return t < key.time; });
     const TimelineKey& from = *(after - 1);

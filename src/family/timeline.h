@@ -1,4 +1,4 @@
-// Timeline: keys at given times, and the weights between them (paper, section 3.1, equation (2)).
+// The timeline: keys at given times, and the weights between them (paper, section 3.1, equation (2)).
 #pragma once
 
 #include <span>
@@ -9,14 +9,14 @@
 namespace interleaf {
 
 struct TimelineKey {
-    double time;      ///< seconds
+    double time;      ///< in seconds
     std::size_t key;  ///< index of the key in its family
     bool operator==(const TimelineKey&) const = default;
 };
 
 class Timeline {
   public:
-    /// \throw InputError unless there is at least one key, times are finite and strictly ascending
+    /// \throw InputError unless there is at least one key and times are finite and strictly ascending
     explicit Timeline(std::vector<TimelineKey> keys);
 
     std::span<const TimelineKey> keys() const { return keys_; }
@@ -24,9 +24,9 @@ class Timeline {
     double end() const { return keys_.back().time; }
 
     /// Linear interpolation between the keys before and after \p time, clamped to begin() and end(): (1 - s)
-    /// and s on the two keys of the interval (at a key's own time, those of the interval that begins there).
-    /// One key, and two neighbours that are the same key, give one weight 1. \throw InputError if \p time is
-    /// not a number
+    /// and s on the two keys of the interval. At the time of a key, the interval that begins there counts. A
+    /// single key, or two adjacent entries of the same key, give one weight of 1.
+    /// \throw InputError if \p time is not a number
     Weights at(double time) const;
 
     bool operator==(const Timeline&) const = default;

@@ -1,4 +1,4 @@
-// Weights: what everything that drives a morph yields (paper, equations (2) to (5)).
+// Weights: the input of a morph (paper, equations (2) to (5)).
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,17 @@ struct Weight {
     bool operator==(const Weight&) const = default;
 };
 
-/// Sparse weights, keys ascending and each once. A key with a place here is active, also where its value is
-/// 0: the union is made of the active keys and stays while only values change.
+/// Sparse weights, keys ascending and each once. A key with an entry here is active, even if its value is 0.
+/// The union is that of the active keys, and stays the same while only values change.
 using Weights = std::vector<Weight>;
 
-/// The same weights with keys ascending; values of a key that occurs more than once are added.
+/// The same weights with keys ascending. Values of a key that occurs several times are added.
 Weights sorted_weights(Weights weights);
 
 /// The active keys, ascending.
 std::vector<std::size_t> active_keys(const Weights& weights);
 
-/// The values, in the order of active_keys(), as the morph takes them.
+/// The values in the order of active_keys(), as the morph expects them.
 std::vector<float> weight_values(const Weights& weights);
 
 }  // namespace interleaf

@@ -17,16 +17,16 @@
 namespace interleaf {
 namespace {
 
-constexpr double least_tolerance = 1e-5;
+constexpr double min_tolerance = 1e-5;
 
 /// A tolerance that needs more leaves is out of reach.
-constexpr Index most_leaves = 4000000;
+constexpr Index max_leaves = 4000000;
 
 /// Between the places where a leaf's distance is measured it may be this much farther.
 constexpr double sampling_margin = 0.1;
 
 /// Times that a tolerance is tried to be met with a smaller one inside.
-constexpr int most_tries = 4;
+constexpr int max_tries = 4;
 
 /// The parts of the whole at which the stages begin, of a mesh of a few ten thousand vertices.
 constexpr double map_begins = 0.1;
@@ -41,8 +41,8 @@ void check_options(const FitOptions& options) {
     const Index roots = options.roots.complex.triangle_count();
     if (options.leaves && *options.leaves < roots)
         throw UsageError(fmt::format("{} leaves are too few: there are {} roots", *options.leaves, roots));
-    if (options.tolerance && !(*options.tolerance >= least_tolerance))
-        throw UsageError(fmt::format("the tolerance must be at least {}", least_tolerance));
+    if (options.tolerance && !(*options.tolerance >= min_tolerance))
+        throw UsageError(fmt::format("the tolerance must be at least {}", min_tolerance));
 }
 
 /// Samples and smooths.
@@ -60,13 +60,13 @@ std::pair<SampledSurface, FitQuality> sample_within(const AlignedMap& map, const
     double inside = tolerance * (1 - sampling_margin);
     for (int tries = 1;; ++tries) {
         SampledSurface surface =
-            leaves_over(map, roots, {.leaves = most_leaves, .tolerance = inside * diagonal}, progress);
-        if (surface.leaves.size() + 100 > most_leaves)
+            leaves_over(map, roots, {.leaves = max_leaves, .tolerance = inside * diagonal}, progress);
+        if (surface.leaves.size() + 100 > max_leaves)
             throw InputError(
-                fmt::format("a tolerance of {} needs more than {} leaves", tolerance, most_leaves));
+                fmt::format("a tolerance of {} needs more than {} leaves", tolerance, max_leaves));
         const FitQuality quality = quality_of(map, surface, progress);
         if (quality.hausdorff <= tolerance) return {std::move(surface), quality};
-        if (tries == most_tries)
+        if (tries == max_tries)
             throw InputError(
                 fmt::format("a tolerance of {} cannot be reached: {:.3g} is what {} leaves come to",
                             tolerance, quality.hausdorff, surface.leaves.size()));

@@ -57,7 +57,7 @@ struct FitReport {
 };
 
 struct FittedKey {
-    Hierarchy hierarchy;  ///< with the field "color" where the mesh has colours
+    Hierarchy hierarchy;  ///< with the field "color" where the mesh has colors
     FitReport report;
     SurfaceMesh mesh;  ///< what the key stands for: the mesh once clean; from fit_mapped() none
 };

@@ -19,7 +19,7 @@ namespace {
 constexpr double places = 100000;
 
 /// Parts an edge of a grid over one triangle, at most.
-constexpr double most_parts = 64;
+constexpr double max_parts = 64;
 
 glm::dvec3 doubled_area(const MeshView& flat, const Triangle& triangle) {
     const glm::dvec3& a = flat.positions[triangle[0]];
@@ -57,8 +57,8 @@ Distances distances(const MeshView& from, const SurfaceDistance& distance, const
         const glm::dvec3 along_c = from.positions[triangle[2]] - a;
         const double longest =
             std::max({glm::length(along_b), glm::length(along_c), glm::length(along_c - along_b)});
-        const double parts = spacing > 0 ? std::clamp(std::ceil(longest / spacing), 1.0, most_parts) : 1;
-        // The centres of the grid's triangles that stand as the whole does: each for an equal part of it.
+        const double parts = spacing > 0 ? std::clamp(std::ceil(longest / spacing), 1.0, max_parts) : 1;
+        // The centers of the grid's triangles that stand as the whole does: each for an equal part of it.
         double sum = 0;
         double terms = 0;
         for (double row = 0; row < parts; ++row)
@@ -95,7 +95,7 @@ double hausdorff_distance(const MeshView& a, const MeshView& b, const Progress& 
 FitQuality measure_shapes(const MappedSurface& mapped, const SampledSurface& surface) {
     const std::vector<Triangle> triangles = triangles_of(surface);
     FitQuality quality;
-    quality.least_angle = measure(triangles, surface.positions).min_angle;
+    quality.min_angle = measure(triangles, surface.positions).min_angle;
     quality.flipped_leaves = static_cast<std::size_t>(std::ranges::count_if(
         triangles, [&](const Triangle& leaf) { return is_turned_over(leaf, surface, mapped); }));
     quality.euler = euler_number(triangles);

@@ -27,7 +27,7 @@ double hausdorff_distance(const MeshView& a, const MeshView& b, const Progress& 
 struct FitQuality {
     double hausdorff = 0;         ///< largest distance of a point of either from the other
     double root_mean_square = 0;  ///< of the distances from the surface to the key and back, by area
-    double least_angle = 0;       ///< degrees
+    double min_angle = 0;         ///< degrees
     std::size_t flipped_leaves =
         0;  ///< whose normal is turned by a right angle or more against the surface's
     int euler = 0;

@@ -32,8 +32,8 @@ constexpr double many_faulty = 0.3;
 
 /// A map is bad where more than this part of its leaves is to be smoothed, or where more leaves are flipped
 /// than this multiple of those for which it would be refused.
-constexpr double most_faulty = 0.4;
-constexpr double most_flipped_part = 3;
+constexpr double max_faulty = 0.4;
+constexpr double max_flipped_part = 3;
 
 /// Equilateral triangles that the refined mesh is as fine as. A finer mesh makes better leaves, but on a long
 /// thin body its map may be the one that shrinks a limb: then a coarser one is tried.
@@ -66,7 +66,7 @@ struct Candidate {
         return double(shapes.flipped_leaves) / (limits.flipped_part * double(surface.leaves.size()));
     }
     bool is_bad(const FitLimits& limits) const {
-        return faulty_part() > most_faulty || flipped_part(limits) > most_flipped_part;
+        return faulty_part() > max_faulty || flipped_part(limits) > max_flipped_part;
     }
 };
 
@@ -95,8 +95,8 @@ Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, const MapChoi
     stopwatch.lap("map to the sphere");
     center_map(mesh, map.points);
     if (const std::string fault = fault_of_map(mesh, map.points); !fault.empty())
-        throw InputError(fmt::format("the centred map to the sphere is not valid: {}", fault));
-    stopwatch.lap("centring");
+        throw InputError(fmt::format("the centerd map to the sphere is not valid: {}", fault));
+    stopwatch.lap("centering");
     Candidate made;
     made.method = map.method;
     made.map =
@@ -113,13 +113,13 @@ Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, const MapChoi
 bool is_better(const Candidate& a, const Candidate& b, const FitLimits& limits) {
     const double flipped = a.flipped_part(limits);
     const double flipped_of_b = b.flipped_part(limits);
-    if (std::max(flipped, flipped_of_b) > most_flipped_part) return flipped < flipped_of_b;
+    if (std::max(flipped, flipped_of_b) > max_flipped_part) return flipped < flipped_of_b;
     return a.faulty < b.faulty;
 }
 
 bool is_no_worse(const FitQuality& a, const FitQuality& b, double farther = 1) {
     return a.hausdorff <= farther * b.hausdorff && a.root_mean_square <= farther * b.root_mean_square &&
-           a.least_angle >= b.least_angle && a.flipped_leaves <= b.flipped_leaves;
+           a.min_angle >= b.min_angle && a.flipped_leaves <= b.flipped_leaves;
 }
 
 /// Whether a refined mesh makes the key to be taken, and not the mesh as it is.
@@ -129,7 +129,7 @@ bool is_to_take(const JudgedMap& refined, const JudgedMap& as_it_is, const FitLi
     };
     if (!is_accepted(refined) || !is_accepted(as_it_is)) return is_accepted(refined);
     const double flipped_limit = limits.flipped_part * double(as_it_is.surface.leaves.size());
-    const bool is_poor = as_it_is.quality.least_angle < poor_angle ||
+    const bool is_poor = as_it_is.quality.min_angle < poor_angle ||
                          double(as_it_is.quality.flipped_leaves) > poor_flipped_part * flipped_limit;
     return is_no_worse(refined.quality, as_it_is.quality, is_poor ? farther_than_poor : 1);
 }
@@ -140,9 +140,9 @@ bool is_to_take(const JudgedMap& refined, const JudgedMap& as_it_is, const FitLi
 bool is_sure_to_take(const JudgedMap& refined, const Candidate& as_it_is, const FitLimits& limits,
                      const Progress& progress) {
     const bool is_hopeless =
-        as_it_is.shapes.least_angle < hopeless_angle || as_it_is.flipped_part(limits) > hopeless_flipped_part;
+        as_it_is.shapes.min_angle < hopeless_angle || as_it_is.flipped_part(limits) > hopeless_flipped_part;
     const bool is_mended_little = as_it_is.faulty_part() > many_faulty;
-    const bool is_best = refined.quality.least_angle >= smoothed_angle && refined.quality.flipped_leaves == 0;
+    const bool is_best = refined.quality.min_angle >= smoothed_angle && refined.quality.flipped_leaves == 0;
     return (is_hopeless || is_mended_little || is_best) &&
            is_no_worse(refined.quality, quality_of(*as_it_is.map, as_it_is.surface, progress),
                        is_hopeless ? farther_than_poor : 1);

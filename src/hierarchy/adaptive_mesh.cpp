@@ -15,7 +15,7 @@ AdaptiveMesh::AdaptiveMesh(const RootComplex& roots, std::span<const glm::vec3> 
     const Index count = roots_.triangle_count();
     for (Index t = 0; t < count; ++t)
         leaves_.push_back(
-            {roots_.triangles()[t], roots_.neighbours()[t], t + 1 < count ? t + 1 : no_index, 0, false, 0});
+            {roots_.triangles()[t], roots_.neighbors()[t], t + 1 < count ? t + 1 : no_index, 0, false, 0});
 }
 
 std::size_t AdaptiveMesh::byte_count() const {
@@ -49,21 +49,21 @@ std::vector<std::string> AdaptiveMesh::violations() const {
         if (record.level > max_level)
             found.push_back(fmt::format("leaf {} has level {}", leaf, record.level));
         for (unsigned side = 0; side < 3; ++side) {
-            const Index neighbour = record.neighbours[side];
-            if (neighbour == no_index) continue;
-            const LeafRecord& other = leaves_[neighbour];
+            const Index neighbor = record.neighbors[side];
+            if (neighbor == no_index) continue;
+            const LeafRecord& other = leaves_[neighbor];
             const auto back =
-                std::find(other.neighbours.begin(), other.neighbours.end(), leaf) - other.neighbours.begin();
+                std::find(other.neighbors.begin(), other.neighbors.end(), leaf) - other.neighbors.begin();
             if (back == 3) {
                 found.push_back(
-                    fmt::format("leaf {} has the neighbour {}, which does not have it", leaf, neighbour));
+                    fmt::format("leaf {} has the neighbor {}, which does not have it", leaf, neighbor));
                 continue;
             }
             const auto corner = static_cast<std::size_t>(back);
             if (other.vertices[(corner + 1) % 3] != record.vertices[(side + 2) % 3] ||
                 other.vertices[(corner + 2) % 3] != record.vertices[(side + 1) % 3])
                 found.push_back(
-                    fmt::format("leaf {} and its neighbour {} share no edge there", leaf, neighbour));
+                    fmt::format("leaf {} and its neighbor {} share no edge there", leaf, neighbor));
         }
     }
     return found;

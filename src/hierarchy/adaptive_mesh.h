@@ -1,18 +1,18 @@
-// The adaptive mesh: a conforming triangulation that is refined by Algorithm (A) (paper, section 2, figures 1
-// to 3), and coarsened by its inverse.
+// The adaptive mesh: a conforming triangulation that Algorithm (A) refines (paper, section 2, figures 1 to
+// 3), and that the inverse of Algorithm (A) coarsens.
 //
-// Only leaves are stored. A leaf knows its vertices, its three neighbours, its level and path, and the leaf
-// that follows it in preorder; the forest above the leaves is determined by their levels in that order.
-// Bisection keeps the leaf's place for its first child, so root r is where the leaves of root r begin, and
-// takes a free place for the second. One bisection costs O(1), and so does its inverse.
+// The mesh stores leaves only. A leaf knows its vertices, its three neighbors, its level and path, and the
+// next leaf in preorder. The levels in that order determine the forest above the leaves. Bisection reuses the
+// leaf's place for its first child and takes a free place for the second, so the leaves of root r begin at
+// place r. One bisection costs O(1), and so does its inverse.
 //
-// refine() bisects a leaf together with its neighbour across the refinement edge, after the neighbour has
-// been bisected until they share it; so the mesh conforms after every step. Under a marking of the roots
-// where leaves wait for each other in a cycle, the whole cycle is bisected as one step, so refinement ends
+// refine() bisects a leaf together with its neighbor across the refinement edge. Before that, it bisects the
+// neighbor until the two share that edge, so the mesh conforms after every step. Under a marking of the
+// roots where leaves wait for each other in a cycle, refine() bisects the whole cycle as one step, so it ends
 // for every marking.
 //
-// coarsen() removes a midpoint when all leaves around it are marked. The midpoints of a cycle have come as
-// one step and go as one.
+// coarsen() removes a midpoint when all leaves around it are marked. The midpoints of a cycle were made as
+// one step and are removed as one step.
 #pragma once
 
 #include <cassert>
@@ -33,17 +33,18 @@
 
 namespace interleaf {
 
-/// A vertex that bisection has made: \p midpoint, on the edge between the vertices \p a < \p b.
+/// A vertex made by bisection: \p midpoint, on the edge between the vertices \p a < \p b.
 struct NewVertex {
     Index a;
     Index b;
     Index midpoint;
 };
 
-/// A rule that puts new vertices somewhere: glm::vec3 rule(Index a, Index b, Index midpoint), the position of
-/// the vertex \p midpoint on the edge between \p a and \p b, which have theirs. Asked once for every new
-/// vertex, so a caller can keep arrays of its own beside the mesh. The index is the next one, or the last one
-/// that coarsening has freed.
+/// A rule that places new vertices: glm::vec3 rule(Index a, Index b, Index midpoint) returns the position of
+/// the vertex \p midpoint on the edge between \p a and \p b, whose positions are known.
+///
+/// The mesh calls the rule once for every new vertex, so a caller can keep its own arrays beside the mesh.
+/// The index of the vertex is the next unused one, or the last one that coarsening has freed.
 template <typename Rule>
 concept MidpointRule = std::is_invocable_r_v<glm::vec3, Rule, Index, Index, Index>;
 
@@ -53,8 +54,9 @@ class AdaptiveMesh {
     AdaptiveMesh& operator=(const AdaptiveMesh&) = delete;
     ~AdaptiveMesh() = default;
 
-    /// The roots, unrefined. \p positions holds one position a root vertex. New vertices are put where \p
-    /// rule says.
+    /// The unrefined roots.
+    /// \param positions  one per root vertex
+    /// \param rule       places new vertices
     template <MidpointRule Rule>
     AdaptiveMesh(const RootComplex& roots, std::span<const glm::vec3> positions, Rule rule)
         : AdaptiveMesh(roots, positions,
@@ -63,7 +65,7 @@ class AdaptiveMesh {
                                positions_[midpoint] = rule(a, b, midpoint);
                        })) {}
 
-    /// The same with new vertices at the mean of the ends of their edge.
+    /// As above, with new vertices at the mean of the ends of their edge.
     AdaptiveMesh(const RootComplex& roots, std::span<const glm::vec3> positions)
         : AdaptiveMesh(roots, positions,
                        [this](Index a, Index b, Index) { return (positions_[a] + positions_[b]) * 0.5F; }) {}
@@ -71,12 +73,13 @@ class AdaptiveMesh {
     Index leaf_count() const { return leaf_bound() - static_cast<Index>(free_leaves_.size()); }
     Index vertex_count() const { return vertex_bound() - static_cast<Index>(free_vertices_.size()); }
 
-    /// Leaves, and vertices, have indices below these. Until the first coarsening every index is taken; it
-    /// keeps the indices of what stays, and refinement takes up those it freed.
+    /// The indices of leaves, and of vertices, are below these bounds. Until the first coarsening every index
+    /// is in use. Coarsening keeps the indices of the leaves and vertices that stay, and refinement reuses
+    /// the freed ones.
     Index leaf_bound() const { return static_cast<Index>(leaves_.size()); }
     Index vertex_bound() const { return static_cast<Index>(positions_.size()); }
 
-    /// Whether the index \p leaf, below leaf_bound(), is that of a leaf.
+    /// Whether \p leaf, an index below leaf_bound(), is the index of a leaf.
     bool is_leaf(Index leaf) const { return leaves_[leaf].level != no_level; }
 
     const RootComplex& roots() const { return roots_; }
@@ -86,27 +89,30 @@ class AdaptiveMesh {
 
     const Triangle& vertices(Index leaf) const { return leaves_[leaf].vertices; }
 
-    /// Neighbours of \p leaf across the edges opposite its three vertices; no_index at the boundary.
-    const Triangle& neighbours(Index leaf) const { return leaves_[leaf].neighbours; }
+    /// Neighbors of \p leaf across the edges opposite its three vertices; no_index at the boundary.
+    const Triangle& neighbors(Index leaf) const { return leaves_[leaf].neighbors; }
 
     unsigned level(Index leaf) const { return leaves_[leaf].level; }
 
-    /// The way from the root to \p leaf: bit n is set where the bisection of level n went to the second
-    /// child.
+    /// The path from the root to \p leaf: bit n is set if the path takes the second child at level n.
     std::uint64_t path(Index leaf) const { return leaves_[leaf].path; }
 
-    /// Bisects every leaf in \p marked at least once and closes: the smallest conforming refinement that does
-    /// (algorithm (A)). The children of every bisection are appended to \p changed, if given: the first,
-    /// in the place of its parent, then the second, bisection after bisection. \throw InputError before a
-    /// leaf would pass max_level; the mesh is then conforming, with a part of \p marked refined
+    /// Bisects every leaf in \p marked at least once, and closes: the result is the smallest conforming
+    /// refinement with that property (Algorithm (A)).
+    /// \param changed  if given, receives the children of every bisection, bisection after bisection: first
+    ///     the first child, in the place of its parent, then the second
+    /// \throw InputError before a leaf would exceed max_level; the mesh is then conforming, and a part of
+    ///     \p marked is refined
     void refine(std::span<const Index> marked, std::vector<Index>* changed = nullptr);
 
-    /// The inverse: removes every midpoint of which all surrounding leaves are in \p marked, so that the
-    /// triangles bisected there are leaves again; then the mesh conforms, and the order of \p marked does not
-    /// matter. A leaf takes part in at most one removal a call: a midpoint stays while a triangle around it
-    /// is bisected. Under a cyclic marking the midpoints that were made in one step are removed in one, when
-    /// all leaves around them are marked. \p marked may name a leaf twice; all must be leaves. The triangles
-    /// that are leaves again are appended to \p changed, if given, each once.
+    /// The inverse of refine(): removes every midpoint whose surrounding leaves are all in \p marked. The
+    /// triangles that were bisected there become leaves again, and the mesh conforms.
+    ///
+    /// The order of \p marked does not matter. A leaf takes part in at most one removal per call: a midpoint
+    /// stays while a triangle around it is bisected. Under a cyclic marking, the midpoints that were made in
+    /// one step are removed in one step, when all leaves around them are marked.
+    /// \param marked   leaves; may name a leaf twice
+    /// \param changed  if given, receives the triangles that are leaves again, each once
     void coarsen(std::span<const Index> marked, std::vector<Index>* changed = nullptr);
 
     /// Number of leaves that refine() of \p leaf alone would add. Changes nothing but scratch memory.
@@ -118,15 +124,16 @@ class AdaptiveMesh {
     /// All leaves, root after root, in the preorder of their trees.
     std::vector<Index> preorder() const;
 
-    /// The frozen hierarchy of the present leaves, with \p fields, which have values up to vertex_bound().
+    /// The frozen hierarchy of the present leaves.
+    /// \param fields  the fields of the hierarchy, with values up to vertex_bound()
     Hierarchy freeze(std::span<const Field> fields = {}) const;
 
-    /// Every violation of the mesh's own invariants (neighbours mutual and edge-matched, levels, order), one
-    /// sentence each; for tests. What makes the frozen hierarchy sound is in checker.h.
+    /// Every violation of the mesh's own invariants (mutual and edge-matched neighbors, levels, order), one
+    /// sentence per violation; for tests. checker.h states when the frozen hierarchy is sound.
     std::vector<std::string> violations() const;
 
   private:
-    /// Gives positions to vertices in their order: one call for many, with the caller's rule inlined in it.
+    /// Places vertices in their order. One call places many vertices, with the caller's rule inlined.
     using PlaceVertices = std::function<void(std::span<const NewVertex>)>;
 
     AdaptiveMesh(const RootComplex& roots, std::span<const glm::vec3> positions,
@@ -136,29 +143,30 @@ class AdaptiveMesh {
 
     struct LeafRecord {
         Triangle vertices;
-        Triangle neighbours;
+        Triangle neighbors;
         Index next;          ///< the next leaf in preorder, no_index after the last
-        std::uint8_t level;  ///< no_level where the place is free
-        bool is_flagged;  ///< in the chain that is collected, or marked to be coarsened; false between calls
+        std::uint8_t level;  ///< no_level if the place is free
+        bool is_flagged;     ///< in the current chain, or marked for coarsening; false between calls
         std::uint64_t path;
     };
     struct Pending {
         Index leaf;
         std::uint8_t level;
     };
-    /// Marked leaves that follow each other often have neighbours far apart in memory. What the leaves this
-    /// many places later will touch is asked for early, in three steps, so that it arrives together.
-    static constexpr std::size_t prefetch_leaf = 32, prefetch_neighbours = 16, prefetch_beyond = 8;
+    /// Consecutive marked leaves often have neighbors that are far apart in memory. The mesh prefetches what
+    /// the leaves these many places ahead will touch, in three steps, so that the data arrive together.
+    static constexpr std::size_t prefetch_leaf = 32, prefetch_neighbors = 16, prefetch_beyond = 8;
     /// The two children of a triangle, both leaves.
     struct Siblings {
         Index first;
         Index second;
     };
-    /// A triangle of a cycle, bisected at its refinement edge and then, on its entry edge, in one child.
+    /// A triangle of a cycle: it is bisected at its refinement edge, and then one child is bisected at the
+    /// entry edge.
     struct CycleMember {
         Index whole;     ///< the child that is a leaf
-        bool is_second;  ///< whether that is the second child
-        Siblings split;  ///< the children of the other one
+        bool is_second;  ///< whether `whole` is the second child
+        Siblings split;  ///< the children of the other child
     };
 
     bool is_compatible(Index leaf) const;
@@ -201,11 +209,11 @@ class AdaptiveMesh {
     GrowingArray<Pending> pending_;
 };
 
-// What both refinement and coarsening are made of, here so that it is inlined.
+// Steps that refinement and coarsening share. They are defined here so that they are inlined.
 
 inline bool AdaptiveMesh::is_compatible(Index leaf) const {
-    const Index neighbour = leaves_[leaf].neighbours[refinement_side];
-    return neighbour == no_index || leaves_[neighbour].neighbours[refinement_side] == leaf;
+    const Index neighbor = leaves_[leaf].neighbors[refinement_side];
+    return neighbor == no_index || leaves_[neighbor].neighbors[refinement_side] == leaf;
 }
 
 inline bool AdaptiveMesh::is_second(Index leaf) const {
@@ -214,23 +222,24 @@ inline bool AdaptiveMesh::is_second(Index leaf) const {
     return (record.path >> (record.level - 1) & 1) != 0;
 }
 
-/// Makes \p a and \p b neighbours across these sides of theirs.
+/// Makes \p a and \p b neighbors: \p b across side \p side_a of \p a, and \p a across side \p side_b of
+/// \p b.
 inline void AdaptiveMesh::link(Index a, unsigned side_a, Index b, unsigned side_b) {
-    leaves_[a].neighbours[side_a] = b;
-    leaves_[b].neighbours[side_b] = a;
+    leaves_[a].neighbors[side_a] = b;
+    leaves_[b].neighbors[side_b] = a;
 }
 
-/// The neighbour \p from of \p leaf has become \p to. Computed, not branched to: the side cannot be
-/// predicted.
+/// Replaces the neighbor \p from of \p leaf by \p to. The side is computed without a branch, because it is
+/// unpredictable.
 inline void AdaptiveMesh::redirect(Index leaf, Index from, Index to) {
-    Triangle& sides = leaves_[leaf].neighbours;
+    Triangle& sides = leaves_[leaf].neighbors;
     const unsigned not_0 = sides[0] != from;
     const unsigned side = not_0 + (not_0 & static_cast<unsigned>(sides[1] != from));
     assert(sides[side] == from);
     sides[side] = to;
 }
 
-/// A place for a leaf: the one that was freed last, or a new one at the end.
+/// A place for a leaf: the place freed last, or a new one at the end.
 inline Index AdaptiveMesh::free_place() {
     if (free_leaves_.empty()) return static_cast<Index>(leaves_.append());
     const Index place = free_leaves_.back();

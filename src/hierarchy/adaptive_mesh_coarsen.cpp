@@ -1,9 +1,10 @@
 // Coarsening of the adaptive mesh: the inverse of refinement.
 //
-// A midpoint that was made by bisecting a pair is surrounded by the four children of the pair, or by two at
-// the boundary, as long as none of them is bisected; they have it as their newest vertex. Where a cycle was
-// bisected as one step, each of its triangles has three children left: a whole one, and the two of the other
-// child, which is split at the edge on which the triangle before waited.
+// The bisection of a pair makes a midpoint with the four children of the pair around it, or two children at
+// the boundary. As long as none of these is bisected, they are the leaves around the midpoint, and it is
+// their newest vertex. If a cycle was bisected as one step, three leaves of each of its triangles remain: one
+// whole child, and the two children of the other child, which is split at the edge where the previous
+// triangle of the cycle waited.
 #include <algorithm>
 #include <cassert>
 
@@ -11,22 +12,22 @@
 
 namespace interleaf {
 
-// As prefetch_to_bisect().
+// See prefetch_to_bisect().
 [[gnu::always_inline]] inline void AdaptiveMesh::prefetch_to_merge(std::size_t place) const {
     if (place + prefetch_leaf >= pending_.size()) return;
     __builtin_prefetch(&leaves_[pending_[place + prefetch_leaf].leaf]);
     const auto ask_for = [&](Index leaf) {
-        if (leaf != no_index) __builtin_prefetch(&leaves_[leaf].neighbours);
+        if (leaf != no_index) __builtin_prefetch(&leaves_[leaf].neighbors);
     };
-    const LeafRecord& later = leaves_[pending_[place + prefetch_neighbours].leaf];
+    const LeafRecord& later = leaves_[pending_[place + prefetch_neighbors].leaf];
     if (later.is_flagged)
-        for (const Index neighbour : later.neighbours) ask_for(neighbour);
+        for (const Index neighbor : later.neighbors) ask_for(neighbor);
     const LeafRecord& next = leaves_[pending_[place + prefetch_beyond].leaf];
     if (next.is_flagged)
         for (const unsigned side : {1U, 2U})
-            if (next.neighbours[side] != no_index) {
-                ask_for(leaves_[next.neighbours[side]].neighbours[0]);
-                ask_for(leaves_[next.neighbours[side]].neighbours[side]);
+            if (next.neighbors[side] != no_index) {
+                ask_for(leaves_[next.neighbors[side]].neighbors[0]);
+                ask_for(leaves_[next.neighbors[side]].neighbors[side]);
             }
 }
 
@@ -42,17 +43,18 @@ void AdaptiveMesh::coarsen(std::span<const Index> marked, std::vector<Index>* ch
         prefetch_to_merge(place);
         const Index leaf = pending_[place].leaf;
         if (!leaves_[leaf].is_flagged) continue;
-        // What does not go now will not go in this call: a triangle that becomes a leaf is not flagged.
+        // A midpoint that cannot be removed now cannot be removed later in this call: a triangle that becomes
+        // a leaf is not flagged.
         if (!coarsen_pair(leaf) && !coarsen_cycle(leaf)) leaves_[leaf].is_flagged = false;
     }
 }
 
-/// \p leaf and its sibling, if that is a leaf, too.
+/// \p leaf and its sibling; none if the sibling is not a leaf.
 std::optional<AdaptiveMesh::Siblings> AdaptiveMesh::siblings(Index leaf) const {
     const LeafRecord& record = leaves_[leaf];
     if (record.level == 0) return std::nullopt;
     const bool second = is_second(leaf);
-    const Index sibling = record.neighbours[sibling_side[second]];
+    const Index sibling = record.neighbors[sibling_side[second]];
     if (leaves_[sibling].level != record.level) return std::nullopt;
     return second ? Siblings{sibling, leaf} : Siblings{leaf, sibling};
 }
@@ -61,15 +63,16 @@ bool AdaptiveMesh::is_flagged(const Siblings& pair) const {
     return leaves_[pair.first].is_flagged && leaves_[pair.second].is_flagged;
 }
 
-/// Removes the newest vertex of \p leaf if none but flagged children of one pair are around it.
+/// Removes the newest vertex of \p leaf if only flagged children of one pair are around it.
 bool AdaptiveMesh::coarsen_pair(Index leaf) {
     const std::optional<Siblings> pair = siblings(leaf);
     if (!pair || !is_flagged(*pair)) return false;
     const Index midpoint = leaves_[leaf].vertices[0];
-    const Siblings partners = {leaves_[pair->second].neighbours[half_side[1]],
-                               leaves_[pair->first].neighbours[half_side[0]]};
+    const Siblings partners = {leaves_[pair->second].neighbors[half_side[1]],
+                               leaves_[pair->first].neighbors[half_side[0]]};
     const bool at_boundary = partners.first == no_index;
-    // Only the children of the triangle that was bisected there have a vertex as their newest one.
+    // A vertex is the newest vertex of the children of the triangles that were bisected there, and of no
+    // other leaf.
     if (!at_boundary && !(leaves_[partners.first].vertices[0] == midpoint &&
                           leaves_[partners.second].vertices[0] == midpoint && is_flagged(partners)))
         return false;
@@ -85,33 +88,33 @@ bool AdaptiveMesh::coarsen_pair(Index leaf) {
     return true;
 }
 
-/// The triangle of a cycle of which \p whole may be the child that is a leaf.
+/// The triangle of a cycle whose leaf child is \p whole; none if there is no such triangle.
 std::optional<AdaptiveMesh::CycleMember> AdaptiveMesh::cycle_member(Index whole) const {
     const LeafRecord& record = leaves_[whole];
     if (record.level == 0) return std::nullopt;
     const bool second = is_second(whole);
-    const Index beside = record.neighbours[sibling_side[second]];
+    const Index beside = record.neighbors[sibling_side[second]];
     if (leaves_[beside].level != record.level + 1) return std::nullopt;
     const std::optional<Siblings> split = siblings(beside);
     if (!split) return std::nullopt;
     return CycleMember{whole, second, *split};
 }
 
-/// Across the entry edge, which \p split bisects: the leaf that is a whole child of the triangle there,
-/// no_index where that does not have exactly one.
+/// Looks across the entry edge, which \p split bisects. The result is the leaf that is a whole child of the
+/// triangle there, or no_index if that triangle does not have exactly one.
 Index AdaptiveMesh::whole_across(const Siblings& split) const {
     const Index midpoint = leaves_[split.first].vertices[0];
-    const Index one = leaves_[split.first].neighbours[half_side[0]];
-    const Index other = leaves_[split.second].neighbours[half_side[1]];
+    const Index one = leaves_[split.first].neighbors[half_side[0]];
+    const Index other = leaves_[split.second].neighbors[half_side[1]];
     if (one == no_index) return no_index;
     const bool one_is = leaves_[one].vertices[0] == midpoint;
     const bool other_is = leaves_[other].vertices[0] == midpoint;
     return one_is == other_is ? no_index : one_is ? one : other;
 }
 
-/// Fills cycle_ with the triangles that were bisected in one step around \p leaf, each followed by the one it
-/// waited on, if their children are flagged. No two triangles come before the same one, so the way ends or
-/// closes.
+/// Fills cycle_ with the triangles that were bisected in one step around \p leaf, each followed by the
+/// triangle it waited for, if their children are flagged. No two triangles precede the same triangle, so the
+/// sequence ends or closes.
 bool AdaptiveMesh::collect_cycle(Index leaf) {
     cycle_.clear();
     const std::optional<Siblings> pair = siblings(leaf);
@@ -127,15 +130,16 @@ bool AdaptiveMesh::collect_cycle(Index leaf) {
     return true;
 }
 
-/// Removes the midpoints of a cycle, as one step: the inverse of bisect_cycle().
+/// Removes the midpoints of a cycle as one step: the inverse of bisect_cycle().
 bool AdaptiveMesh::coarsen_cycle(Index leaf) {
     if (!collect_cycle(leaf)) return false;
     for (const auto& [whole, is_second, split] : cycle_) {
-        // The halves of the refinement edge and of the entry edge; the triangles across change, too.
-        leaves_[whole].neighbours[half_side[is_second]] = no_index;
-        leaves_[is_second ? split.second : split.first].neighbours[0] = no_index;
-        leaves_[split.first].neighbours[half_side[0]] = no_index;
-        leaves_[split.second].neighbours[half_side[1]] = no_index;
+        // The halves of the refinement edge and of the entry edge lose their links: the triangles across
+        // these edges change, too.
+        leaves_[whole].neighbors[half_side[is_second]] = no_index;
+        leaves_[is_second ? split.second : split.first].neighbors[0] = no_index;
+        leaves_[split.first].neighbors[half_side[0]] = no_index;
+        leaves_[split.second].neighbors[half_side[1]] = no_index;
         free_vertices_.push_back(leaves_[whole].vertices[0]);
     }
     for (CycleMember& member : cycle_) {
@@ -151,14 +155,14 @@ bool AdaptiveMesh::coarsen_cycle(Index leaf) {
     return true;
 }
 
-/// Puts the parent of two leaves in the place of the first and frees that of the second. The sides of the two
-/// that are inherited whole keep their links; the parent's refinement edge is left unlinked.
+/// Puts the parent of two leaves in the place of the first and frees the place of the second. The two sides
+/// that the leaves inherited whole keep their links; the parent's refinement edge is left unlinked.
 Index AdaptiveMesh::merge(const Siblings& pair) {
     LeafRecord& first = leaves_[pair.first];
     LeafRecord& second = leaves_[pair.second];
-    const Index across_ij = second.neighbours[0];
+    const Index across_ij = second.neighbors[0];
     if (across_ij != no_index) redirect(across_ij, pair.second, pair.first);
-    first.neighbours = {no_index, first.neighbours[0], across_ij};
+    first.neighbors = {no_index, first.neighbors[0], across_ij};
     first.vertices = interleaf::merge(first.vertices, second.vertices);
     first.next = second.next;
     --first.level;  // the path has no bit set for a first child

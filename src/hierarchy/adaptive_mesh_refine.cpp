@@ -9,27 +9,27 @@
 
 namespace interleaf {
 
-// Hints only: a leaf that is bisected before its turn does no harm. Inlined always, for g++ 12 drops calls of
-// a function that does nothing but prefetch.
+// These are hints only: a leaf that was bisected before its turn does no harm. Always inlined, because g++ 12
+// drops calls of a function that only prefetches.
 [[gnu::always_inline]] inline void AdaptiveMesh::prefetch_to_bisect(std::size_t place) const {
     if (place + prefetch_leaf >= pending_.size()) return;
     __builtin_prefetch(&leaves_[pending_[place + prefetch_leaf].leaf]);
-    if (const auto [leaf, level] = pending_[place + prefetch_neighbours]; leaves_[leaf].level == level) {
+    if (const auto [leaf, level] = pending_[place + prefetch_neighbors]; leaves_[leaf].level == level) {
         const LeafRecord& record = leaves_[leaf];
-        if (record.neighbours[0] != no_index) __builtin_prefetch(&leaves_[record.neighbours[0]]);
-        if (record.neighbours[2] != no_index) __builtin_prefetch(&leaves_[record.neighbours[2]].neighbours);
+        if (record.neighbors[0] != no_index) __builtin_prefetch(&leaves_[record.neighbors[0]]);
+        if (record.neighbors[2] != no_index) __builtin_prefetch(&leaves_[record.neighbors[2]].neighbors);
         __builtin_prefetch(&positions_[record.vertices[1]]);
         __builtin_prefetch(&positions_[record.vertices[2]]);
     }
     if (const auto [leaf, level] = pending_[place + prefetch_beyond]; leaves_[leaf].level == level) {
-        const Index partner = leaves_[leaf].neighbours[0];
-        const Index beyond = partner == no_index ? no_index : leaves_[partner].neighbours[2];
-        if (beyond != no_index) __builtin_prefetch(&leaves_[beyond].neighbours);
+        const Index partner = leaves_[leaf].neighbors[0];
+        const Index beyond = partner == no_index ? no_index : leaves_[partner].neighbors[2];
+        if (beyond != no_index) __builtin_prefetch(&leaves_[beyond].neighbors);
     }
 }
 
 void AdaptiveMesh::refine(std::span<const Index> marked, std::vector<Index>* changed) {
-    // A leaf that closure has bisected meanwhile is done; its level tells.
+    // If closure has bisected a leaf in the meantime, its level shows that it is done.
     pending_.clear();
     for (const Index leaf : marked) pending_.push_back({leaf, leaves_[leaf].level});
     changed_ = changed;
@@ -47,14 +47,14 @@ void AdaptiveMesh::refine(std::span<const Index> marked, std::vector<Index>* cha
 
 Index AdaptiveMesh::leaves_added_by(Index leaf) {
     collect_chain(leaf);
-    const bool ends_at_boundary = leaves_[chain_.back()].neighbours[refinement_side] == no_index;
+    const bool ends_at_boundary = leaves_[chain_.back()].neighbors[refinement_side] == no_index;
     return static_cast<Index>(2 * chain_.size()) - (ends_at_boundary ? 1 : 0);
 }
 
-/// Fills chain_ with \p leaf and the leaves that must be bisected before it: each waits for the next, its
-/// neighbour across its refinement edge, which has another refinement edge. The last is compatible, or waits
-/// for an earlier one. \return the place in chain_ where such a cycle begins; the chain's size when there is
-/// none
+/// Fills chain_ with \p leaf and the leaves that must be bisected before it. Each waits for the next one: its
+/// neighbor across its refinement edge, which has a different refinement edge. The last leaf is compatible,
+/// or waits for an earlier one.
+/// \return the place in chain_ where such a cycle begins; the chain's size if there is none
 std::size_t AdaptiveMesh::collect_chain(Index leaf) {
     chain_.clear();
     std::size_t cycle_begin = 0;
@@ -65,7 +65,7 @@ std::size_t AdaptiveMesh::collect_chain(Index leaf) {
             cycle_begin = chain_.size();
             break;
         }
-        leaf = leaves_[leaf].neighbours[refinement_side];
+        leaf = leaves_[leaf].neighbors[refinement_side];
         if (leaves_[leaf].is_flagged) {
             cycle_begin =
                 static_cast<std::size_t>(std::find(chain_.begin(), chain_.end(), leaf) - chain_.begin());
@@ -76,7 +76,7 @@ std::size_t AdaptiveMesh::collect_chain(Index leaf) {
     return cycle_begin;
 }
 
-/// \return false, with nothing done, when a leaf would become too deep
+/// \return false, with nothing changed, if a leaf would become too deep
 bool AdaptiveMesh::bisect_with_closure(Index leaf) {
     if (is_compatible(leaf) && leaves_[leaf].level < max_level - 1) {  // most are
         bisect_pair(leaf);
@@ -92,19 +92,19 @@ bool AdaptiveMesh::bisect_with_closure(Index leaf) {
     return true;
 }
 
-/// Every leaf of the chain is bisected once, and once more where another leaf waits for it.
+/// Every leaf of the chain is bisected once, and once more if another leaf waits for it.
 bool AdaptiveMesh::has_levels_left(std::size_t cycle_begin) const {
     for (std::size_t place = 0; place < chain_.size(); ++place) {
         const unsigned bisections = place > 0 || cycle_begin == 0 ? 2 : 1;
         if (leaves_[chain_[place]].level + bisections > max_level) return false;
     }
-    const Index partner = leaves_[chain_.back()].neighbours[refinement_side];
+    const Index partner = leaves_[chain_.back()].neighbors[refinement_side];
     return partner == no_index || leaves_[partner].level + 1U <= max_level;
 }
 
-/// Bisects a compatible leaf and its neighbour, if any, across their common refinement edge.
+/// Bisects a compatible leaf, and its neighbor if there is one, at their common refinement edge.
 void AdaptiveMesh::bisect_pair(Index leaf) {
-    const Index partner = leaves_[leaf].neighbours[refinement_side];
+    const Index partner = leaves_[leaf].neighbors[refinement_side];
     const Index midpoint = add_midpoint(leaf);
     const Index second = free_place();
     if (partner == no_index) return split(leaf, second, midpoint, {no_index, no_index});
@@ -113,31 +113,32 @@ void AdaptiveMesh::bisect_pair(Index leaf) {
     split(partner, partner_second, midpoint, {second, leaf});
 }
 
-/// Bisects leaves that wait for each other in a cycle as one step. Each has two edges bisected: its
-/// refinement edge, shared with the next, and the entry edge, on which the one before waits and which is the
-/// refinement edge of one of its children.
+/// Bisects leaves that wait for each other in a cycle, as one step. Two edges of each are bisected: its
+/// refinement edge, which it shares with the next leaf, and its entry edge, where the previous leaf waits.
+/// The entry edge is the refinement edge of one of the leaf's children.
 void AdaptiveMesh::bisect_cycle(std::span<const Index> cycle) {
     struct Member {
         Index leaf;
         Index midpoint;       ///< of the refinement edge
         unsigned entry_side;  ///< 1 or 2
-        Index entry_child;    ///< the child that has the entry edge, then the first of its two children
-        Index entry_second;   ///< the second of these
+        /// First the child that has the entry edge, then the first of that child's two children.
+        Index entry_child;
+        Index entry_second;                ///< the second of that child's two children
         Index half_first, half_second;     ///< the leaves with the halves of the refinement edge ...
-        unsigned side_first, side_second;  ///< ... and on which sides of theirs
+        unsigned side_first, side_second;  ///< ... and the sides of these leaves where the halves lie
     };
     std::vector<Member> members(cycle.size());
     const auto before = [&](std::size_t m) { return (m + cycle.size() - 1) % cycle.size(); };
     for (std::size_t m = 0; m < cycle.size(); ++m) {
         members[m].leaf = cycle[m];
         members[m].midpoint = add_midpoint(cycle[m]);
-        const Triangle& sides = leaves_[cycle[m]].neighbours;
+        const Triangle& sides = leaves_[cycle[m]].neighbors;
         members[m].entry_side = sides[1] == cycle[before(m)] ? 1 : 2;
         assert(sides[members[m].entry_side] == cycle[before(m)]);
     }
     for (const Member& member : members)
-        leaves_[member.leaf].neighbours[refinement_side] =
-            leaves_[member.leaf].neighbours[member.entry_side] = no_index;
+        leaves_[member.leaf].neighbors[refinement_side] = leaves_[member.leaf].neighbors[member.entry_side] =
+            no_index;
 
     for (std::size_t m = 0; m < cycle.size(); ++m) {
         Member& member = members[m];
@@ -147,8 +148,8 @@ void AdaptiveMesh::bisect_cycle(std::span<const Index> cycle) {
         member.entry_child = entry_in_first ? member.leaf : second;
         member.entry_second = free_place();
         split(member.entry_child, member.entry_second, members[before(m)].midpoint, {no_index, no_index});
-        // A half that lay in the child split just now is side 0 of one of its children: the second (p, l, k)
-        // or the first (p, j, l).
+        // If a half lay in the child that was just split, it is now side 0 of one of its children: of the
+        // second (p, l, k) or of the first (p, j, l).
         member.half_first = entry_in_first ? member.entry_second : member.leaf;
         member.side_first = entry_in_first ? refinement_side : half_side[0];
         member.half_second = second;
@@ -161,11 +162,12 @@ void AdaptiveMesh::bisect_cycle(std::span<const Index> cycle) {
     }
 }
 
-/// Bisects one triangle: the first child takes its place, the second the place \p second. \p across_halves
-/// are the neighbours of the first and of the second child across their halves of the refinement edge.
+/// Bisects one triangle. The first child takes its place, the second the place \p second.
+/// \param across_halves  the neighbors of the first and of the second child across their halves of the
+///     refinement edge
 void AdaptiveMesh::split(Index leaf, Index second, Index midpoint, std::array<Index, 2> across_halves) {
     const LeafRecord parent = leaves_[leaf];
-    const auto [across_jk, across_ki, across_ij] = parent.neighbours;
+    const auto [across_jk, across_ki, across_ij] = parent.neighbors;
     const auto children = bisect(parent.vertices, midpoint);
     const auto level = static_cast<std::uint8_t>(parent.level + 1);
     leaves_[leaf] = {children[0], {across_ki, second, across_halves[0]}, second, level, false, parent.path};

@@ -1,6 +1,6 @@
-// A vector whose resize() leaves new elements uninitialised, in memory for large arrays: for what is written
-// right after, and used again from call to call. 16 bytes from the start of any element may be read, also of
-// the last.
+// A vector in memory for large arrays, whose resize() leaves new elements uninitialized. It suits arrays that
+// are written right after resize(), and reused from call to call. 16 bytes from the start of any element are
+// readable, even from the start of the last one.
 #pragma once
 
 #include <cstddef>

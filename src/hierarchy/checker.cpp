@@ -13,7 +13,7 @@ namespace interleaf {
 
 namespace {
 
-/// Violations up to a limit.
+/// Collects violations up to a limit.
 class Report {
   public:
     explicit Report(std::size_t limit) : limit_(limit) {}
@@ -34,7 +34,7 @@ class Report {
     std::vector<std::string> violations_;
 };
 
-/// Whether the arrays have the sizes that the counts ask for, so that the walk may read them.
+/// Whether the arrays have the sizes that the counts imply, so that the walk may read them.
 bool check_sizes(const Hierarchy& hierarchy, Report& report) {
     if (hierarchy.roots.triangle_count() == 0) report.add("there are no root triangles");
     const std::size_t words = (hierarchy.node_count() + 63) / 64;
@@ -67,7 +67,7 @@ void check_positions(const Hierarchy& hierarchy, Report& report) {
     }
 }
 
-/// Whether the value may be one of a field of \p kind.
+/// Whether \p value is allowed in a field of kind \p kind.
 bool is_allowed(float value, FieldKind kind) {
     return kind == FieldKind::color ? value >= 0 && value <= 1 : std::isfinite(value);
 }
@@ -83,7 +83,7 @@ void check_values(const Field& field, std::size_t vertex_count, Report& report) 
     for (std::size_t n = 0; n < field.values.size() && !report.full(); ++n)
         if (!is_allowed(field.values[n], field.kind))
             report.add("field \"{}\" is {} at vertex {}, expected {}", field.name, field.values[n], n / width,
-                       field.kind == FieldKind::color ? "parts of a colour from 0 to 1" : "finite values");
+                       field.kind == FieldKind::color ? "color components from 0 to 1" : "finite values");
 }
 
 void check_fields(const Hierarchy& hierarchy, Report& report) {
@@ -102,7 +102,7 @@ void check_fields(const Hierarchy& hierarchy, Report& report) {
     }
 }
 
-/// An edge from one vertex to another as one number.
+/// An edge from one vertex to another, packed into one number.
 constexpr std::uint64_t directed(Index from, Index to) {
     return from | std::uint64_t{to} << 32;
 }
@@ -113,14 +113,14 @@ constexpr Index to_of(std::uint64_t edge) {
     return static_cast<Index>(edge >> 32);
 }
 
-/// A node that waits for its turn, in two words: it is written to a stack and read back soon after, and what
-/// is written in pieces narrower than those it is read in waits until it has reached the cache.
+/// A node on the stack, packed into two words. The walk writes a node and reads it back soon after. A read
+/// that is wider than the preceding writes would stall until they reach the cache, so both use whole words.
 struct PendingNode {
     std::uint64_t i_and_j;
     std::uint64_t k_and_place;
 
     PendingNode() = default;
-    /// \p boundary: bit c tells that the edge opposite vertex c is on the boundary of the surface.
+    /// \param boundary  bit c is set if the edge opposite vertex c is on the boundary of the surface
     PendingNode(Index i, Index j, Index k, unsigned level, unsigned boundary)
         : i_and_j(directed(i, j)), k_and_place(directed(k, level << 3 | boundary)) {}
 
@@ -131,11 +131,11 @@ struct PendingNode {
     unsigned boundary() const { return to_of(k_and_place) & 7; }
 };
 
-/// The walk over the preorder that checks trees, numbering and conformity at once.
+/// The walk over the preorder, which checks trees, numbering and conformity at once.
 ///
-/// It runs whenever a file is read, so it has no branch that depends on the forest: leaves are passed over in
-/// runs, and a midpoint's first and second visit are told apart by arithmetic. Branches that are taken only
-/// where something is wrong cost nothing.
+/// It runs whenever a file is read, so it has no branch that depends on the forest: it passes over leaves in
+/// runs, and distinguishes a midpoint's first and second visit by arithmetic. Branches that are taken only on
+/// a violation cost nothing.
 class Walk {
   public:
     Walk(const Hierarchy& hierarchy, Report& report)
@@ -146,7 +146,7 @@ class Walk {
     void run() {
         const auto roots = hierarchy_.roots.triangles();
         for (root_ = 0; root_ < roots.size(); ++root_) {
-            Progress progress = progress_;  // on its own, so that the loop keeps it in registers
+            Progress progress = progress_;  // a local copy, so that the loop keeps it in registers
             const bool readable = walk_tree(roots[root_], progress);
             progress_ = progress;
             if (!readable) return;
@@ -158,13 +158,13 @@ class Walk {
     static constexpr std::uint64_t closed = directed(no_index, no_index);
 
     struct Progress {
-        std::size_t position;  ///< next in the preorder
-        std::size_t midpoint;  ///< place of the next one
-        Index next_vertex;     ///< that the next first visit meets
-        std::size_t open;      ///< midpoints whose other side is awaited
+        std::size_t position;  ///< of the next node in the preorder
+        std::size_t midpoint;  ///< place of the next midpoint
+        Index next_vertex;     ///< the vertex that the next first visit must meet
+        std::size_t open;      ///< midpoints still waiting for the visit from their other side
     };
 
-    /// \return false when what follows cannot be read
+    /// \return false if the rest cannot be read
     bool walk_tree(const Triangle& root, Progress& progress) {
         const std::size_t node_count = hierarchy_.node_count();
         std::size_t pending = 0;
@@ -209,19 +209,19 @@ class Walk {
     }
 
     unsigned boundary_of_root() const {
-        const Triangle& sides = hierarchy_.roots.neighbours()[root_];
+        const Triangle& sides = hierarchy_.roots.neighbors()[root_];
         unsigned boundary = 0;
         for (unsigned c = 0; c < 3; ++c) boundary |= static_cast<unsigned>(sides[c] == no_index) << c;
         return boundary;
     }
 
-    /// Word by word, so that it is read in the widths it was written in.
+    /// Writes word by word, because the stack is read in the same widths.
     void put(std::size_t place, const PendingNode& node) {
         stack_[place].i_and_j = node.i_and_j;
         stack_[place].k_and_place = node.k_and_place;
     }
 
-    // Each returns whether what follows can be read. They take copies: see run().
+    // Each returns whether the rest can be read. They take copies: see run().
 
     bool report_end() {
         report_.add("root {}: the preorder ends before its tree is complete", root_);
@@ -274,15 +274,16 @@ class Walk {
         for (std::size_t v = hierarchy_.roots.vertex_count(); v < progress_.next_vertex && !report_.full();
              ++v)
             if (edges_[v] != closed)
-                report_.add("vertex {} bisects edge ({}, {}) on one side only: it hangs on the other", v,
-                            from_of(edges_[v]), to_of(edges_[v]));
+                report_.add(
+                    "vertex {} bisects edge ({}, {}) on one side only: it is a hanging node on the other", v,
+                    from_of(edges_[v]), to_of(edges_[v]));
     }
 
     const Hierarchy& hierarchy_;
     Report& report_;
-    Buffer<std::uint64_t> edges_;  ///< by vertex that was visited: the edge of its first visit while the
-                                   ///< other side is awaited
-    std::array<PendingNode, max_level + 2> stack_;  ///< at most one more than levels
+    /// By visited vertex: the edge of its first visit while the visit from the other side is outstanding.
+    Buffer<std::uint64_t> edges_;
+    std::array<PendingNode, max_level + 2> stack_;  ///< at most one node more than there are levels
     std::size_t root_ = 0;
     Progress progress_;
 };
@@ -318,7 +319,7 @@ std::vector<std::string> check_constraints(std::span<const Hierarchy* const> key
     for (std::size_t key = 1; key < keys.size(); ++key) {
         const std::string found = difference(keys[0]->roots, keys[key]->roots);
         if (!found.empty())
-            violations.push_back(fmt::format("key {} has other roots than key 0: {}", key, found));
+            violations.push_back(fmt::format("key {} has different roots from key 0: {}", key, found));
     }
     return violations;
 }

@@ -1,13 +1,14 @@
-// The three ways Interleaf fails towards its user. They are thrown where the fault is found and caught once,
-// at the edge: the command line turns them into exit statuses 1, 2 and 3, the window into a message.
-// Our own mistakes are assertions, not exceptions.
+// The three kinds of failure that Interleaf reports to its user. They are thrown where the fault is found and
+// caught once, at the edge: the command line turns them into exit statuses 1, 2 and 3, the window into a
+// message. Programming errors are assertions, not exceptions.
 #pragma once
 
 #include <stdexcept>
 
 namespace interleaf {
 
-/// The input is at fault: a file, a mesh, a number in them. The text says where, and what was expected.
+/// The input is at fault: a file, a mesh, a number in either. The text says where the fault is, and what was
+/// expected.
 struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -7,8 +7,9 @@ namespace interleaf {
 
 namespace {
 
-/// Takes the first character off \p text. \return its number; that of no character if it is not UTF-8
-/// (RFC 3629)
+/// Removes the first character from \p text.
+/// \return its code point, or a value that is no code point if \p text does not start with valid UTF-8 (RFC
+///     3629)
 char32_t take_character(std::string_view& text) {
     constexpr char32_t none = 0xffffffff;
     const auto lead = static_cast<unsigned char>(text.front());

@@ -1,5 +1,5 @@
-// Per-vertex fields: what a key carries beside its positions, a temperature, say, or a colour. They follow
-// the vertices through every operation: freezing, renumbering, the union, the morph (docs/theory.md).
+// Per-vertex fields: what a key carries besides its positions, such as a temperature or a color. A field
+// follows the vertices through every operation: freezing, renumbering, the union, the morph (docs/theory.md).
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,8 @@
 
 namespace interleaf {
 
-/// What a field has at a vertex. The number is that of floats, and stands for the kind in files.
+/// What a field holds per vertex. The enumerator's value is the number of floats per vertex, and encodes the
+/// kind in files.
 enum class FieldKind : std::uint8_t {
     scalar = 1,
     color = 3,  ///< red, green, blue, sRGB-encoded, each from 0 to 1
@@ -24,7 +25,7 @@ constexpr std::size_t component_count(FieldKind kind) {
     return static_cast<std::size_t>(kind);
 }
 
-/// What is known of a field without its values.
+/// A field's name and kind, without its values.
 struct FieldName {
     std::string name;
     FieldKind kind = FieldKind::scalar;
@@ -32,9 +33,9 @@ struct FieldName {
 };
 
 struct Field {
-    std::string name;  ///< unique in its key, and is_field_name()
+    std::string name;  ///< unique in its key; passes is_field_name()
     FieldKind kind = FieldKind::scalar;
-    Buffer<float> values;  ///< those of a vertex together, vertex after vertex; finite
+    Buffer<float> values;  ///< finite; vertex after vertex, with the components of a vertex together
 
     FieldName label() const { return {name, kind}; }
 
@@ -44,7 +45,7 @@ struct Field {
     }
 };
 
-/// Most fields of a key, and most bytes of a name.
+/// The limits on the number of fields per key, and on the bytes of a field name.
 inline constexpr std::size_t max_field_count = 64;
 inline constexpr std::size_t max_field_name = 255;
 
@@ -54,7 +55,7 @@ bool is_field_name(std::string_view text);
 /// The names and kinds of \p fields.
 std::vector<FieldName> labels(std::span<const Field> fields);
 
-/// The field of that name and kind; null where there is none.
+/// The field with the name and kind of \p label; null if there is none.
 const Field* find_field(std::span<const Field> fields, const FieldName& label);
 
 }  // namespace interleaf

@@ -12,7 +12,8 @@ namespace {
 struct Candidate {
     double error;
     Index leaf;
-    unsigned level;  ///< of the leaf when its error was taken; it has been bisected since when it differs
+    /// Of the leaf when its error was computed; if it differs, the leaf has been bisected since.
+    unsigned level;
 
     bool operator<(const Candidate& other) const {
         return error != other.error ? error < other.error : leaf > other.leaf;

@@ -1,5 +1,5 @@
-// Greedy refinement: always the leaf of the largest error next, until a budget of leaves or a tolerance is
-// reached.
+// Greedy refinement: bisects the leaf with the largest error, again and again, until a budget of leaves or a
+// tolerance is reached.
 #pragma once
 
 #include <functional>
@@ -11,24 +11,28 @@
 namespace interleaf {
 
 struct GreedyOptions {
-    Index leaves =
-        std::numeric_limits<Index>::max();  ///< at most this many leaves, and as near as closure allows
-    double tolerance = 0;                   ///< leaves with no larger error stay; same unit as the error
+    /// Maximum number of leaves. Refinement comes as close to it as closure allows.
+    Index leaves = std::numeric_limits<Index>::max();
 
-    /// Told after each step, before errors are asked for, which leaves it made: what AdaptiveMesh::refine()
-    /// appends to its `changed`.
+    /// Leaves whose error is at most this are not bisected. Same unit as the error.
+    double tolerance = 0;
+
+    /// Called after each step, before the errors of the new leaves are requested, with the leaves that the
+    /// step made: what AdaptiveMesh::refine() appends to its `changed`.
     std::function<void(const AdaptiveMesh&, std::span<const Index> changed)> after_step{};
 };
 
-/// The error of a leaf, not negative.
+/// The error of a leaf; never negative.
 using LeafError = std::function<double(const AdaptiveMesh&, Index leaf)>;
 
-/// Refines \p mesh by the errors that \p error gives for its leaves, once for each: at the beginning, or when
-/// the leaf is made. What the error of a leaf owes to others, and they change later, is not asked for again.
+/// Refines \p mesh by the errors that \p error returns for its leaves.
 ///
-/// Errors are compared in 12 significant bits and the older of equal leaves goes first. So rounding, which
-/// differs between mathematical libraries, does not decide which of many equal leaves of a symmetric surface
-/// comes first.
+/// Each leaf's error is requested once: at the beginning, or when the leaf is made. It is not requested again
+/// if it depends on other leaves and those change later.
+///
+/// Errors are compared in 12 significant bits, and the older of two equal leaves goes first. So rounding,
+/// which differs between mathematical libraries, does not decide which of many equal leaves of a symmetric
+/// surface comes first.
 void refine_greedily(AdaptiveMesh& mesh, const LeafError& error, const GreedyOptions& options);
 
 }  // namespace interleaf

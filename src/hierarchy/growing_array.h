@@ -1,5 +1,5 @@
-// An array of plain values that grows at its end without copying what it holds, once that is large: what a
-// mesh under refinement lives in.
+// An array of plain values. Once it is large, it grows at its end without copying its content. The arrays of
+// a mesh under refinement are of this type.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,8 @@ class GrowingArray {
         data_[place] = value;
     }
 
-    /// Adds a value that is not initialised, and returns its place.
+    /// Adds an uninitialized value.
+    /// \return its place
     std::size_t append() {
         if (size_ == capacity_) grow();
         return size_++;
@@ -55,7 +56,7 @@ class GrowingArray {
     void clear() { size_ = 0; }
 
   private:
-    /// Twice the size; what is not small any more goes to a huge page at once.
+    /// Doubles the size. An array that is no longer small gets a huge page at once.
     void grow() {
         constexpr std::size_t small = 64 << 10, huge = 2 << 20;
         const std::size_t bytes = std::max<std::size_t>(2 * capacity_ * sizeof(T), 1 << 10);

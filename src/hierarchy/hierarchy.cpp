@@ -14,7 +14,7 @@ void append_bit(Hierarchy& hierarchy, std::size_t& count, bool bisected) {
     ++count;
 }
 
-/// Writes bits and midpoints, the midpoints in the numbers that \p leaves use.
+/// Writes bits and midpoints. The midpoints keep the vertex numbers that \p leaves use.
 void write_preorder(Hierarchy& hierarchy, const std::vector<Leaf>& leaves) {
     struct OpenNode {
         std::size_t place;     ///< of its midpoint
@@ -47,7 +47,7 @@ void write_preorder(Hierarchy& hierarchy, const std::vector<Leaf>& leaves) {
     assert(open.empty() && bit_count == hierarchy.node_count());
 }
 
-/// \p field with the values of the vertices \p old_numbers, in that order.
+/// A copy of \p field with the values of the vertices \p old_numbers, in that order.
 Field renumbered(const Field& field, std::span<const Index> old_numbers) {
     Field result{field.name, field.kind, {}};
     result.values.reserve(component_count(field.kind) * old_numbers.size());

@@ -1,5 +1,5 @@
-// Vectors of three floats in one register of four, whose last lane means nothing: where the same sums are
-// taken for many vertices, this is three times as fast as one float after the other.
+// Vectors of three floats in a register of four, whose last lane has no meaning. Computing the same sums for
+// many vertices this way is three times as fast as one float at a time.
 #pragma once
 
 #include <cstring>
@@ -8,17 +8,18 @@
 
 namespace interleaf {
 
-/// x, y, z and one more. Arithmetic works lane by lane (a vector type of g++ and clang).
+/// x, y, z and an unused lane. Arithmetic works lane by lane (a vector type of g++ and clang).
 using Lanes = float __attribute__((vector_size(16)));
 
-/// Reads 16 bytes, of which \p vector is the first 12: those behind it must be readable (as in a Buffer).
+/// Reads 16 bytes, of which \p vector is the first 12.
+/// \pre  the 4 bytes behind \p vector are readable, as in a Buffer
 inline Lanes load(const glm::vec3& vector) {
     Lanes lanes;
     std::memcpy(&lanes, &vector, sizeof(lanes));
     return lanes;
 }
 
-/// Writes 16 bytes: what is stored behind \p vector must be written later.
+/// Writes 16 bytes, so it overwrites the 4 bytes behind \p vector: write those later.
 inline void store(float* vector, Lanes lanes) {
     std::memcpy(vector, &lanes, sizeof(lanes));
 }
@@ -27,7 +28,7 @@ inline Lanes yzx(Lanes v) {
     return __builtin_shufflevector(v, v, 1, 2, 0, 3);
 }
 
-/// The cross product, its lanes turned by one: yzx() of it is in order. Sums may be taken before.
+/// The cross product with its lanes rotated by one; yzx() of it is in order. Sums may be formed before that.
 inline Lanes turned_cross(Lanes a, Lanes b) {
     return a * yzx(b) - yzx(a) * b;
 }

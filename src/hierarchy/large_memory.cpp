@@ -17,14 +17,15 @@ namespace {
 
 constexpr std::size_t huge_page = std::size_t{2} << 20;
 
-/// From here on half a huge page, or more, is used.
+/// From this size on, a block uses at least half of its huge page.
 constexpr std::size_t large = huge_page / 2;
 
 constexpr std::size_t in_whole_pages(std::size_t bytes) {
     return (bytes + huge_page - 1) / huge_page * huge_page;
 }
 
-/// A mapping of \p bytes bytes, a multiple of huge_page and aligned to it: both are needed for huge pages.
+/// A mapping of \p bytes bytes. They are a multiple of huge_page and the mapping is aligned to it: huge pages
+/// need both.
 void* map(std::size_t bytes) {
     void* const wider = ::mmap(nullptr, bytes + huge_page, PROT_READ | PROT_WRITE,
                                MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -34,7 +35,7 @@ void* map(std::size_t bytes) {
         in_whole_pages(reinterpret_cast<std::uintptr_t>(begin)) - reinterpret_cast<std::uintptr_t>(begin);
     if (before > 0) ::munmap(begin, before);
     ::munmap(begin + before + bytes, huge_page - before);
-    ::madvise(begin + before, bytes, MADV_HUGEPAGE);  // without huge pages it is only slower
+    ::madvise(begin + before, bytes, MADV_HUGEPAGE);  // a failure only makes it slower
     return begin + before;
 }
 

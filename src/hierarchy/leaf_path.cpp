@@ -6,13 +6,14 @@ namespace interleaf {
 
 namespace {
 
-/// The first \p count bits, 0 to 64.
+/// A mask of the lowest \p count bits, 0 to 64.
 constexpr std::uint64_t first_bits(unsigned count) {
     return count == 0 ? 0 : ~std::uint64_t{0} >> (64 - count);
 }
 
-/// The leaf that follows a leaf of \p level: at the deepest bisection where that went to the first child the
-/// way goes to the second, and to first children from there. Where there is none, a root is complete.
+/// The leaf that follows \p leaf, which has the level \p level. Consider the deepest bisection at which
+/// \p leaf lies in the first child: the next leaf lies in the second child, and in first children from there
+/// on. If there is no such bisection, the root is complete.
 LeafPath next(const LeafPath& leaf, unsigned level) {
     const std::uint64_t first_children = ~leaf.path & first_bits(level);
     if (first_children == 0) return {leaf.root + 1, 0};

@@ -1,4 +1,5 @@
-// Where leaves are: the root and the way down to each, from nothing but the levels of leaves in preorder.
+// Paths of leaves: the root of each leaf and the path down to it, computed from nothing but the levels of the
+// leaves in preorder.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@ namespace interleaf {
 
 struct LeafPath {
     Index root = 0;
-    std::uint64_t path = 0;  ///< bit n is the child taken at level n, as level_map() takes it
+    std::uint64_t path = 0;  ///< bit n is the child taken at level n, as in level_map()
     bool operator==(const LeafPath&) const = default;
 };
 

@@ -11,7 +11,7 @@ namespace interleaf {
 
 namespace {
 
-/// The same triangle, its vertices rotated so that \p corner comes first.
+/// The same triangle with its vertices rotated so that \p corner comes first.
 Triangle rotated(const Triangle& triangle, unsigned corner) {
     return {triangle[corner], triangle[(corner + 1) % 3], triangle[(corner + 2) % 3]};
 }
@@ -34,19 +34,19 @@ RootComplex mark_longest_edges(const RootComplex& roots, std::span<const glm::ve
 }
 
 RootComplex mark_compatibly(const RootComplex& roots) {
-    // Triangle t has the number t in the surface and t + count in its mirror image, which is glued on at the
+    // Triangle t has the number t in the surface, and t + count in the mirror image that is glued on at the
     // boundary.
     const Index count = roots.triangle_count();
     const bool open = roots.boundary_edge_count() > 0;
     using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
     Graph dual(open ? 2 * count : count);
     for (Index t = 0; t < count; ++t)
-        for (const Index neighbour : roots.neighbours()[t]) {
-            if (neighbour == no_index) {
+        for (const Index neighbor : roots.neighbors()[t]) {
+            if (neighbor == no_index) {
                 boost::add_edge(t, t + count, dual);
-            } else if (t < neighbour) {
-                boost::add_edge(t, neighbour, dual);
-                if (open) boost::add_edge(t + count, neighbour + count, dual);
+            } else if (t < neighbor) {
+                boost::add_edge(t, neighbor, dual);
+                if (open) boost::add_edge(t + count, neighbor + count, dual);
             }
         }
     std::vector<Graph::vertex_descriptor> mate(boost::num_vertices(dual));
@@ -56,7 +56,7 @@ RootComplex mark_compatibly(const RootComplex& roots) {
     for (Index t = 0; t < count; ++t) {
         assert(mate[t] != Graph::null_vertex());  // Petersen: the dual graph is cubic and has no bridge
         const Index partner = mate[t] == t + count ? no_index : static_cast<Index>(mate[t]);
-        const Triangle& sides = roots.neighbours()[t];
+        const Triangle& sides = roots.neighbors()[t];
         triangles[t] =
             rotated(triangles[t],
                     static_cast<unsigned>(std::find(sides.begin(), sides.end(), partner) - sides.begin()));
@@ -66,8 +66,8 @@ RootComplex mark_compatibly(const RootComplex& roots) {
 
 bool is_compatibly_marked(const RootComplex& roots) {
     for (Index t = 0; t < roots.triangle_count(); ++t) {
-        const Index neighbour = roots.neighbours()[t][0];
-        if (neighbour != no_index && roots.neighbours()[neighbour][0] != t) return false;
+        const Index neighbor = roots.neighbors()[t][0];
+        if (neighbor != no_index && roots.neighbors()[neighbor][0] != t) return false;
     }
     return true;
 }

@@ -14,7 +14,8 @@ namespace interleaf {
 
 namespace {
 
-/// An edge as one triangle runs along it: its ends in ascending order, and whether it runs downwards.
+/// An edge as traversed by one triangle: its ends in ascending order, and whether the triangle traverses it
+/// downwards.
 struct DirectedEdge {
     Index low;
     Index high;

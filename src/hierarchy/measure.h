@@ -1,4 +1,4 @@
-// Figures of an indexed triangle mesh, for `interleaf info` and for tests.
+// Measurements of an indexed triangle mesh, for `interleaf info` and for tests.
 #pragma once
 
 #include <optional>
@@ -19,20 +19,21 @@ struct Box {
 
 Box bounding_box(std::span<const glm::vec3> positions);
 
-/// What a camera frames: everything lies in the box, and in the sphere about the box's centre.
+/// The extent that a camera looks at: everything lies in the box, and in the sphere about the box's center.
 struct Extent {
     Box box;
     float radius = 0;
 };
 
-/// The box alone: the sphere goes through its corners.
+/// The extent of the box alone: the sphere passes through the box's corners.
 Extent extent_of(const Box& box);
 
 struct Measures {
-    double area = 0;       ///< in squared units of the positions
-    double volume = 0;     ///< enclosed, signed: positive when triangles are counter-clockwise seen from
-                           ///< outside; closed meshes
-    double min_angle = 0;  ///< smallest angle of any triangle, degrees
+    double area = 0;  ///< in squared units of the positions
+    /// The enclosed volume, for closed meshes. It is positive if the triangles are counter-clockwise seen
+    /// from outside.
+    double volume = 0;
+    double min_angle = 0;  ///< smallest angle of any triangle, in degrees
 };
 
 Measures measure(std::span<const Triangle> triangles, std::span<const glm::vec3> positions);
@@ -40,7 +41,7 @@ Measures measure(std::span<const Triangle> triangles, std::span<const glm::vec3>
 /// Vertices - edges + faces of any indexed mesh; isolated vertices do not count.
 int euler_number(std::span<const Triangle> triangles);
 
-/// Whether each edge belongs to exactly two triangles that run along it in opposite directions.
+/// Whether each edge belongs to exactly two triangles that traverse it in opposite directions.
 bool is_closed_manifold(std::span<const Triangle> triangles);
 
 }  // namespace interleaf

@@ -26,7 +26,8 @@ namespace {
 
 using Streams = std::span<const float* const>;
 
-/// sum[n] = sum over s < count of weights[s] * streams[s][n], added to \p sum[n] unless \p is_first.
+/// Computes sum[n] = sum over s < count of weights[s] * streams[s][n], and adds it to \p sum[n] unless
+/// \p is_first.
 template <std::size_t count>
 void add_streams(Streams streams, std::span<const float> weights, bool is_first, std::span<float> sum) {
     std::array<const float*, count> from;
@@ -49,7 +50,7 @@ void add_streams(Streams streams, std::span<const float> weights, bool is_first,
 
 /// The weighted sum of streams of single floats, each as long as \p sum.
 void add_up(Streams streams, std::span<const float> weights, std::span<float> sum) {
-    // Memory is the limit: as many streams as are usually active are read in one pass.
+    // Memory is the bottleneck, so one pass reads as many streams as are usually active.
     for (std::size_t s = 0; s < streams.size();) {
         const bool is_first = s == 0;
         switch (streams.size() - s) {

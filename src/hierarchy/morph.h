@@ -1,5 +1,5 @@
-// The morph (paper, theorem 2, equation (3)): H(b) = sum of b_i H_i over the keys of a union, for any real
-// weights b, used as given; of positions and of fields.
+// The morph (paper, theorem 2, equation (3)): H(b) = sum of b_i H_i over the keys of a union, of positions
+// and of fields. The weights b are any real numbers, used as given.
 #pragma once
 
 #include <span>
@@ -12,25 +12,27 @@
 
 namespace interleaf {
 
-/// The weighted sum of the position streams, one position a union vertex. \p weights has one weight a key of
-/// \p mesh.
+/// The weighted sum of the position streams.
+/// \param weights  one per key of \p mesh
+/// \return one position per union vertex
 Buffer<glm::vec3> morph(const UnionMesh& mesh, std::span<const float> weights);
 
-/// The same into \p positions, whose memory is used again.
+/// As above, but reuses the memory of \p positions.
 void morph(const UnionMesh& mesh, std::span<const float> weights, Buffer<glm::vec3>& positions);
 
-/// \p sum[v] = sum over s of weights[s] * streams[s][v], for streams of one length, at least one.
+/// Computes \p sum[v] = sum over s of weights[s] * streams[s][v].
+/// \pre  there is at least one stream, and all have the same length
 void weighted_sum(std::span<const Buffer<glm::vec3>> streams, std::span<const float> weights,
                   Buffer<glm::vec3>& sum);
 
-/// The weighted sum of the streams of \p field into \p values: as in a Field, but colours as linear light.
+/// Writes the weighted sum of the streams of \p field to \p values. Their layout is that of a Field, but
+/// colors are linear light.
 void morph(const UnionField& field, std::span<const float> weights, Buffer<float>& values);
 
-/// The morph of \p field, one value a union vertex. Colours are encoded again; where weights led out of 0 to
-/// 1, they stop there.
+/// The morph of \p field, one value per union vertex. Colors are encoded again, after clamping to 0 to 1.
 Field morphed_field(const UnionField& field, std::span<const float> weights);
 
-/// The interpolated hierarchy H(b) as a key like any other (paper, section 3.3), with the fields of \p mesh.
+/// The interpolated hierarchy H(b), a key like any other (paper, section 3.3), with the fields of \p mesh.
 Hierarchy morphed_hierarchy(const UnionMesh& mesh, std::span<const float> weights);
 
 }  // namespace interleaf

@@ -11,7 +11,7 @@ namespace interleaf {
 
 namespace {
 
-/// Side \p side of triangle \p triangle, the edge from \p from to \p to.
+/// Side \p side of triangle \p triangle: the edge from \p from to \p to.
 struct Side {
     Index from;
     Index to;
@@ -53,7 +53,7 @@ std::vector<Side> sides_by_ends(const std::vector<Triangle>& triangles) {
 
 std::vector<Triangle> match_sides(const std::vector<Triangle>& triangles) {
     const std::vector<Side> sides = sides_by_ends(triangles);
-    std::vector<Triangle> neighbours(triangles.size(), Triangle{no_index, no_index, no_index});
+    std::vector<Triangle> neighbors(triangles.size(), Triangle{no_index, no_index, no_index});
     for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
         while (last < sides.size() && sides[last].ends() == sides[first].ends()) ++last;
         const Side& a = sides[first];
@@ -72,24 +72,24 @@ std::vector<Triangle> match_sides(const std::vector<Triangle>& triangles) {
                             "consistent orientation",
                             a.triangle, b.triangle, a.from, a.to),
                 b.triangle);
-        neighbours[a.triangle][a.side] = b.triangle;
-        neighbours[b.triangle][b.side] = a.triangle;
+        neighbors[a.triangle][a.side] = b.triangle;
+        neighbors[b.triangle][b.side] = a.triangle;
     }
-    return neighbours;
+    return neighbors;
 }
 
-void require_different_triangles(const std::vector<Triangle>& neighbours) {
-    for (std::size_t t = 0; t < neighbours.size(); ++t) {
-        const auto& [a, b, c] = neighbours[t];
+void require_different_triangles(const std::vector<Triangle>& neighbors) {
+    for (std::size_t t = 0; t < neighbors.size(); ++t) {
+        const auto& [a, b, c] = neighbors[t];
         if (const Index twin = a == b || a == c ? a : b == c ? b : no_index; twin != no_index)
             throw RootError(fmt::format("triangles {} and {} have the same vertices", t, twin),
                             std::max<std::size_t>(t, twin));
     }
 }
 
-/// Marks the corners of the fan around vertex \p corner of \p start, both ways round, and returns their
-/// number.
-std::size_t walk_fan(const std::vector<Triangle>& triangles, const std::vector<Triangle>& neighbours,
+/// Walks the fan of triangles around vertex \p corner of triangle \p start, in both directions.
+/// \return the number of triangles in the fan
+std::size_t walk_fan(const std::vector<Triangle>& triangles, const std::vector<Triangle>& neighbors,
                      Index start, unsigned corner) {
     const Index vertex = triangles[start][corner];
     const auto corner_of = [&](Index t) {
@@ -101,15 +101,15 @@ std::size_t walk_fan(const std::vector<Triangle>& triangles, const std::vector<T
         Index t = start;
         do {
             ++count;
-            t = neighbours[t][(corner_of(t) + turn) % 3];
+            t = neighbors[t][(corner_of(t) + turn) % 3];
         } while (t != no_index && t != start);
         if (t == start) return count;
     }
-    return count - 1;  // the start was counted both ways
+    return count - 1;  // the start was counted in both directions
 }
 
 void require_one_fan_a_vertex(Index vertex_count, const std::vector<Triangle>& triangles,
-                              const std::vector<Triangle>& neighbours) {
+                              const std::vector<Triangle>& neighbors) {
     std::vector<std::size_t> corners(vertex_count, 0);
     for (const Triangle& triangle : triangles)
         for (const Index vertex : triangle) ++corners[vertex];
@@ -123,7 +123,7 @@ void require_one_fan_a_vertex(Index vertex_count, const std::vector<Triangle>& t
             const Index vertex = triangles[t][k];
             if (seen[vertex]) continue;
             seen[vertex] = true;
-            if (walk_fan(triangles, neighbours, t, k) != corners[vertex])
+            if (walk_fan(triangles, neighbors, t, k) != corners[vertex])
                 throw RootError(
                     fmt::format("vertex {} joins triangles that share no edge there, expected a manifold",
                                 vertex),
@@ -140,14 +140,14 @@ RootComplex::RootComplex() {
 
 RootComplex::RootComplex(Index vertex_count, std::vector<Triangle> triangles) {
     require_indices(vertex_count, triangles);
-    std::vector<Triangle> neighbours = match_sides(triangles);
-    require_different_triangles(neighbours);
-    require_one_fan_a_vertex(vertex_count, triangles, neighbours);
+    std::vector<Triangle> neighbors = match_sides(triangles);
+    require_different_triangles(neighbors);
+    require_one_fan_a_vertex(vertex_count, triangles, neighbors);
     Index boundary_edge_count = 0;
-    for (const Triangle& sides : neighbours)
+    for (const Triangle& sides : neighbors)
         boundary_edge_count += static_cast<Index>(std::count(sides.begin(), sides.end(), no_index));
     connectivity_ = std::make_shared<const Connectivity>(
-        Connectivity{vertex_count, boundary_edge_count, std::move(triangles), std::move(neighbours)});
+        Connectivity{vertex_count, boundary_edge_count, std::move(triangles), std::move(neighbors)});
 }
 
 bool RootComplex::operator==(const RootComplex& other) const {

@@ -2,7 +2,7 @@
 //
 // The refinement edge of a triangle (i, j, k) is the edge (j, k) opposite its first vertex. Bisection puts a
 // new vertex l at the middle of (j, k) and gives the children (l, k, i) and (l, i, j), in that order. So the
-// refinement edge of every descendant follows from the order of the root's vertices; nothing marks it.
+// order of the root's vertices determines the refinement edge of every descendant; no marks are stored.
 #pragma once
 
 #include <array>
@@ -19,14 +19,16 @@ inline constexpr Index no_index = 0xffffffff;
 /// Three vertices, counter-clockwise seen from outside; the refinement edge is opposite the first.
 using Triangle = std::array<Index, 3>;
 
-/// Sides of a triangle are numbered by the vertex they are opposite to. After bisect() the halves of the
-/// parent's refinement edge lie on these sides of the children, the edge to the sibling on those; side 0 is
-/// inherited whole, from the parent's side 1 by the first child and from its side 2 by the second.
+/// Side k of a triangle is the edge opposite its vertex k; side k of triangle t has the number 3 t + k.
+///
+/// After bisect(), child c has a half of the parent's refinement edge on its side half_side[c], and the edge
+/// to its sibling on its side sibling_side[c]. It inherits its side 0 whole: the first child from the
+/// parent's side 1, the second from the parent's side 2.
 inline constexpr unsigned refinement_side = 0;
 inline constexpr std::array<unsigned, 2> half_side = {2, 1};
 inline constexpr std::array<unsigned, 2> sibling_side = {1, 2};
 
-/// Deepest level of a leaf. A path from a root to a leaf is one bit a level, so it fits 64 bits.
+/// The maximum level of a leaf. A path from a root to a leaf has one bit per level, so it fits in 64 bits.
 inline constexpr unsigned max_level = 64;
 
 /// The children (l, k, i) and (l, i, j) of the triangle (i, j, k) bisected at the midpoint l of (j, k).

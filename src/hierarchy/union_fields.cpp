@@ -11,8 +11,8 @@ namespace {
 
 using Values = std::span<const float>;
 
-/// The values of one key at the vertices of the union. Its own vertices come there in the order of their
-/// numbers, since both number them by first visit, and ends of edges before midpoints.
+/// The values of one key at the vertices of the union. The key's own vertices come in the order of their
+/// numbers, because both number them by first visit. Ends of edges come before midpoints.
 template <std::size_t width>
 Buffer<float> stream_of(Values values, std::span<const Index> own_vertices,
                         std::span<const VertexOrigin> vertices) {

@@ -1,9 +1,8 @@
-// Fields of a union: a field that several keys have becomes one stream a key beside the positions, by the
-// same rule: a key's own vertex keeps its value, every other vertex gets the mean of the ends of the edge it
-// bisects.
+// Fields of a union. A field that all keys have becomes one stream per key, by the same rule as positions: a
+// key's own vertex keeps its value, and every other vertex gets the mean of the ends of the edge it bisects.
 //
-// Colours become linear light on the way, so that means and morphs mix light. It is a pass for each key after
-// the union, which costs nothing where no field is wanted.
+// Colors become linear light here, so that means and morphs mix light. The fields take one pass per key after
+// the union, and cost nothing if no field is wanted.
 #pragma once
 
 #include <span>
@@ -14,12 +13,12 @@
 
 namespace interleaf {
 
-/// The fields that all of \p keys, at least one, have under one name and of one kind, in the first key's
-/// order.
+/// The fields that all of \p keys have with the same name and kind, in the first key's order.
+/// \pre  there is at least one key
 std::vector<FieldName> common_fields(std::span<const Hierarchy* const> keys);
 
 /// The field \p label of \p mesh, which is the union of \p keys.
-/// \pre  each of \p keys has it, and passes check()
+/// \pre  each of \p keys has the field, and passes check()
 UnionField united_field(std::span<const Hierarchy* const> keys, const UnionMesh& mesh,
                         const FieldName& label);
 

@@ -13,13 +13,13 @@ namespace interleaf {
 
 namespace {
 
-/// Where a key's stream stands, and where its part of the union is written.
+/// The read position in a key's streams, and the write position of its part of the union.
 struct Cursor {
     const std::uint64_t* bits;
     const Index* next_midpoint;  ///< vertex of the next bisected node
     const glm::vec3* positions;
     glm::vec3* stream;    ///< positions in the union
-    Index* own_vertices;  ///< where each vertex of the key is in the union
+    Index* own_vertices;  ///< number in the union of each vertex of the key
     std::size_t node;     ///< next in the preorder
     Index next_vertex;    ///< the vertex that the next first visit meets
     KeySet bit;
@@ -32,7 +32,7 @@ struct Cursor {
 };
 
 /// The walk over the nodes of the union. A node is alive in the keys in which it is a node; the streams of
-/// the others stand still. The buffers of the mesh have room for the largest union there may be.
+/// the other keys pause. The buffers of the mesh have room for the largest possible union.
 class Walk {
   public:
     Walk(std::span<Cursor> cursors, UnionMesh& mesh)
@@ -58,8 +58,8 @@ class Walk {
     template <std::size_t length>
     using Fixed = std::integral_constant<std::size_t, length>;
 
-    /// Visits a node, with the loops over its list unrolled where the list is short. Where the keys are
-    /// refined apart, most of their union is alive in one of them.
+    /// Visits a node. The loops over short lists are unrolled. If the keys are refined in different places,
+    /// most nodes of their union are alive in a single key.
     void dispatch(Index i, Index j, Index k, LeafTag tag, Cursor** alive, std::size_t count) {
         switch (count) {
             case 1:
@@ -73,8 +73,8 @@ class Walk {
         }
     }
 
-    /// The node (i, j, k), alive in the keys of alive[0 .. count). Behind these is room for its descendants'
-    /// lists.
+    /// Visits the node (i, j, k), which is alive in the keys alive[0 .. count). The array continues with room
+    /// for the lists of its descendants.
     template <typename Count>
     void visit(Index i, Index j, Index k, LeafTag tag, Cursor** alive, Count count) {
         Cursor** const bisected = alive + count;
@@ -98,7 +98,7 @@ class Walk {
         }
     }
 
-    /// The same where one key is alive, without a list.
+    /// Visits a node that is alive in one key, without a list.
     void visit_alone(Index i, Index j, Index k, LeafTag tag, Cursor& alive) {
         if (alive.take_bit() == 0) return add_leaf({i, j, k}, tag, alive.bit);
         Cursor* bisected = &alive;
@@ -115,9 +115,9 @@ class Walk {
         ++leaf_count_;
     }
 
-    /// The keys bisected at an edge are the same on both sides of it, and each of them meets its midpoint
-    /// there for the first or for the second time; so any one of them tells whether the union has the vertex,
-    /// and which it is.
+    /// The same keys are bisected on both sides of an edge, and all of them meet its midpoint here for the
+    /// first time, or all for the second time. So any one of them tells whether the union has the vertex
+    /// already, and which vertex it is.
     template <typename Count>
     Index take_midpoint(Index a, Index b, Cursor** bisected, Count count) {
         const Index own = *bisected[0]->next_midpoint;
@@ -150,10 +150,11 @@ class Walk {
     VertexOrigin* vertices_;
     std::size_t leaf_count_ = 0;
     Index vertex_count_;
-    std::vector<Cursor*> alive_;  ///< a stack: at each level the cursors alive there
+    std::vector<Cursor*> alive_;  ///< a stack: the cursors alive at each level
 };
 
-/// Gives the buffers their largest possible size: a leaf, and a midpoint, of the union is one of some key.
+/// Gives the buffers their largest possible size: every leaf, and every midpoint, of the union is one of some
+/// key.
 void make_room(std::span<const Hierarchy* const> keys, UnionMesh& mesh) {
     std::size_t vertex_bound = 0;
     std::size_t leaf_bound = 0;

@@ -16,8 +16,9 @@ float power_of_two(unsigned exponent) {
     return std::bit_cast<float>((exponent + 127U) << 23);
 }
 
-/// The normals e_i x f_j + e_j x f_i of a leaf, e_i x f_i for i = j, 3 floats each. One float behind the last
-/// is written, too. \p edges has room for e and f of every key.
+/// The normals e_i x f_j + e_j x f_i of a leaf, or e_i x f_i for i = j, 3 floats each. Also overwrites one
+/// float behind the last.
+/// \param edges  scratch memory for e and f of every key
 template <typename Count>
 void leaf_products(const UnionMesh& mesh, const Triangle& leaf, Count key_count, std::array<Lanes, 2>* edges,
                    float* products) {
@@ -34,11 +35,11 @@ void leaf_products(const UnionMesh& mesh, const Triangle& leaf, Count key_count,
     }
 }
 
-/// Sums up the products of every leaf, weighted, at its corners.
+/// Adds the weighted products of every leaf to its corners.
 template <typename Count>
 void add_leaves(const UnionMesh& mesh, Count key_count, NormalForm& form) {
-    // Products are written in pieces of one size and read in another. In batches, the writing is over by
-    // then.
+    // The writes and the reads of a product have different widths. With batches, the writes have finished
+    // before the reads begin.
     constexpr std::size_t batch = 32;
     const std::size_t float_count = 3 * product_count(key_count);
     std::vector<float> products(batch * float_count + 1);
@@ -60,8 +61,8 @@ void add_leaves(const UnionMesh& mesh, Count key_count, NormalForm& form) {
     }
 }
 
-/// Rule 2: the mean of the ends where neither key has a vertex of its own. Ends come before midpoints, so one
-/// pass does it.
+/// Rule 2: takes the mean of the edge's ends at vertices that neither key owns. Ends come before midpoints,
+/// so one pass suffices.
 void interpolate_elsewhere(const UnionMesh& mesh, NormalForm& form) {
     const std::size_t count = form.product_count;
     KeySet all = 0;
@@ -93,7 +94,7 @@ NormalForm normal_form(const UnionMesh& mesh) {
 void normal_form(const UnionMesh& mesh, NormalForm& form) {
     form.product_count = product_count(mesh.key_count());
     form.products.assign(mesh.vertex_count() * form.product_count, glm::vec3(0));
-    // The loops over keys are unrolled for as many keys as are usually active.
+    // The loops over keys are unrolled for the usual numbers of active keys.
     switch (mesh.key_count()) {
         case 1:
             add_leaves(mesh, std::integral_constant<std::size_t, 1>(), form);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float margin = 1.08F;
 
-/// Half the picture's height at distance 1.
+/// Half the height of the picture at distance 1.
 float half_height() {
     return std::tan(glm::radians(vertical_field_degrees / 2));
 }
@@ -25,7 +25,7 @@ glm::mat3 Camera::axes() const {
     return glm::mat3(glm::rotate(turn, glm::radians(-elevation_), glm::vec3(1, 0, 0)));
 }
 
-void Camera::frame(const Extent& extent, float aspect) {
+void Camera::view_all(const Extent& extent, float aspect) {
     const Box& box = extent.box;
     scene_center_ = box.center();
     scene_radius_ = extent.radius > 0 ? extent.radius : 1;
@@ -71,7 +71,7 @@ void Camera::zoom(float factor, glm::vec2 pointer, float aspect) {
 }
 
 void Camera::approach(float factor, glm::vec3 point) {
-    // A similarity about the point keeps every direction to it. Its limits keep float precision alive.
+    // A similarity about the point keeps every direction to it. The limits keep the floats precise enough.
     const float nearest = scene_radius_ * 1e-4F;
     const float farthest = scene_radius_ * 1e3F;
     const float scale = std::clamp(distance_ / factor, nearest, farthest) / distance_;
@@ -96,8 +96,8 @@ glm::mat4 Camera::view() const {
 }
 
 glm::mat4 Camera::projection(float aspect) const {
-    // Twice the radius, as weights outside 0 to 1 leave the framed box. From inside the scene the near plane
-    // follows the distance, so that coming close clips nothing that can be seen well.
+    // Twice the radius, because weights outside 0 to 1 leave the box in view. Inside the scene, the near
+    // plane follows the distance, so that an approach clips nothing that is in clear view.
     const float depth = glm::dot(eye() - scene_center_, axes()[2]);
     const float near = std::max(depth - 2 * scene_radius_, distance_ / 100);
     const float far = std::max(depth + 2 * scene_radius_, 2 * near);

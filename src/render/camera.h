@@ -1,7 +1,7 @@
-// The camera: it looks at a target point from a distance, Y up, 35 degrees vertical field. Pure arithmetic,
-// no GL.
+// The camera: it looks at a target point from a distance, Y up, with a vertical field of view of 35 degrees.
+// It uses arithmetic only, no GL.
 //
-// It turns like a turntable: about the vertical axis and up and down, never rolling.
+// It turns like a turntable: about the vertical axis, and up and down. It never rolls.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -17,32 +17,35 @@ inline constexpr float vertical_field_degrees = 35.0F;
 
 class Camera {
   public:
-    /// Sees the whole of \p extent at width / height = \p aspect from where it looks now, with a margin.
-    void frame(const Extent& extent, float aspect);
+    /// Moves the camera so that the whole of \p extent is in view, with a margin, from the present direction.
+    /// \param aspect  width / height of the picture
+    void view_all(const Extent& extent, float aspect);
 
     /// Looks from \p azimuth (about Y, 0 from +Z) and \p elevation (above the XZ plane, -90 to 90), both in
     /// degrees.
     void look_from(float azimuth, float elevation);
 
-    /// Turns about the target: \p delta is the pointer's way in units of the picture's height, x right, y
-    /// down.
+    /// Turns about the target.
+    /// \param delta  movement of the pointer in units of the picture's height, x right, y down
     void orbit(glm::vec2 delta);
 
-    /// Shifts the target so that it stays under the pointer; \p delta as in orbit().
+    /// Shifts the target so that it stays under the pointer.
+    /// \param delta  as in orbit()
     void pan(glm::vec2 delta);
 
-    /// Shifts the target so that \p point is in the middle of the picture.
+    /// Shifts the target so that \p point is at the center of the picture.
     void center(glm::vec3 point);
 
-    /// Comes nearer by \p factor (above 1 nearer) with the point under the pointer, at the target's depth,
-    /// staying there. \p pointer in normalised device coordinates, -1 to 1, y up.
+    /// Zooms by \p factor; above 1 the camera moves nearer. The point under the pointer, at the target's
+    /// depth, stays there.
+    /// \param pointer  in normalized device coordinates, -1 to 1, y up
     void zoom(float factor, glm::vec2 pointer, float aspect);
 
-    /// Comes nearer to the world point \p point by \p factor. It stays where it is in the picture; so a
-    /// surface point under the pointer can be approached until it fills the picture.
+    /// Moves nearer to the world point \p point by \p factor. The point keeps its place in the picture, so
+    /// repeated calls make the surface around it fill the picture.
     void approach(float factor, glm::vec3 point);
 
-    /// The world point under \p pointer (as in zoom()) at \p depth, 0 to 1 as the depth buffer has it.
+    /// The world point under \p pointer (as in zoom()) at \p depth, 0 to 1 as in the depth buffer.
     glm::vec3 point_at(glm::vec2 pointer, float depth, float aspect) const;
 
     glm::mat4 view() const;
@@ -58,7 +61,7 @@ class Camera {
     float azimuth_ = 0;    ///< degrees
     float elevation_ = 0;  ///< degrees
     float distance_ = 4;
-    glm::vec3 scene_center_{0};  ///< of what was framed, for the clipping planes
+    glm::vec3 scene_center_{0};  ///< of the extent in view, for the clipping planes
     float scene_radius_ = 1;
 };
 

@@ -9,8 +9,8 @@
 namespace interleaf {
 namespace {
 
-// Every fifth of matplotlib's 256 colours (_cm_listed.py; public domain, CC0). Between them the colours are
-// linear, at most 1/255 off.
+// Every fifth of matplotlib's 256 colors (_cm_listed.py; public domain, CC0). Linear interpolation between
+// them is off by at most 1/255.
 constexpr std::array<glm::vec3, 52> viridis = {
     from_hex(0x440154), from_hex(0x46085c), from_hex(0x471063), from_hex(0x481769), from_hex(0x481d6f),
     from_hex(0x482475), from_hex(0x472a7a), from_hex(0x46307e), from_hex(0x453781), from_hex(0x433d84),
@@ -37,8 +37,8 @@ constexpr std::array<glm::vec3, 52> magma = {
     from_hex(0xfec68a), from_hex(0xfecf92), from_hex(0xfed89a), from_hex(0xfde2a3), from_hex(0xfdebac),
     from_hex(0xfcf4b6), from_hex(0xfcfdbf)};
 
-// From Moreland's formula in Msh space, between (59, 76, 192) and (180, 4, 38). Between these the colours are
-// linear, at most 2.3/255 off, at the red end.
+// From Moreland's formula in Msh space, between (59, 76, 192) and (180, 4, 38). Linear interpolation between
+// the colors is off by at most 2.3/255, at the red end.
 constexpr std::array<glm::vec3, 65> coolwarm = {
     from_hex(0x3b4cc0), from_hex(0x4053c6), from_hex(0x445acc), from_hex(0x4961d2), from_hex(0x4e68d7),
     from_hex(0x536edc), from_hex(0x5875e1), from_hex(0x5d7be6), from_hex(0x6282ea), from_hex(0x6788ee),
@@ -97,7 +97,7 @@ glm::vec3 color_at(ColorMap map, float place) {
 }
 
 ColorScale::Placing ColorScale::placing() const {
-    // In double: the range may be as wide as floats go.
+    // In double precision, because the range may be as wide as floats allow.
     const double min = range.min, max = range.max;
     if (!(max > min)) return {range.min, 0, 0.5F};
     const auto to_float = [](double factor) {

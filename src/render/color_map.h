@@ -1,9 +1,9 @@
-// Colour maps for scalar fields, and scales that say which value has which colour. The shader and the legend
-// take them from here, so that they agree. No GL.
+// Color maps for scalar fields, and scales that assign colors to values. The shader and the legend both use
+// them, so they agree. No GL.
 //
 // Viridis and magma (N. Smith and S. van der Walt, 2015) are perceptually uniform. Coolwarm is the diverging
-// map of K. Moreland, "Diverging Color Maps for Scientific Visualization", ISVC 2009: uniform to either side
-// of its middle, which is neutral.
+// map of K. Moreland, "Diverging Color Maps for Scientific Visualization", ISVC 2009. It is uniform on either
+// side of its middle, which is neutral.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace interleaf {
 
-/// The colour 0xrrggbb, sRGB-encoded, components 0 to 1.
+/// The color 0xrrggbb, sRGB-encoded, components 0 to 1.
 constexpr glm::vec3 from_hex(unsigned rgb) {
     return {static_cast<float>(rgb >> 16 & 0xff) / 255.0F, static_cast<float>(rgb >> 8 & 0xff) / 255.0F,
             static_cast<float>(rgb & 0xff) / 255.0F};
@@ -26,16 +26,16 @@ enum class ColorMap { viridis, magma, coolwarm };
 /// All maps, in the order in which they are offered.
 std::span<const ColorMap> color_maps();
 
-/// "viridis".
+/// For example, "viridis".
 std::string_view name_of(ColorMap map);
 
-/// The map called \p name; none when there is none.
+/// The map called \p name; none if there is none.
 std::optional<ColorMap> color_map_named(std::string_view name);
 
-/// Whether the map has a middle that means something: the place of 0.
+/// Whether the middle of the map has a meaning: it is the place of 0.
 bool is_diverging(ColorMap map);
 
-/// The colour at \p place, 0 to 1 and no further, sRGB-encoded.
+/// The color at \p place, clamped to 0 to 1; sRGB-encoded.
 glm::vec3 color_at(ColorMap map, float place);
 
 struct ValueRange {
@@ -44,10 +44,10 @@ struct ValueRange {
     bool operator==(const ValueRange&) const = default;
 };
 
-/// What colours mean: \p map over \p range. Values outside have the colour of the range's end.
+/// The meaning of colors: \p map over \p range. Values outside get the color of the nearer end of the range.
 ///
-/// A diverging map over a range around 0 has its middle at 0, and equal steps to either side: what it has
-/// beyond the nearer end of the range is not used.
+/// A diverging map over a range around 0 has its middle at 0 and equal steps on either side. So the part of
+/// the map beyond the nearer end of the range is not used.
 struct ColorScale {
     ColorMap map = ColorMap::viridis;
     ValueRange range;

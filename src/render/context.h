@@ -1,6 +1,6 @@
-// OpenGL 3.3 core contexts: a GLFW window, and EGL without a display. Either one is current in its thread
-// from construction on, with the GL functions loaded and KHR_debug messages collected where the driver has
-// them. One of them at a time; what was made in it goes before it.
+// OpenGL 3.3 core contexts: a GLFW window, and EGL without a display. A context is current in its thread from
+// its construction on. Its GL functions are loaded, and it collects KHR_debug messages if the driver supports
+// them. Only one context may exist at a time, and its objects must be destroyed before it.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ struct GLFWwindow;
 
 namespace interleaf {
 
-/// EGL on the surfaceless platform: draws into an OffscreenTarget, needs no display.
+/// EGL on the surfaceless platform: draws into an OffscreenTarget and needs no display.
 class EglContext {
   public:
-    /// \throw MachineError saying which step failed
+    /// \throw MachineError naming the step that failed
     EglContext();
     ~EglContext();
     EglContext(EglContext&& other) noexcept;
@@ -38,8 +38,9 @@ struct DisplayError : MachineError {
 /// A GLFW window, shown or hidden.
 class Window {
   public:
-    /// \param width, height  in screen coordinates
-    /// \throw DisplayError
+    /// \param width   in screen coordinates
+    /// \param height  in screen coordinates
+    /// \throw DisplayError if no window can be opened
     Window(const std::string& title, int width, int height, bool visible = true);
     ~Window();
     Window(Window&& other) noexcept;
@@ -47,10 +48,10 @@ class Window {
 
     GLFWwindow* handle() const;
 
-    /// Size of its framebuffer, pixels.
+    /// Size of the framebuffer in pixels.
     glm::ivec2 framebuffer_size() const;
 
-    /// What has been drawn since the last swap, 8-bit RGBA, top row first.
+    /// The picture drawn since the last swap: 8-bit RGBA, top row first.
     std::vector<std::uint8_t> read_rgba() const;
 
   private:
@@ -58,8 +59,8 @@ class Window {
     std::unique_ptr<State> state_;
 };
 
-/// The KHR_debug messages of the current context of severity low and above since the last call, oldest first.
-/// A driver may keep only the first few (Mesa ten) between two calls.
+/// The KHR_debug messages of the current context since the last call, of severity low and above, oldest
+/// first. Between two calls, a driver may keep only the first few (Mesa: ten).
 std::vector<std::string> take_debug_messages();
 
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-// Reading the log of KHR_debug.
+// Reads the log of KHR_debug.
 #include "render/debug_messages.h"
 
 #include <glad/gl.h>

@@ -1,9 +1,9 @@
-// KHR_debug messages. OpenGL keeps them in a log of the context, so nothing of ours collects them.
+// KHR_debug messages. OpenGL keeps them in a log of the context, so the program does not store them.
 #pragma once
 
 namespace interleaf {
 
-/// Lets the current context log its messages, notifications left out. Does nothing where the driver lacks
+/// Makes the current context log its messages, except notifications. Does nothing if the driver lacks
 /// KHR_debug.
 void collect_debug_messages();
 

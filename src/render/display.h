@@ -1,4 +1,5 @@
-// What the picture shows, as plain data; the window's toggles and the command line's options set it.
+// The display options of a picture, as plain data. The window's toggles and the command line's options set
+// them.
 #pragma once
 
 #include <string>
@@ -10,24 +11,26 @@ namespace interleaf {
 enum class Shading { smooth, flat };
 
 enum class Coloring {
-    plain,    ///< one colour
-    level,    ///< bisections above the leaf
-    origin,   ///< which of the active keys bisect this far
-    checker,  ///< a checker over the roots, carried along by level maps
-    field,    ///< a field of the keys
+    plain,    ///< one color
+    level,    ///< by the number of bisections above the leaf
+    origin,   ///< by the set of active keys in which the leaf is a node
+    checker,  ///< a checkerboard over the roots, carried along by level maps
+    field,    ///< by a field of the keys
 };
 
 struct Display {
     Shading shading = Shading::smooth;
     Coloring coloring = Coloring::plain;
-    std::string field;          ///< the name of the one that Coloring::field shows
-    bool range_locked = false;  ///< whether the range of the scale stays when the field is another
+    std::string field;          ///< name of the field that Coloring::field shows
+    bool range_locked = false;  ///< whether the range of the scale stays when the field changes
     ColorScale scale;           ///< of a scalar field
     bool wireframe = false;     ///< the edges of the leaves
-    bool refinement_edges =
-        false;                ///< the edge of each leaf that bisection would split, in a colour of its own
+
+    /// The edge of each leaf that a bisection would split, in a color of its own.
+    bool refinement_edges = false;
+
     bool root_edges = false;  ///< the edges of the root complex
-    float line_width = 1.5F;  ///< pixels
+    float line_width = 1.5F;  ///< in pixels
     bool operator==(const Display&) const = default;
 };
 

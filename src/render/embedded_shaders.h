@@ -1,4 +1,4 @@
-// The shader files as they were at build time; embed_shaders.cmake writes the definition.
+// The shader files as of build time; embed_shaders.cmake writes the definition.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// Making and releasing the objects that gl_object.h hands out.
+// Creates and deletes the objects behind the handles of gl_object.h.
 #include "render/gl_object.h"
 
 #include <glad/gl.h>
@@ -31,7 +31,7 @@ unsigned create_gl_object(GlKind kind) {
 }
 
 void delete_gl_object(GlKind kind, unsigned name) {
-    // Also keeps a handle without an object from calling into a library that is not loaded.
+    // This also keeps a handle without an object from calling into a library that is not loaded.
     if (name == 0) return;
     switch (kind) {
         case GlKind::buffer:

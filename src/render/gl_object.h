@@ -1,6 +1,6 @@
-// Handles of OpenGL objects: move-only, and the object goes when its handle goes.
+// Handles of OpenGL objects. They are move-only, and a handle's destructor deletes the object.
 //
-// A handle must be destroyed while the context is current in which it was made.
+// A handle must be destroyed while the context that created its object is current.
 #pragma once
 
 #include <utility>
@@ -9,17 +9,17 @@ namespace interleaf {
 
 enum class GlKind { buffer, vertex_array, texture, framebuffer, renderbuffer, program };
 
-/// The name of a new object of \p kind.
-/// \pre a context is current
+/// Creates an object of \p kind and returns its name.
+/// \pre  a context is current
 unsigned create_gl_object(GlKind kind);
 
-/// Releases the object \p name of \p kind; 0 is no object.
+/// Deletes the object \p name of \p kind. Ignores the name 0.
 void delete_gl_object(GlKind kind, unsigned name);
 
 template <GlKind kind>
 class GlObject {
   public:
-    /// No object.
+    /// A handle without an object.
     GlObject() = default;
     ~GlObject() { delete_gl_object(kind, name_); }
     GlObject(GlObject&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
@@ -34,7 +34,7 @@ class GlObject {
         return object;
     }
 
-    /// The name that GL functions take; 0 when there is no object.
+    /// The name for GL functions; 0 if there is no object.
     unsigned name() const { return name_; }
     explicit operator bool() const { return name_ != 0; }
 

@@ -1,4 +1,4 @@
-// A picture as a texture, for the user interface to show.
+// An image as a texture, for the user interface.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,9 @@
 
 namespace interleaf {
 
-/// A texture of \p width x \p height pixels from 8-bit RGBA, top row first, shown value by value.
-/// \pre a context is current
+/// A texture of \p width x \p height pixels, without color conversion.
+/// \param rgba  8-bit RGBA, top row first
+/// \pre  a context is current
 GlTexture image_texture(int width, int height, std::span<const std::uint8_t> rgba);
 
 }  // namespace interleaf

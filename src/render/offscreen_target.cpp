@@ -1,4 +1,4 @@
-// Drawing into renderbuffers, resolving their samples, reading them and copying them to the window.
+// Draws into renderbuffers, resolves their samples, reads them, and copies them to the window.
 #include "render/offscreen_target.h"
 
 #include <cassert>
@@ -15,7 +15,7 @@ namespace {
 GlRenderbuffer make_renderbuffer(GLenum format, int width, int height, int samples) {
     GlRenderbuffer buffer = GlRenderbuffer::create();
     glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-    // 0 samples is a buffer without multisampling; 1 need not be.
+    // 0 samples means a buffer without multisampling; 1 sample need not.
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, format, width, height);
     glBindRenderbuffer(GL_RENDERBUFFER, 0);
     return buffer;
@@ -35,15 +35,15 @@ GlFramebuffer make_framebuffer(const GlRenderbuffer& color, const GlRenderbuffer
 
 void check_limits(int width, int height, int samples) {
     GLint size = 0;
-    GLint most_samples = 0;
+    GLint max_samples = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &size);
-    glGetIntegerv(GL_MAX_SAMPLES, &most_samples);
+    glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
     if (width > size || height > size)
         throw MachineError(
             fmt::format("cannot draw {}x{} pixels: at most {}x{} here", width, height, size, size));
-    if (samples > most_samples)
+    if (samples > max_samples)
         throw MachineError(
-            fmt::format("cannot draw {} samples a pixel: at most {} here", samples, most_samples));
+            fmt::format("cannot draw {} samples per pixel: at most {} here", samples, max_samples));
 }
 
 }  // namespace

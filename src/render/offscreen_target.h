@@ -1,5 +1,5 @@
-// A framebuffer of our own: sRGB colour and depth, multisampled or not. Everything is drawn into one, for the
-// window and without.
+// An offscreen framebuffer: sRGB color and depth, with or without multisampling. All drawing goes into one,
+// with a window or without.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,32 @@ namespace interleaf {
 
 class OffscreenTarget {
   public:
-    /// \param width, height  pixels, at least 1
-    /// \param samples        1 for none, 4 for smooth silhouettes
-    /// \throw MachineError if the machine cannot draw into one of this size
+    /// \param width    in pixels, at least 1
+    /// \param height   in pixels, at least 1
+    /// \param samples  1 for no multisampling, 4 for smooth silhouettes
+    /// \throw MachineError if the machine cannot draw into a target of this size
     OffscreenTarget(int width, int height, int samples);
 
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// Makes it the framebuffer that is drawn to, with its viewport.
+    /// Makes this the framebuffer to draw into, and sets its viewport.
     void bind() const;
 
-    /// Copies what was drawn to the default framebuffer with its lower left corner at (\p x, \p y), value by
-    /// value.
+    /// Copies the picture to the default framebuffer, with its lower left corner at (\p x, \p y), without
+    /// color conversion.
     void blit_to_window(int x, int y);
 
-    /// What was drawn, 8-bit RGBA, sRGB-encoded, top row first.
+    /// The picture: 8-bit RGBA, sRGB-encoded, top row first.
     std::vector<std::uint8_t> read_rgba();
 
-    /// Waits until everything has been drawn.
+    /// Waits until all drawing has finished.
     void finish() const;
 
-    /// Depth at the pixel \p x, \p y (from the top), 0 at the near plane; 1 where nothing was drawn.
+    /// Depth at the pixel \p x, \p y (from the top): 0 at the near plane, 1 if nothing was drawn there.
     float depth_at(int x, int y);
 
-    /// The same of all pixels, top row first.
+    /// The depths of all pixels, top row first.
     std::vector<float> read_depths();
 
   private:
@@ -48,7 +49,7 @@ class OffscreenTarget {
     GlRenderbuffer color_;
     GlRenderbuffer depth_;
     GlFramebuffer framebuffer_;
-    GlRenderbuffer resolved_color_;  ///< one sample a pixel; only where framebuffer_ has more
+    GlRenderbuffer resolved_color_;  ///< one sample per pixel; only if framebuffer_ has more
     GlRenderbuffer resolved_depth_;
     GlFramebuffer resolved_framebuffer_;
 };

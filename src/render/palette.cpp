@@ -1,4 +1,4 @@
-// The tables behind the colours.
+// The color tables.
 #include "render/palette.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace interleaf {
 namespace {
 
-/// Orange, blue, green, purple, yellow, sky blue, vermilion: neighbours far apart.
+/// Orange, blue, green, purple, yellow, sky blue, vermilion: adjacent colors differ clearly.
 constexpr std::array<glm::vec3, 7> okabe_ito = {from_hex(0xe69f00), from_hex(0x0072b2), from_hex(0x009e73),
                                                 from_hex(0xcc79a7), from_hex(0xf0e442), from_hex(0x56b4e9),
                                                 from_hex(0xd55e00)};
@@ -29,7 +29,7 @@ LevelRange level_range(const UnionMesh& mesh) {
 }
 
 std::vector<KeySet> origins_of(const UnionMesh& mesh) {
-    std::vector<KeySet> origins;  // few, so that looking one up is quick
+    std::vector<KeySet> origins;  // few, so a search is quick
     for (const KeySet origin : mesh.origins)
         if (std::find(origins.begin(), origins.end(), origin) == origins.end()) origins.push_back(origin);
     std::sort(origins.begin(), origins.end());

@@ -1,7 +1,7 @@
-// Colours by level and by origin. The shader and the legend take them from here, so that they agree. No GL.
+// Colors by level and by origin. The shader and the legend both use them, so they agree. No GL.
 //
-// Levels: viridis (color_map.h). Keys: the colour-blind safe hues of Okabe and Ito (2008); a set of keys has
-// the mean of its keys' colours, a set of all active keys is neutral.
+// Levels use viridis (color_map.h). Keys use the colors of Okabe and Ito (2008), which color-blind people can
+// distinguish. A set of keys has the mean color of its keys; the set of all active keys is neutral.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace interleaf {
 
-/// Colour of a surface that is not coloured by anything, sRGB-encoded.
+/// Color of a surface without coloring, sRGB-encoded.
 inline constexpr glm::vec3 plain_color{0.84F, 0.81F, 0.77F};
 
 /// Smallest and largest level of the leaves of a mesh.
@@ -29,14 +29,14 @@ LevelRange level_range(const UnionMesh& mesh);
 /// The sets of keys that occur as origin of a leaf of \p mesh, ascending.
 std::vector<KeySet> origins_of(const UnionMesh& mesh);
 
-/// Colour of a leaf of \p level, sRGB-encoded, components 0 to 1.
+/// Color of a leaf of \p level, sRGB-encoded, components 0 to 1.
 glm::vec3 level_color(unsigned level, LevelRange range);
 
-/// Colour of the key with index \p key in its family, sRGB-encoded. Seven hues, then they repeat.
+/// Color of the key with index \p key in its family, sRGB-encoded. There are seven colors, which then repeat.
 glm::vec3 key_color(std::size_t key);
 
-/// Colour of a leaf that is a node in the keys of \p origin, sRGB-encoded. \p keys has the index in the
-/// family of each active key.
+/// Color of a leaf that is a node in the keys of \p origin, sRGB-encoded.
+/// \param keys  index in the family of each active key
 glm::vec3 origin_color(KeySet origin, std::span<const std::size_t> keys);
 
 }  // namespace interleaf

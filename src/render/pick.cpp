@@ -10,7 +10,7 @@ namespace interleaf {
 
 namespace {
 
-/// A ray that goes through an edge must not slip between its two triangles.
+/// A ray through an edge must not slip between its two triangles.
 constexpr float slack = 1e-5F;
 
 }  // namespace
@@ -19,7 +19,7 @@ std::optional<Hit> first_hit(std::span<const Triangle> triangles, std::span<cons
                              const Ray& ray) {
     const glm::vec3 direction = ray.to - ray.from;
     std::optional<Hit> first;
-    float nearest = 1;  // of the way
+    float nearest = 1;  // fraction of the ray
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         const auto& [a, b, c] = triangles[t];
         const glm::vec3 to_b = positions[b] - positions[a];
@@ -28,7 +28,7 @@ std::optional<Hit> first_hit(std::span<const Triangle> triangles, std::span<cons
         const float determinant = glm::dot(to_b, across);
         const glm::vec3 from_a = ray.from - positions[a];
         const float at_b = glm::dot(from_a, across);
-        // Most triangles are missed, and most of those here, before anything is divided.
+        // The ray misses most triangles, and this test rejects most of those, before any division.
         const float least = -slack * std::abs(determinant);
         const float sign = determinant < 0 ? -1.0F : 1.0F;
         if (determinant == 0 || sign * at_b < least || sign * at_b > std::abs(determinant) - least) continue;

@@ -1,5 +1,6 @@
-// What is under the pointer: the first triangle that a ray meets. It looks at every triangle, which takes
-// about a millisecond for a hundred thousand; there is nothing to build and to keep while the surface morphs.
+// Picking: the first triangle that a ray hits. The search looks at every triangle, which takes about a
+// millisecond per hundred thousand. So there is no data structure to build, or to update while the surface
+// morphs.
 #pragma once
 
 #include <optional>
@@ -22,7 +23,7 @@ struct Hit {
     glm::vec3 barycentric;  ///< of the point, within the triangle
 };
 
-/// Where \p ray first meets one of \p triangles, from either side; none if it meets none.
+/// The first point where \p ray hits one of \p triangles, from either side; none if it hits none.
 std::optional<Hit> first_hit(std::span<const Triangle> triangles, std::span<const glm::vec3> positions,
                              const Ray& ray);
 

@@ -1,4 +1,4 @@
-// Any indexed triangle mesh as the renderer draws it, beside keys or without any.
+// Any indexed triangle mesh in the form that the renderer draws, beside keys or on its own.
 #pragma once
 
 #include <span>
@@ -10,9 +10,9 @@
 
 namespace interleaf {
 
-/// A union of one key with \p triangles as leaves of level 0. It need be neither closed nor a manifold, so
-/// there are no roots behind it: no edge is one of theirs, and it is good for nothing but being drawn.
-/// \p positions holds one a vertex.
+/// A union of one key with \p triangles as leaves of level 0. The mesh need be neither closed nor a manifold.
+/// It has no roots, so none of its edges is a root edge, and the union is suitable only for drawing.
+/// \param positions  one per vertex
 UnionMesh plain_mesh(std::span<const Triangle> triangles, std::span<const glm::vec3> positions);
 
 }  // namespace interleaf

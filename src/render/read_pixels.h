@@ -1,4 +1,4 @@
-// Reading what was drawn into a framebuffer.
+// Reads pixels from a framebuffer.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,9 @@
 
 namespace interleaf {
 
-/// 8-bit RGBA of the lower left \p width x \p height pixels of \p framebuffer (0: the back buffer of the
-/// window), as they are stored, top row first.
+/// The lower left \p width x \p height pixels of \p framebuffer as they are stored: 8-bit RGBA, top row
+/// first.
+/// \param framebuffer  0 is the back buffer of the window
 std::vector<std::uint8_t> read_pixels(unsigned framebuffer, int width, int height);
 
 }  // namespace interleaf

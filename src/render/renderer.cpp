@@ -1,4 +1,4 @@
-// Uploading and drawing. Every pass sets all the state it depends on.
+// Uploads and draws. Every pass sets all the state it depends on.
 #include "render/renderer.h"
 
 #include <algorithm>
@@ -18,10 +18,10 @@
 namespace interleaf {
 namespace {
 
-/// Texels of a colour map; linear light between them.
+/// Texels of a color map; linear light in between.
 constexpr std::size_t scale_texels = 256;
 
-/// Attribute of the first normal product; as in surface.vert.
+/// Attribute of the first normal product, as in surface.vert.
 constexpr GLuint first_product = max_gpu_keys;
 
 GlProgram make_background_program() {
@@ -37,7 +37,7 @@ GLsizeiptr byte_count(std::span<const glm::vec3> stream) {
     return static_cast<GLsizeiptr>(stream.size_bytes());
 }
 
-/// Makes \p data the content of \p buffer and \p texture a view of it as texels of \p format.
+/// Makes \p data the content of \p buffer, and makes \p texture a view of it as texels of \p format.
 template <typename Texel>
 void fill_buffer_texture(const GlBuffer& buffer, const GlTexture& texture, GLenum format,
                          std::span<const Texel> data) {
@@ -49,17 +49,18 @@ void fill_buffer_texture(const GlBuffer& buffer, const GlTexture& texture, GLenu
     glBindTexture(GL_TEXTURE_BUFFER, 0);
 }
 
-/// Binds \p buffer, made when it is none yet, with \p data as its content.
+/// Binds \p buffer, creates it if necessary, and fills it with \p data.
 void fill_vertex_buffer(GlBuffer& buffer, std::span<const glm::vec3> data, GLenum usage) {
     if (!buffer) buffer = GlBuffer::create();
     glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
     glBufferData(GL_ARRAY_BUFFER, byte_count(data), data.data(), usage);
 }
 
-/// Attribute \p attribute of a vertex is vector \p place of the \p count it has in the bound buffer.
+/// Makes attribute \p attribute of a vertex its vector number \p place, of the \p count vectors per vertex in
+/// the bound buffer.
 void set_attribute(std::size_t attribute, std::size_t count, std::size_t place) {
     const auto number = static_cast<GLuint>(attribute);
-    // What was a pointer in OpenGL 1.1 is an offset into the buffer.
+    // The parameter, a pointer in OpenGL 1.1, is an offset into the buffer.
     const auto* const offset =
         reinterpret_cast<const void*>(place * sizeof(glm::vec3));  // NOLINT(performance-no-int-to-ptr)
     glVertexAttribPointer(number, 3, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(count * sizeof(glm::vec3)),
@@ -73,13 +74,13 @@ void bind_buffer_texture(GLuint unit, const GlTexture& texture) {
 }
 
 void check_limit(std::size_t count, std::string_view what) {
-    GLint most_texels = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most_texels);
-    if (count > static_cast<std::size_t>(most_texels))
-        throw MachineError(fmt::format("cannot draw {} {}: at most {} here", count, what, most_texels));
+    GLint max_texels = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &max_texels);
+    if (count > static_cast<std::size_t>(max_texels))
+        throw MachineError(fmt::format("cannot draw {} {}: at most {} here", count, what, max_texels));
 }
 
-/// For each vertex whether it lies on an edge of the root complex.
+/// For each vertex, whether it lies on an edge of the root complex.
 std::vector<bool> vertices_on_root_edges(const UnionMesh& mesh) {
     std::vector<bool> on_edge(mesh.vertex_count(), false);
     for (std::size_t leaf = 0; leaf < mesh.leaf_count(); ++leaf)
@@ -90,11 +91,11 @@ std::vector<bool> vertices_on_root_edges(const UnionMesh& mesh) {
     return on_edge;
 }
 
-/// What surface.frag reads about a leaf.
+/// The data of a leaf that surface.frag reads.
 struct LeafTexel {
     std::uint32_t tag;
-    std::uint32_t origin_and_corners;  ///< bits 0-2: the corner lies on an edge of the roots; above: place in
-                                       ///< the palette
+    /// Bits 0-2: whether the corner lies on an edge of the roots; above: place in the palette.
+    std::uint32_t origin_and_corners;
 };
 
 std::vector<LeafTexel> leaf_texels(const UnionMesh& mesh, std::span<const KeySet> origins) {
@@ -233,7 +234,7 @@ void Renderer::set_field(const UnionField* field) {
     if (processor_blend_) {
         processor_blend_->field.reset();
         if (field != nullptr) processor_blend_->field = *field;
-        processor_blend_->weights.clear();  // so that the next picture blends it
+        processor_blend_->weights.clear();  // so that the next picture blends anew
     } else if (field != nullptr) {
         upload_field(std::vector<std::span<const float>>(field->values.begin(), field->values.end()),
                      component_count(field->label.kind));
@@ -241,7 +242,7 @@ void Renderer::set_field(const UnionField* field) {
     if (field != nullptr) field_components_ = component_count(field->label.kind);
 }
 
-/// \p values has the values of each key, as in a UnionField. Those of a vertex go together.
+/// \param values  the values of each key, as in a UnionField; the components of a vertex are adjacent
 void Renderer::upload_field(std::span<const std::span<const float>> values, std::size_t components) {
     std::vector<float> together;
     together.reserve(values.size() * values[0].size());

@@ -1,9 +1,9 @@
-// The renderer: draws the morph of a union mesh. One for the window and for EGL.
+// The renderer: draws the morph of a union mesh. The same renderer serves the window and EGL.
 //
-// upload() sends what is constant while the active keys stay the same: leaves, tags, position streams, normal
-// products. draw() sends weights, camera and display as uniforms and draws once; positions and exact normals
-// are blended in the vertex shader. With more than max_gpu_keys active keys the blend is done on the
-// processor into a streamed buffer.
+// upload() sends the data that stay constant while the active keys stay the same: leaves, tags, position
+// streams, normal products. draw() sends weights, camera and display as uniforms and draws once; the vertex
+// shader blends positions and exact normals. With more than max_gpu_keys active keys, the processor blends
+// into a streamed buffer.
 #pragma once
 
 #include <array>
@@ -22,58 +22,58 @@
 
 namespace interleaf {
 
-/// Four keys take 14 of the 16 vertex attributes that OpenGL 3.3 promises.
+/// Four keys take 14 of the 16 vertex attributes that OpenGL 3.3 guarantees.
 inline constexpr std::size_t max_gpu_keys = 4;
 
 class Renderer {
   public:
-    /// \pre a context is current
+    /// \pre  a context is current
     Renderer();
 
     /// Replaces the surface.
-    /// \param keys  index in the family of each key of \p mesh, for the colours by origin; 0, 1, 2, ... when
-    /// empty
-    ///
+    /// \param keys  index in the family of each key of \p mesh, for the colors by origin; 0, 1, 2, ... if
+    ///     empty
     /// \throw MachineError if there are more leaves than a buffer texture holds here; the old surface stays
     void upload(const UnionMesh& mesh, const NormalForm& form, std::span<const std::size_t> keys = {});
 
-    /// Makes \p field, of the uploaded mesh, what Coloring::field shows; null for none. Where there is none,
-    /// it shows what Coloring::plain does.
-    /// \throw MachineError if it has more values than a buffer texture holds here
+    /// Makes Coloring::field show \p field, a field of the uploaded mesh; null for none. Without a field it
+    /// looks like Coloring::plain.
+    /// \throw MachineError if the field has more values than a buffer texture holds here
     void set_field(const UnionField* field);
 
-    /// Draws the background and the surface with \p weights, one a key of the uploaded mesh, into \p target.
+    /// Draws the background and the surface into \p target.
+    /// \param weights  one per key of the uploaded mesh
     void draw(const OffscreenTarget& target, const Camera& camera, std::span<const float> weights,
               const Display& display);
 
-    /// The levels, and the sets of keys, that occur on the surface: what a legend explains.
+    /// The levels, and the sets of keys, that occur on the surface; the legend explains these.
     LevelRange levels() const { return levels_; }
     std::span<const KeySet> origins() const { return origins_; }
 
-    /// Reads the shader files again and compiles them; keeps the old ones when that fails.
+    /// Reads the shader files again and compiles them; keeps the old ones if that fails.
     /// \throw InputError with the compiler's message
     void reload_shaders();
 
   private:
-    /// What a program for the surface is made for.
+    /// What distinguishes the programs for the surface.
     struct SurfaceKind {
         std::size_t key_count;         ///< on the GPU
-        std::size_t field_components;  ///< of the field that is shown; 0 for none
+        std::size_t field_components;  ///< components of the shown field; 0 for none
         bool checker;
         bool edges;
         auto operator<=>(const SurfaceKind&) const = default;
     };
-    /// Made when first needed.
+    /// Programs, made when first needed.
     using SurfacePrograms = std::map<SurfaceKind, GlProgram>;
 
-    using Stream = std::span<const glm::vec3>;  ///< one vector a vertex
+    using Stream = std::span<const glm::vec3>;  ///< one vector per vertex
 
-    /// A mesh with too many keys for the GPU, blended here.
+    /// A mesh with too many keys for the GPU, which the processor blends.
     struct ProcessorBlend {
         UnionMesh mesh;
         NormalForm form;
         std::optional<UnionField> field;
-        std::vector<float> weights;  ///< of what the streams hold now
+        std::vector<float> weights;  ///< the weights that the streams were blended with
     };
 
     static GlProgram make_surface_program(const SurfaceKind& kind);
@@ -93,20 +93,20 @@ class Renderer {
     GlVertexArray no_attributes_;
     GlVertexArray attributes_;
     std::array<GlBuffer, max_gpu_keys> positions_;  ///< of each key
-    GlBuffer products_;                             ///< the normal products, all of a vertex together
+    GlBuffer products_;                             ///< the normal products; those of a vertex are adjacent
     GlBuffer corners_;                              ///< vertex indices of the leaves
-    GlBuffer leaf_data_;                            ///< tag and place of the origin in the palette, a leaf
-    GlTexture leaf_texture_;                        ///< leaf_data_ as a buffer texture
+    GlBuffer leaf_data_;      ///< per leaf: its tag, and its origin's place in the palette
+    GlTexture leaf_texture_;  ///< leaf_data_ as a buffer texture
     GlBuffer palette_data_;
     GlTexture palette_texture_;
-    GlBuffer path_data_;  ///< the way from the root to each leaf, once a checker is drawn
+    GlBuffer path_data_;  ///< the path from the root to each leaf; filled when a checkerboard is first drawn
     GlTexture path_texture_;
     GlBuffer field_data_;
     GlTexture field_texture_;
 
     std::size_t gpu_key_count_ = 0;  ///< 0 before the first upload
     std::size_t leaf_count_ = 0;
-    std::vector<LeafTag> tags_;         ///< of the leaves, until path_data_ is made of them
+    std::vector<LeafTag> tags_;         ///< of the leaves, until path_data_ is filled from them
     std::size_t field_components_ = 0;  ///< of the uploaded field; 0 for none
     LevelRange levels_;
     std::vector<KeySet> origins_;

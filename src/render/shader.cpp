@@ -1,4 +1,4 @@
-// Compiling and linking: errors name the file and the line.
+// Compiles and links. Errors name the file and the line.
 #include "render/shader.h"
 
 #include <algorithm>
@@ -28,8 +28,8 @@ GLenum stage_of(std::string_view file) {
     return GL_FRAGMENT_SHADER;
 }
 
-/// \p source with \p definitions behind its first line, which GLSL wants to be #version, and line numbers
-/// unchanged.
+/// \p source with \p definitions behind its first line, because GLSL requires #version to come first. Line
+/// numbers stay the same.
 std::string with_definitions(const std::string& source, std::string_view definitions) {
     const std::size_t end_of_version = source.find('\n') + 1;
     return fmt::format("{}{}\n#line 2\n{}", source.substr(0, end_of_version), definitions,
@@ -51,7 +51,7 @@ class Stage {
 
     GLuint name() const { return name_; }
 
-    /// The compiler's message; none when it compiled.
+    /// The compiler's message; none if the shader compiled.
     std::optional<std::string> failure() const {
         GLint compiled = 0;
         glGetShaderiv(name_, GL_COMPILE_STATUS, &compiled);
@@ -77,7 +77,7 @@ std::string link_failure(GLuint program) {
     return log;
 }
 
-/// Cuts the first \p count characters off \p text and returns them.
+/// Removes the first \p count characters from \p text and returns them.
 std::string_view take(std::string_view& text, std::size_t count) {
     const std::string_view taken = text.substr(0, count);
     text.remove_prefix(taken.size());

@@ -1,7 +1,7 @@
 // A GLFW window with its context.
 #include <fmt/core.h>
 #include <glad/gl.h>
-// GLFW must not bring OpenGL headers of its own.
+// GLFW must not include OpenGL headers of its own.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -38,7 +38,7 @@ void hint(bool visible) {
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
     glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
-    // The surface and its depth live in a target of our own; the window only receives the picture.
+    // The surface and its depth are drawn into an offscreen target; the window only receives the picture.
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
 }

@@ -1,9 +1,8 @@
-// What the triangles of a key are bisected over: root triangles, and the surface that their bisection
-// follows.
+// The base of a key: root triangles, and the surface that their bisection follows.
 //
-// A new vertex is the middle of its edge, projected onto the surface. So a vertex of a key stands for a point
-// of the base surface, and a shape is a map from there. Keys over the same base have the same roots: they can
-// be morphed.
+// A new vertex is the midpoint of its edge, projected onto the surface. So a vertex of a key stands for a
+// point of the base surface, and a shape is a map from there. Keys over the same base have the same roots, so
+// they can be morphed.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -15,7 +14,7 @@
 namespace interleaf {
 
 struct BaseSurface {
-    Hierarchy (*roots)();  ///< not bisected; its vertices are near the surface, or on it
+    Hierarchy (*roots)();                            ///< unrefined; their vertices are on or near the surface
     glm::dvec3 (*project)(const glm::dvec3& point);  ///< from near the surface onto it
 };
 

@@ -13,10 +13,10 @@ namespace {
 
 using Place = std::array<int, 3>;
 
-/// Cubes along each axis.
+/// Number of cubes along each axis.
 constexpr Place plate_size = {6, 4, 1};
 
-/// Width of the blur, in edges of a cube.
+/// Width of the blur, in cube edges.
 constexpr double blur = 0.4;
 
 constexpr bool is_filled(const Place& cube) {
@@ -46,11 +46,12 @@ void for_each_place(const Place& size, Visit visit) {
             for (int x = 0; x < size[0]; ++x) visit(Place{x, y, z});
 }
 
-/// Appends the two triangles of the square of \p cube that looks along \p axis, up or down it.
+/// Appends the two triangles of the square of \p cube whose normal is along \p axis, in its positive
+/// direction if \p up.
 ///
-/// Either way, the diagonal goes from the square's least corner to its largest. So the plate's reflection at
-/// its centre keeps the roots, and 4 to 8 of them meet at a corner; diagonals that half turns keep make it 3
-/// to 9.
+/// The diagonal goes from the square's smallest corner to its largest. So the reflection of the plate at its
+/// center keeps the roots, and 4 to 8 roots meet at each vertex. With diagonals that half turns keep, it
+/// would be 3 to 9.
 void add_square(const Place& cube, unsigned axis, bool up, std::vector<Triangle>& triangles) {
     const unsigned u = (axis + (up ? 1 : 2)) % 3;  // counter-clockwise from u to v seen from outside
     const unsigned v = (axis + (up ? 2 : 1)) % 3;
@@ -65,7 +66,7 @@ void add_square(const Place& cube, unsigned axis, bool up, std::vector<Triangle>
     triangles.push_back({corner(0, 1), corner(0, 0), corner(1, 1)});
 }
 
-/// The indicator of an interval of an axis, blurred, and its derivative.
+/// The blurred indicator function of an interval on an axis, and its derivative.
 struct BlurredInterval {
     double value;
     double slope;
@@ -80,8 +81,8 @@ struct BlurredInterval {
 }  // namespace
 
 BrezelDensity brezel_density(const glm::dvec3& point) {
-    // Neighbouring cubes blur to the box that they fill, blurred. So the sum over the cubes is the plate's
-    // box less those of the two holes.
+    // Adjacent blurred cubes add up to the blurred box that they fill. So the sum over the cubes is the
+    // plate's box minus the two holes' boxes.
     const BlurredInterval width(point.x, -3, 3);
     const BlurredInterval height(point.y, -2, 2);
     const BlurredInterval depth(point.z, -0.5, 0.5);
@@ -114,10 +115,10 @@ Hierarchy brezel_plate() {
 }
 
 glm::dvec3 project_to_brezel(const glm::dvec3& point) {
-    constexpr int most_steps = 20;
-    constexpr double last_step = 1e-8;  // after it the rest is its square
+    constexpr int max_steps = 20;
+    constexpr double last_step = 1e-8;  // after such a step, the remaining error is its square
     glm::dvec3 on_surface = point;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < max_steps; ++step) {
         const auto [value, gradient] = brezel_density(on_surface);
         const glm::dvec3 move = (brezel_level - value) / glm::dot(gradient, gradient) * gradient;
         on_surface += move;

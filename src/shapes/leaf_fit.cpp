@@ -43,7 +43,7 @@ glm::dvec3 unit_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec
     return length > 0 ? normal / length : glm::dvec3(0);
 }
 
-double largest_turn(std::span<const glm::dvec3> samples, const glm::dvec3& leaf_normal) {
+double max_turn(std::span<const glm::dvec3> samples, const glm::dvec3& leaf_normal) {
     double turn = 0;
     const auto compare = [&](unsigned a, unsigned b, unsigned c) {
         turn = std::max(turn, glm::distance(leaf_normal, unit_normal(samples[a], samples[b], samples[c])));
@@ -89,7 +89,7 @@ LeafFit measure_fit(const BaseSurface& base, Surface surface, const std::array<g
                                                samples[grid_place(divisions, divisions)]};
     const auto& [a, b, c] = corners;
     const std::vector<glm::dvec3> flat = flat_grid(corners, divisions);
-    LeafFit fit{0, 0, largest_turn(samples, unit_normal(a, b, c)),
+    LeafFit fit{0, 0, max_turn(samples, unit_normal(a, b, c)),
                 std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)})};
     for (std::size_t i = 0; i < samples.size(); ++i) {
         fit.distance = std::max(fit.distance, distance_to_triangle(samples[i], corners));

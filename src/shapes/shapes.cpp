@@ -36,12 +36,12 @@ constexpr std::array<ShippedKey, 5> shipped_keys = {{
 }};
 
 constexpr Index default_leaves = 20000;
-constexpr double least_tolerance = 1e-6;
+constexpr double min_tolerance = 1e-6;
 
-/// What the turn of the normal adds to a leaf's error, as a fraction of its size.
+/// The contribution of the normal's turn to a leaf's error, as a fraction of the leaf's size.
 constexpr double turn_share = 0.02;
 
-/// The surface may be this much farther off between the samples than at them.
+/// Between the samples, the distance to the surface may exceed the one at the samples by this fraction.
 constexpr double sampling_margin = 0.1;
 
 void check_budget(const ShapeBudget& budget, Index roots) {
@@ -51,12 +51,12 @@ void check_budget(const ShapeBudget& budget, Index roots) {
     if (budget.leaves && *budget.leaves < roots) {
         throw UsageError(fmt::format("{} leaves are too few: there are {} roots", *budget.leaves, roots));
     }
-    if (budget.tolerance && !(*budget.tolerance >= least_tolerance)) {
-        throw UsageError(fmt::format("the tolerance must be at least {}", least_tolerance));
+    if (budget.tolerance && !(*budget.tolerance >= min_tolerance)) {
+        throw UsageError(fmt::format("the tolerance must be at least {}", min_tolerance));
     }
 }
 
-/// Diagonal of the surface's box, from samples; they lie inside the box, so it is never too large.
+/// Diagonal of the surface's box, from samples. They lie inside the box, so the result is never too large.
 double box_diagonal(const Shape& shape, const Hierarchy& roots) {
     constexpr unsigned divisions = 24;
     glm::dvec3 low(std::numeric_limits<double>::infinity());

@@ -2,8 +2,8 @@
 // brezel of its appendix.
 //
 // Each shape maps a base surface, the unit sphere or the brezel, to a closed surface. The base's root
-// triangles are bisected adaptively: a leaf's error is its distance from the surface plus a term for the turn
-// of the normal, largest first.
+// triangles are bisected adaptively, the leaf with the largest error first. A leaf's error is its distance
+// from the surface plus a term for the turn of the normal.
 #pragma once
 
 #include <optional>
@@ -19,35 +19,39 @@ namespace interleaf {
 /// A shape that can be made by name.
 struct Shape {
     std::string_view name;
-    std::string_view description;  ///< one line, for people
-    BaseSurface base;              ///< whose points the vertices are made from
-    Surface surface;               ///< nullptr for the icosahedron, whose 20 roots are enough
+    std::string_view description;  ///< one line, for users
+    BaseSurface base;              ///< the surface whose points the vertices stand for
+    Surface surface;               ///< nullptr for the icosahedron, which needs only its 20 roots
 };
 
-/// All shapes, in the order they are listed to people.
+/// All shapes, in the order in which they are listed.
 std::span<const Shape> shapes();
 
-/// The shape called \p name; nullptr when there is none.
+/// The shape called \p name; nullptr if there is none.
 const Shape* find_shape(std::string_view name);
 
 struct ShapeBudget {
-    std::optional<Index> leaves;  ///< at most this many, as near as closure allows; at least the roots
-    std::optional<double>
-        tolerance;  ///< largest distance from the surface, as a fraction of its box's diagonal; at
-                    ///< least 1e-6, which is what the floats of a position can tell
+    /// Maximum number of leaves; refinement comes as close to it as closure allows. At least the number of
+    /// roots.
+    std::optional<Index> leaves;
+
+    /// Maximum distance from the surface, as a fraction of the diagonal of its box. At least 1e-6, which is
+    /// the resolution of float positions.
+    std::optional<double> tolerance;
 };
 
-/// The key of \p shape, bisected adaptively until the budget is reached; 20,000 leaves when it names neither.
-/// \throw UsageError when both are named, or one is out of its range
+/// The key of \p shape, bisected adaptively until the budget is reached; 20,000 leaves if the budget sets
+/// neither limit.
+/// \throw UsageError if the budget sets both limits, or one that is out of range
 Hierarchy make_key(const Shape& shape, const ShapeBudget& budget);
 
-/// A key of the family in assets/families/five-keys: the shape's name is the key's.
+/// A key of the family in assets/families/five-keys: the shape's name is the key's name.
 struct ShippedKey {
     std::string_view shape;
     ShapeBudget budget;
 };
 
-/// The five keys as they are shipped, in the family's order. Each has the fewest leaves that look smooth in a
+/// The five shipped keys, in the family's order. Each has the minimum number of leaves that look smooth in a
 /// window.
 std::span<const ShippedKey> five_keys();
 

@@ -13,8 +13,8 @@ glm::dvec3 sphere_surface(const glm::dvec3& u) {
 }
 
 glm::dvec3 cushion_surface(const glm::dvec3& u) {
-    // With q the squared length of the point on the ray, the equation is a q^2 - b q + c = 0; the smaller
-    // root is the cushion's, the larger one belongs to the branches outside |X|, |Y| <= 1.
+    // With q the squared length of the point on the ray, the equation is a q^2 - b q + c = 0. The smaller
+    // root is the cushion's; the larger one belongs to the branches outside |X|, |Y| <= 1.
     const double c = 0.55 * 0.55;
     const double x = u.x * u.x;
     const double y = u.y * u.y;
@@ -33,7 +33,7 @@ glm::dvec3 star_surface(const glm::dvec3& u) {
         glm::normalize(glm::dvec3(phi, 0, 1)), glm::normalize(glm::dvec3(-phi, 0, 1))};
     double arms = 0;
     for (const glm::dvec3& axis : axes) {
-        // The arm on the other side is below exp(-22) here.
+        // The contribution of the opposite arm is below exp(-22) here.
         arms += std::exp(22 * (std::abs(glm::dot(u, axis)) - 1));
     }
     return (0.62 + 0.95 * arms) * u;

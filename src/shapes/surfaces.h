@@ -6,14 +6,14 @@
 
 namespace interleaf {
 
-/// From a base surface, the unit sphere where nothing else is said, to a surface, one to one, keeping
-/// orientation.
+/// A map from a base surface to a surface, one to one, keeping the orientation. The base is the unit sphere
+/// unless stated otherwise.
 using Surface = glm::dvec3 (*)(const glm::dvec3& u);
 
 /// The unit sphere itself.
 glm::dvec3 sphere_surface(const glm::dvec3& u);
 
-/// Z^2 = 0.55^2 (1 - X^2)(1 - Y^2), met by the ray through \p u.
+/// Z^2 = 0.55^2 (1 - X^2)(1 - Y^2), intersected with the ray through \p u.
 glm::dvec3 cushion_surface(const glm::dvec3& u);
 
 /// An arm towards each of the icosahedron's 12 vertices d: radius 0.62 + 0.95 * sum over d of exp(22 (u.d -

@@ -177,7 +177,7 @@ void Gui::follow_display() {
     glfwGetFramebufferSize(window_, &framebuffer_width, nullptr);
     glfwGetWindowSize(window_, &width_after, nullptr);
     glfwGetWindowContentScale(window_, &content_scale, nullptr);
-    if (window_width == 0 || framebuffer_width == 0) return;  // minimised
+    if (window_width == 0 || framebuffer_width == 0) return;  // minimized
     if (window_width != width_after && scale_ > 0) return;    // resized between the questions
     const float density = static_cast<float>(framebuffer_width) / static_cast<float>(window_width);
     // Where screen coordinates are coarser than pixels they already carry that part of the scale.

@@ -160,7 +160,7 @@ TEST_CASE("without a display the viewer exits with 3 and says how to draw withou
 
 TEST_CASE("a display that cannot be opened is the machine's fault, too") {
     const Outcome outcome =
-        run_interleaf({"view"}, {.standard_output = {}, .largest_file = {}, .display = ":4711"});
+        run_interleaf({"view"}, {.standard_output = {}, .max_file_size = {}, .display = ":4711"});
     CAPTURE(outcome.errors);
     CHECK(outcome.status == 3);
     CHECK(is_one_message(outcome.errors));
@@ -171,7 +171,7 @@ TEST_CASE("a full disk exits with 3 and leaves the old file whole and nothing be
     const TemporaryFolder folder;
     set_content(folder / "u.obj", "old");
     const Outcome outcome = run_interleaf({"export", "--time", "1", "-o", folder / "u.obj"},
-                                          {.standard_output = {}, .largest_file = 8192, .display = {}});
+                                          {.standard_output = {}, .max_file_size = 8192, .display = {}});
     CAPTURE(outcome.errors);
     CHECK(outcome.status == 3);
     CHECK(is_one_message(outcome.errors));
@@ -187,7 +187,7 @@ TEST_CASE("what cannot be written to standard output exits with 3") {
     for (const std::vector<std::string>& line : lines) {
         CAPTURE(line[0]);
         const Outcome outcome =
-            run_interleaf(line, {.standard_output = "/dev/full", .largest_file = {}, .display = {}});
+            run_interleaf(line, {.standard_output = "/dev/full", .max_file_size = {}, .display = {}});
         CAPTURE(outcome.errors);
         CHECK(outcome.status == 3);
         CHECK(is_one_message(outcome.errors));

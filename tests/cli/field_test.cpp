@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The key of the built-in family with its height and a colour as fields.
+/// The key of the built-in family with its height and a color as fields.
 Hierarchy key_with_fields(const std::string& name) {
     Hierarchy key = read_hierarchy(std::filesystem::path(INTERLEAF_FIVE_KEYS) / (name + ".ilh"));
     Field height{"height", FieldKind::scalar, {}};
@@ -72,7 +72,7 @@ TEST_CASE("info lists fields with the range over all keys, and each key's own") 
     CHECK_FALSE(contains(run_interleaf({"info", INTERLEAF_FIVE_KEYS}).output, "fields"));
 }
 
-TEST_CASE("every way to colour by a field is another picture") {
+TEST_CASE("every way to color by a field is another picture") {
     const TemporaryFolder folder;
     const std::string family = write_sample(folder);
     const std::vector<std::vector<std::string>> choices = {{},
@@ -150,7 +150,7 @@ TEST_CASE("exports carry the fields that the active keys share") {
     CHECK(read_hierarchy(folder / "s.ilh").fields.size() == 3);
 }
 
-TEST_CASE("colours of an OBJ can be seen") {
+TEST_CASE("colors of an OBJ can be seen") {
     const TemporaryFolder folder;
     const Hierarchy key = key_with_fields("icosahedron");
     const std::string text = obj_text(key.roots.triangles(), key.positions, key.fields);

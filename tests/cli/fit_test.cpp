@@ -215,7 +215,7 @@ TEST_CASE("meshes far from 0 keep their digits, through family and export") {
     for (const char* name : {"a.obj", "b.obj"})
         set_content(folder / name, box_obj(corner, corner + glm::dvec3(2, 3, 4)));
     const auto report = fit_report({folder / "a.obj", folder / "b.obj", "-o", folder / "far"});
-    CHECK(contains(report[0]["remarks"][0].get<std::string>(), "which was subtracted"));
+    CHECK(contains(report[0]["remarks"][0].get<std::string>(), "was subtracted from all positions"));
     const Family family = read_family(folder / "far");
     CHECK(family.origin == glm::dvec3(512359, 5412349, 314));
     for (const char* name : {"out.obj", "out.ply"}) {
@@ -228,7 +228,7 @@ TEST_CASE("meshes far from 0 keep their digits, through family and export") {
     }
     const Outcome key = run_interleaf({"export", folder / "far", "--time", "0", "-o", folder / "out.ilh"});
     CHECK(key.status == 0);
-    CHECK(contains(key.errors, "positions count from (512359, 5412349, 314)"));
+    CHECK(contains(key.errors, "(512359, 5412349, 314) was subtracted from all positions"));
 }
 
 TEST_CASE("a message about a mesh whose digits were lost says that they were") {

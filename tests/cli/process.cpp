@@ -32,7 +32,7 @@ void limit_files(std::size_t bytes) {
     ::unsetenv("DISPLAY");
     ::unsetenv("WAYLAND_DISPLAY");
     if (surroundings.display) ::setenv("DISPLAY", surroundings.display->c_str(), 1);
-    if (surroundings.largest_file) limit_files(*surroundings.largest_file);
+    if (surroundings.max_file_size) limit_files(*surroundings.max_file_size);
 
     std::vector<std::string> words = {"interleaf"};
     words.insert(words.end(), arguments.begin(), arguments.end());

@@ -12,7 +12,7 @@ namespace interleaf {
 
 struct Surroundings {
     std::optional<std::filesystem::path> standard_output;  ///< a file or device that gets it
-    std::optional<std::size_t> largest_file;               ///< bytes; writing more fails as on a full disk
+    std::optional<std::size_t> max_file_size;              ///< bytes; writing more fails as on a full disk
     std::optional<std::string> display;                    ///< value of DISPLAY
 };
 

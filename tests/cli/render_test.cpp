@@ -110,7 +110,7 @@ TEST_CASE("a point of the domain, the weights there and the key at a corner are 
           0.001);
 }
 
-TEST_CASE("the camera frames all keys: none reaches the border of the picture") {
+TEST_CASE("the camera views all keys: none reaches the border of the picture") {
     for (const std::string key : {"icosahedron", "bone", "cushion", "star", "sphere"}) {
         CAPTURE(key);
         const Picture picture = render({"--weights", key + "=1"});

@@ -34,7 +34,7 @@ class RunningViewer {
     /// The last line of the trace.
     State state() const;
 
-    /// Waits until the state fulfils \p condition.
+    /// Waits until the state fulfills \p condition.
     State wait_for(const std::string& what, const Condition& condition) const;
 
     /// What the view shows, once it has stopped changing.

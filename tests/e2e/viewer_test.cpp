@@ -219,7 +219,7 @@ TEST_CASE("each display key changes the picture, and changes it back") {
     CHECK(viewer.shows(plain));
 }
 
-TEST_CASE("colours of an OBJ are shown as a field, with the value under the pointer") {
+TEST_CASE("colors of an OBJ are shown as a field, with the value under the pointer") {
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / fmt::format("interleaf-e2e-{}.obj", getpid());
     std::ofstream(file) << "v 1 1 1 1 0 0\nv -1 -1 1 0 1 0\nv -1 1 -1 0 0 1\nv 1 -1 -1 1 1 1\n"

@@ -1,4 +1,4 @@
-// Tests of the edits of a parameter domain: what they cover, and that it is triangulated.
+// Tests of the edits of a parameter domain: the region that the result covers, and its triangulation.
 #include "family/domain_edits.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ double area(const Polygon& polygon) {
     return sum;
 }
 
-/// Counter-clockwise.
+/// The corners of \p triangle, counter-clockwise.
 Polygon corners(const ParameterDomain& domain, const Triangle& triangle) {
     Polygon polygon;
     for (const Index corner : triangle) polygon.push_back(domain.vertices()[corner].at);
@@ -61,7 +61,7 @@ double size_of(const ParameterDomain& domain) {
     return glm::distance(low, high);
 }
 
-/// What of \p polygon lies to the left of the line from \p a to \p b.
+/// The part of \p polygon to the left of the line from \p a to \p b.
 Polygon clipped(const Polygon& polygon, glm::dvec2 a, glm::dvec2 b) {
     Polygon left;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -85,8 +85,8 @@ bool has_corner(const Triangle& triangle, Index vertex) {
     return std::ranges::find(triangle, vertex) != triangle.end();
 }
 
-/// Whether triangles have an area, no two cover the same, each vertex is used, and none lies in an edge;
-/// decided by areas, unlike in ParameterDomain.
+/// Whether all triangles have an area, no two overlap, each vertex is used, and none lies inside an edge. The
+/// test compares areas, unlike ParameterDomain.
 bool is_triangulation(const ParameterDomain& domain) {
     const double size = size_of(domain);
     const auto triangles = domain.triangles();
@@ -111,7 +111,7 @@ bool is_triangulation(const ParameterDomain& domain) {
     return true;
 }
 
-/// The angles of all triangles at \p vertex: 2 pi inside, pi on a straight boundary.
+/// The sum of the angles of all triangles at \p vertex: 2 pi inside, pi on a straight boundary.
 double angle_at(const ParameterDomain& domain, Index vertex) {
     const glm::dvec2 at = domain.vertices()[vertex].at;
     double sum = 0;
@@ -142,7 +142,7 @@ glm::dvec2 random_point(Random& random) {
     return {x, random.unit()};
 }
 
-/// Whether all of \p inner lies in \p outer, as far as random points tell.
+/// Whether \p outer contains all of \p inner, as tested with random points.
 bool seems_within(const ParameterDomain& inner, const ParameterDomain& outer, Random& random) {
     const double slack = 1e-9 * size_of(outer);
     for (const Triangle& triangle : inner.triangles()) {
@@ -157,7 +157,7 @@ bool seems_within(const ParameterDomain& inner, const ParameterDomain& outer, Ra
     return true;
 }
 
-/// Corners of triangles, so that domains of different numbering can be compared.
+/// The corners of the triangles, so that domains with different numbering can be compared.
 std::vector<std::array<double, 6>> positions_of(const ParameterDomain& domain, Index without = no_index) {
     std::vector<std::array<double, 6>> positions;
     for (const Triangle& triangle : domain.triangles()) {
@@ -182,7 +182,7 @@ ParameterDomain unit_square() {
             {{0, 1, 4}, {2, 1, 4}, {2, 3, 4}, {3, 0, 4}}};
 }
 
-/// A square ring: with a hole, not convex.
+/// A square ring: it has a hole and is not convex.
 ParameterDomain ring() {
     return {{{{0, 0}, 0},
              {{1, 0}, 1},
@@ -201,7 +201,7 @@ ParameterDomain angle() {
             {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}};
 }
 
-/// Two fans that touch in vertex 0 alone, of two triangles and of one.
+/// Two fans that touch at vertex 0 only, of two triangles and of one.
 ParameterDomain butterfly() {
     return {{{{0.5, 0.5}, 0}, {{0, 0}, 1}, {{0.25, 0.5}, 2}, {{0, 1}, 3}, {{1, 0.2}, 4}, {{1, 0.8}, 5}},
             {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}}};
@@ -228,13 +228,14 @@ ParameterDomain transformed(const ParameterDomain& domain, double scale, glm::dv
     return {std::move(vertices), {domain.triangles().begin(), domain.triangles().end()}};
 }
 
-/// Where a domain is put: its unit square begins at `offset`, and its unit is `scale`.
+/// The placement of a domain: its unit square begins at `offset`, and its unit is `scale`.
 struct Place {
     double scale;
     glm::dvec2 offset;
 };
 
-/// A grid of \p side x \p side vertices about a unit apart, not straight, its squares halved either way.
+/// A grid of \p side x \p side vertices at distances of about one unit. It is bent, and each square is split
+/// along one of its diagonals.
 ParameterDomain bent_grid(unsigned side, Random& random) {
     std::vector<DomainVertex> vertices;
     std::vector<Triangle> triangles;
@@ -253,7 +254,7 @@ ParameterDomain bent_grid(unsigned side, Random& random) {
     return {std::move(vertices), std::move(triangles)};
 }
 
-/// What ParameterDomain promises of triangles, by comparing all with all, in areas.
+/// The guarantee of ParameterDomain for triangles, tested by comparing all pairs by their areas.
 bool has_no_overlap(const std::vector<DomainVertex>& vertices, const std::vector<Triangle>& triangles) {
     const double flat = 1e-9;
     std::vector<Polygon> polygons;
@@ -276,7 +277,7 @@ bool has_no_overlap(const std::vector<DomainVertex>& vertices, const std::vector
     return true;
 }
 
-/// One random edit of \p domain, with what it promises about the covered area.
+/// One random edit of \p domain; checks that the covered area changes as the edit promises.
 ParameterDomain randomly_edited(const ParameterDomain& domain, const Place& place, Random& random) {
     const double unit = place.scale * place.scale;
     const double before = covered_area(domain) / unit;
@@ -343,7 +344,7 @@ ParameterDomain randomly_edited(const ParameterDomain& domain, const Place& plac
 }  // namespace
 
 TEST_CASE(
-    "after any edits a domain is a triangulation, and only edits of its boundary change what it covers") {
+    "after any edits a domain is a triangulation, and only edits of its boundary change the covered region") {
     for (const Place& place :
          {Place{1, {0, 0}}, Place{1e-60, {0, 0}}, Place{1e60, {-3, 5}}, Place{1, {400, -700}}}) {
         CAPTURE(place.scale);
@@ -369,9 +370,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "a domain with one vertex elsewhere is refused as one made of the same, in the same words, or equal to "
-    "it") {
+TEST_CASE("with_vertex_at agrees with the constructor: an equal domain, or the same error") {
     const unsigned side = 7;
     std::size_t accepted = 0;
     std::size_t refused = 0;
@@ -382,7 +381,7 @@ TEST_CASE(
         for (int step = 0; step < 40; ++step) {
             CAPTURE(step);
             const auto vertex = static_cast<Index>(random.below(domain.vertices().size()));
-            // Mostly near, so that many moves are valid; some onto another vertex or an edge.
+            // Usually near, so that many moves are valid; some moves end on another vertex or an edge.
             const glm::dvec2 from = domain.vertices()[vertex].at;
             const glm::dvec2 other = domain.vertices()[random.below(domain.vertices().size())].at;
             const double reach = random.below(3) == 0 ? 8 : 1;
@@ -418,14 +417,14 @@ TEST_CASE(
     CHECK(refused > trials(300));
 }
 
-TEST_CASE("a vertex moved where nothing turns over is there, to the last bit") {
+TEST_CASE("a vertex is moved exactly if no triangle turns over") {
     const ParameterDomain after = with_vertex_moved(unit_square(), 4, {0.3, 0.8});
     CHECK(after.vertices()[4] == DomainVertex{{0.3, 0.8}, 4});
     CHECK(std::ranges::equal(after.triangles(), unit_square().triangles()));
 }
 
 TEST_CASE(
-    "a vertex stops on the straight way before a triangle turns over, in a domain of one triangle too") {
+    "a vertex stops on its straight path before a triangle turns over, even in a domain of one triangle") {
     for (Index vertex = 0; vertex < 3; ++vertex) {
         CAPTURE(vertex);
         const glm::dvec2 from = triangle().vertices()[vertex].at;
@@ -437,7 +436,7 @@ TEST_CASE(
         CHECK(part < 1);
         CHECK(glm::distance(after.vertices()[vertex].at, from + part * (middle - from)) < 1e-12);
     }
-    // At the end both of its triangles would be turned over without overlapping each other.
+    // At the end of the move, both of its triangles would be turned over without overlapping each other.
     const ParameterDomain kite({{{0, 0}, 0}, {{1, 0}, 1}, {{2, 0.5}, 2}, {{1, 1}, 3}},
                                {{0, 1, 2}, {0, 2, 3}});
     const ParameterDomain after = with_vertex_moved(kite, 0, {4, 0.5});
@@ -452,13 +451,13 @@ TEST_CASE("a vertex moved towards another triangle stops before it overlaps") {
     CHECK(after.vertices()[2].at.y == 0.5);
 }
 
-TEST_CASE("a vertex that cannot move at all stays") {
+TEST_CASE("a vertex that cannot move stays") {
     for (const glm::dvec2 to :
          {glm::dvec2(std::nan(""), 0), glm::dvec2(0, infinity), glm::dvec2(-infinity, 0)})
         CHECK(with_vertex_moved(unit_square(), 4, to) == unit_square());
 }
 
-TEST_CASE("a vertex inside a triangle splits it in three and leaves the others") {
+TEST_CASE("a vertex added inside a triangle splits it into three and changes no other") {
     const ParameterDomain after = with_vertex_added(unit_square(), {0.5, 0.2}, 7, 0.01);
     CHECK(after.triangles().size() == 6);
     CHECK(after.vertices().back() == DomainVertex{{0.5, 0.2}, 7});
@@ -469,14 +468,14 @@ TEST_CASE("a vertex inside a triangle splits it in three and leaves the others")
                                      {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}}))));
 }
 
-TEST_CASE("a vertex near an edge lies on it and splits both of its triangles") {
+TEST_CASE("a vertex added near an edge lies on it and splits both of its triangles") {
     const ParameterDomain after = with_vertex_added(unit_square(), {0.25, 0.26}, 7, 0.01);
     CHECK(after.triangles().size() == 6);
     CHECK(glm::distance(after.vertices().back().at, {0.255, 0.255}) < 1e-15);
     CHECK(covered_area(after) == doctest::Approx(1).epsilon(1e-14));
 }
 
-TEST_CASE("a vertex near the boundary, on either side, lies on it and splits one triangle") {
+TEST_CASE("a vertex added near the boundary, on either side, lies on it and splits one triangle") {
     for (const double y : {-0.005, 0.0, 0.005}) {
         const ParameterDomain after = with_vertex_added(unit_square(), {0.4, y}, 7, 0.01);
         CHECK(after.triangles().size() == 5);
@@ -485,7 +484,8 @@ TEST_CASE("a vertex near the boundary, on either side, lies on it and splits one
     }
 }
 
-TEST_CASE("a vertex outside gets one triangle, over the nearest boundary edge it sees; a hole is outside") {
+TEST_CASE(
+    "a vertex added outside or in a hole gets one triangle, over the nearest boundary edge that faces it") {
     const ParameterDomain below = with_vertex_added(unit_square(), {0.4, -0.5}, 7, 0.01);
     CHECK(below.triangles().size() == 5);
     CHECK(covered_area(below) == doctest::Approx(1.25));
@@ -499,7 +499,8 @@ TEST_CASE("a vertex outside gets one triangle, over the nearest boundary edge it
     CHECK(has_corner(filled.triangles().back(), 7));
 }
 
-TEST_CASE("a vertex is refused on another one, where it is not finite, and where a triangle would be flat") {
+TEST_CASE(
+    "a new vertex is rejected on another vertex, if it is not finite, and if a triangle would be flat") {
     const auto refused = [](const ParameterDomain& domain, glm::dvec2 at, double snap) {
         CHECK_THROWS_AS(with_vertex_added(domain, at, 0, snap), InputError);
     };
@@ -511,13 +512,13 @@ TEST_CASE("a vertex is refused on another one, where it is not finite, and where
     refused(unit_square(), {0.5, 1e-13}, 1e-15);
 }
 
-TEST_CASE("adding a vertex and removing it covers what was covered before") {
+TEST_CASE("adding a vertex and removing it keeps the covered region") {
     const std::uint64_t seed = 7;
     CAPTURE(seed);
     Random random(seed);
     for (const ParameterDomain& domain : samples()) {
         for (int i = 0; i < 300; ++i) {
-            // Half of them on an edge of the domain.
+            // Half of the points are on an edge of the domain.
             const Polygon polygon =
                 corners(domain, domain.triangles()[random.below(domain.triangles().size())]);
             const double t = 0.1 + 0.8 * random.unit();
@@ -540,13 +541,13 @@ TEST_CASE("adding a vertex and removing it covers what was covered before") {
     }
 }
 
-TEST_CASE("a vertex within a straight boundary goes and what is covered stays, however its neighbours lie") {
+TEST_CASE("removing a vertex on a straight boundary keeps the covered region, for any neighbors") {
     const std::uint64_t seed = 3;
     CAPTURE(seed);
     Random random(seed);
     for (int i = 0; i < 200; ++i) {
         CAPTURE(i);
-        // A triangle in any direction, its first side split several times, and some vertices inside.
+        // A triangle in any direction, with its first side split several times and some vertices inside.
         const double turn = 2 * std::numbers::pi * random.unit();
         const auto at = [&](double x, double y) {
             return glm::dvec2(std::cos(turn) * x - std::sin(turn) * y,
@@ -575,7 +576,7 @@ TEST_CASE("a vertex within a straight boundary goes and what is covered stays, h
     }
 }
 
-TEST_CASE("removing a corner uncovers what only its triangles covered") {
+TEST_CASE("removing a corner uncovers the region that only its triangles covered") {
     const auto after = without_vertex(unit_square(), 0);
     REQUIRE(after);
     CHECK(covered_area(*after) == doctest::Approx(0.5));
@@ -583,7 +584,7 @@ TEST_CASE("removing a corner uncovers what only its triangles covered") {
     CHECK(after->vertices()[0] == DomainVertex{{1, 0}, 1});
 }
 
-TEST_CASE("removing a reflex corner keeps what its neighbours can cover without going outside") {
+TEST_CASE("removing a reflex corner keeps the region that its neighbors can cover without going outside") {
     const auto after = without_vertex(angle(), 0);
     REQUIRE(after);
     CHECK(is_triangulation(*after));
@@ -596,7 +597,7 @@ TEST_CASE("removing a reflex corner keeps what its neighbours can cover without 
     CHECK(seems_within(*ring_after, ring(), random));
 }
 
-TEST_CASE("removing the vertex where two fans touch leaves what both sides can cover") {
+TEST_CASE("removing the vertex where two fans touch keeps the region that both sides can cover") {
     const auto after = without_vertex(butterfly(), 0);
     CHECK_FALSE(after);  // neither side has a triangle of its own
     const ParameterDomain two(
@@ -608,14 +609,14 @@ TEST_CASE("removing the vertex where two fans touch leaves what both sides can c
     CHECK(covered_area(*both) == doctest::Approx(2));
 }
 
-TEST_CASE("the last triangle goes with any of its vertices") {
+TEST_CASE("removing any vertex of the last triangle removes it") {
     for (Index vertex = 0; vertex < 3; ++vertex) CHECK_FALSE(without_vertex(triangle(), vertex));
 }
 
-TEST_CASE("a vertex inside a ring of neighbours with some in a row goes, though rounding bends the row") {
+TEST_CASE("a vertex whose neighbors lie partly on a line can be removed, although rounding bends the line") {
     for (int i = 0; i < 100; ++i) {
         CAPTURE(i);
-        // A triangle whose sides are split in three by rounded points, about a middle.
+        // A triangle around a middle vertex, whose sides are each split into three parts at rounded points.
         const double turn = 0.1 * i;
         Polygon row;
         for (int corner = 0; corner < 3; ++corner) {
@@ -641,7 +642,7 @@ TEST_CASE("a vertex inside a ring of neighbours with some in a row goes, though 
     }
 }
 
-TEST_CASE("a vertex gets another key and nothing else changes") {
+TEST_CASE("assigning another key to a vertex changes nothing else") {
     const ParameterDomain after = with_vertex_key(unit_square(), 4, 2);
     CHECK(after.vertices()[4] == DomainVertex{{0.5, 0.5}, 2});
     CHECK(with_vertex_key(after, 4, 4) == unit_square());

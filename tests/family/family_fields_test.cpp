@@ -27,7 +27,7 @@ Family three_keys_with_fields() {
 }  // namespace
 
 TEST_CASE(
-    "a family has each field once, in the first key's kind, with the range over all keys that have it") {
+    "a family has each field once, with the first key's kind and the range over all keys that have it") {
     const std::vector<FamilyField> fields = fields_of(three_keys_with_fields().keys);
     REQUIRE(fields.size() == 3);
     CHECK(fields[0].label == FieldName{"T", FieldKind::scalar});
@@ -42,7 +42,7 @@ TEST_CASE(
     CHECK(fields_of({}).empty());
 }
 
-TEST_CASE("the first active key without a field is named, also where it has another kind") {
+TEST_CASE("key_without finds the first active key without the field, or with another kind of it") {
     const Family family = three_keys_with_fields();
     const FieldName p{"p", FieldKind::scalar};
     CHECK_FALSE(key_without(family, {{1, 1.0}}, p));

@@ -1,4 +1,4 @@
-// Tests of the family: what check() promises, and the union of the active keys.
+// Tests of the family: the invariants that check() tests, and the union of the active keys.
 #include "family/family.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ Hierarchy tetrahedron(float offset) {
                      {{0, 0, offset}, {1, 0, offset}, {0, 1, offset}, {0, 0, 1 + offset}});
 }
 
-/// The same with the refinement edge of its last triangle elsewhere.
+/// The same tetrahedron with a different refinement edge in its last triangle.
 Hierarchy marked_otherwise() {
     return unrefined(RootComplex(4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {3, 2, 0}}),
                      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
@@ -29,7 +29,7 @@ Family three_keys() {
             ParameterDomain({{{0, 0}, 0}, {{1, 0}, 1}, {{0, 1}, 2}}, {{0, 1, 2}})};
 }
 
-/// Whether there is exactly one violation and it holds each of \p parts.
+/// Whether there is exactly one violation, and it contains each of \p parts.
 bool is_only_violation(const Family& family, std::initializer_list<const char*> parts) {
     const auto violations = check(family);
     if (violations.size() != 1) return false;
@@ -59,12 +59,12 @@ TEST_CASE("keys are found by name") {
     CHECK_FALSE(find_key(three_keys(), ""));
 }
 
-TEST_CASE("a family without keys is refused") {
+TEST_CASE("a family without keys is rejected") {
     Family family;
     CHECK(is_only_violation(family, {"no key"}));
 }
 
-TEST_CASE("a missing and a double name are violations") {
+TEST_CASE("a missing and a duplicate name are violations") {
     Family family = three_keys();
     family.keys[1].name = "";
     CHECK(is_only_violation(family, {"key 1 has no name"}));
@@ -80,7 +80,7 @@ TEST_CASE("keys over different roots violate constraints (B), and are named") {
     CHECK(is_only_violation(family, {"\"low\"", "\"high\"", "vertices"}));
 }
 
-TEST_CASE("a timeline and a domain that name keys that do not exist are violations") {
+TEST_CASE("a timeline and a domain that refer to keys that do not exist are violations") {
     Family family = three_keys();
     family.timeline = Timeline({{0, 0}, {1, 3}});
     CHECK(is_only_violation(family, {"timeline key 1", "key 3"}));
@@ -89,8 +89,7 @@ TEST_CASE("a timeline and a domain that name keys that do not exist are violatio
     CHECK(is_only_violation(family, {"domain vertex 2", "key 9"}));
 }
 
-TEST_CASE(
-    "the union has one stream for each active key, also for one of weight 0, in the order of the weights") {
+TEST_CASE("the union has one stream per active key, even for weight 0, in the order of the weights") {
     const Family family = three_keys();
     const UnionMesh mesh = unite(family, {{0, 0}, {2, 1}});
     REQUIRE(mesh.key_count() == 2);

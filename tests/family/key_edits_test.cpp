@@ -1,4 +1,4 @@
-// Tests of the edits of keys and times: what is named stays named, and what cannot be is refused.
+// Tests of the edits of keys and times: references to keys stay valid, and invalid edits are rejected.
 #include "family/key_edits.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Hierarchy other_surface() {
     return unrefined(RootComplex(3, {{1, 2, 0}}), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
 }
 
-/// Keys a, b, c, d; a and c twice on the timeline, b in the middle of the domain's square, d nowhere.
+/// Keys a, b, c, d: a and c twice on the timeline, b in the middle of the domain's square, d in neither.
 Family sample() {
     Family family{.name = "sample", .keys = {}, .timeline = {}, .domain = {}};
     for (const char* name : {"a", "b", "c", "d"}) family.keys.push_back({name, surface(0)});
@@ -52,7 +52,7 @@ std::vector<std::string> names(const Family& family) {
 using NamedTime = std::pair<double, const Hierarchy*>;
 using NamedVertex = std::tuple<double, double, const Hierarchy*>;
 
-/// What the timeline names, by hierarchy in memory; copies of a family share them.
+/// The keys on the timeline, identified by their hierarchy in memory; copies of a family share hierarchies.
 std::vector<NamedTime> named_times(const Family& family) {
     std::vector<NamedTime> named;
     if (!family.timeline) return named;
@@ -86,7 +86,7 @@ std::string fault_of(const std::function<void()>& edit) {
 
 }  // namespace
 
-TEST_CASE("a copy of a family shares its hierarchies, an equal hierarchy is not the same") {
+TEST_CASE("a copy of a family shares its hierarchies; an equal hierarchy is not the same one") {
     const Family family = sample();
     const Family copy = family;
     for (std::size_t key = 0; key < family.keys.size(); ++key) {
@@ -96,7 +96,7 @@ TEST_CASE("a copy of a family shares its hierarchies, an equal hierarchy is not 
     CHECK_FALSE(family.keys[0].hierarchy.is_same(family.keys[1].hierarchy));
 }
 
-TEST_CASE("an unused name is the wanted one, or that with the first free number from 2 on") {
+TEST_CASE("an unused name is the wanted one, or that name with the first free number from 2 on") {
     Family family = sample();
     CHECK(unused_name(family, "e") == "e");
     CHECK(unused_name(family, "a") == "a 2");
@@ -108,7 +108,7 @@ TEST_CASE("an unused name is the wanted one, or that with the first free number 
     CHECK(unused_name(family, "") == "key 2");
 }
 
-TEST_CASE("a key is added last, under a name of its own, and nothing else changes") {
+TEST_CASE("a key is added last, under a unique name, and nothing else changes") {
     const Family before = sample();
     const SharedHierarchy added = surface(1);
     const Family after = with_key_added(before, {"b", added});
@@ -119,14 +119,14 @@ TEST_CASE("a key is added last, under a name of its own, and nothing else change
     CHECK(names(with_key_added(before, {"", added})).back() == "key");
 }
 
-TEST_CASE("a key with other roots is refused, naming both keys") {
+TEST_CASE("a key with different roots is rejected, naming both keys") {
     const std::string fault = fault_of([] { with_key_added(sample(), {"turned", other_surface()}); });
     CHECK(fault.find("\"turned\"") != std::string::npos);
     CHECK(fault.find("\"a\"") != std::string::npos);
     CHECK(fault.find("root") != std::string::npos);
 }
 
-TEST_CASE("a duplicate stands after its key with the same hierarchy, named nowhere") {
+TEST_CASE("a duplicate follows its key, with the same hierarchy, on no timeline and in no domain") {
     for (std::size_t key = 0; key < 4; ++key) {
         const Family before = sample();
         const Family after = with_key_duplicated(before, key);
@@ -142,7 +142,7 @@ TEST_CASE("a duplicate stands after its key with the same hierarchy, named nowhe
     }
 }
 
-TEST_CASE("a removed key takes its times and domain vertices along and leaves the others") {
+TEST_CASE("removing a key removes its times and domain vertices, and no others") {
     const Family before = sample();
     const Family after = with_key_removed(before, 0);
     CHECK(names(after) == std::vector<std::string>{"b", "c", "d"});
@@ -159,7 +159,7 @@ TEST_CASE("a removed key takes its times and domain vertices along and leaves th
     CHECK(named_vertices(with_key_removed(before, 3)) == named_vertices(before));
 }
 
-TEST_CASE("timeline and domain go with the last key they name, and the last key stays") {
+TEST_CASE("timeline and domain are removed with their last key, and the last key of the family stays") {
     Family family = with_key_removed(with_key_removed(sample(), 0), 1);
     CHECK(names(family) == std::vector<std::string>{"b", "d"});
     CHECK(family.timeline);
@@ -170,7 +170,7 @@ TEST_CASE("timeline and domain go with the last key they name, and the last key 
     CHECK(fault_of([&] { with_key_removed(family, 0); }).find("at least one key") != std::string::npos);
 }
 
-TEST_CASE("a key gets any name that is not empty, not taken, and of characters that show") {
+TEST_CASE("a key may get any name that is not empty, not taken, and without control characters") {
     CHECK(names(with_key_renamed(sample(), 1, "B, \"b\" \xc3\xbc")) ==
           std::vector<std::string>{"a", "B, \"b\" \xc3\xbc", "c", "d"});
     CHECK(names(with_key_renamed(sample(), 1, "b")) == names(sample()));
@@ -182,7 +182,7 @@ TEST_CASE("a key gets any name that is not empty, not taken, and of characters t
     CHECK_FALSE(fault_of([] { with_key_renamed(sample(), 1, std::string("x\0y", 3)); }).empty());
 }
 
-TEST_CASE("a key moved is at its new place, the others in their order, all named as before") {
+TEST_CASE("a moved key is at its new place, the others keep their order, and all references stay valid") {
     const Family before = sample();
     for (std::size_t from = 0; from < 4; ++from) {
         for (std::size_t to = 0; to < 4; ++to) {
@@ -201,7 +201,7 @@ TEST_CASE("a key moved is at its new place, the others in their order, all named
     }
 }
 
-TEST_CASE("a time is added in its order, and makes the timeline where there is none") {
+TEST_CASE("a time is added in its order, and creates the timeline if there is none") {
     const Family after = with_time_added(sample(), 3, 1.5);
     CHECK(after.timeline == Timeline({{0, 0}, {1, 2}, {1.5, 3}, {2, 1}, {3, 0}, {4, 2}}));
     Family none = sample();
@@ -209,14 +209,14 @@ TEST_CASE("a time is added in its order, and makes the timeline where there is n
     CHECK(with_time_added(none, 3, -7).timeline == Timeline({{-7, 3}}));
 }
 
-TEST_CASE("a time may pass others, and back") {
+TEST_CASE("a time may be moved past others, and back") {
     const Family after = with_time_moved(sample(), 0, 2.5);
     CHECK(after.timeline == Timeline({{1, 2}, {2, 1}, {2.5, 0}, {3, 0}, {4, 2}}));
     CHECK(with_time_moved(after, 2, 0).timeline == sample().timeline);
     CHECK(with_time_moved(sample(), 1, 1).timeline == sample().timeline);
 }
 
-TEST_CASE("a time that is taken, not finite, or too far off is refused") {
+TEST_CASE("a time that is taken, not finite, or too far away is rejected") {
     CHECK(fault_of([] { with_time_added(sample(), 3, 2); }).find("\"b\"") != std::string::npos);
     CHECK(fault_of([] { with_time_moved(sample(), 0, 2); }).find("\"b\"") != std::string::npos);
     CHECK_FALSE(fault_of([] { with_time_added(sample(), 3, -0.0); }).empty());
@@ -230,7 +230,7 @@ TEST_CASE("a time that is taken, not finite, or too far off is refused") {
     CHECK_FALSE(fault_of([&] { with_time_added(with_time_added(sample(), 3, most), 3, -most); }).empty());
 }
 
-TEST_CASE("the timeline goes with its last time") {
+TEST_CASE("the timeline is removed with its last time") {
     Family family = sample();
     for (std::size_t left = 4; left > 0; --left) {
         family = with_time_removed(family, left / 2);
@@ -243,7 +243,7 @@ TEST_CASE("the timeline goes with its last time") {
 
 namespace {
 
-/// Any edit with any argument; those that are invalid throw.
+/// A random edit with random arguments; an invalid edit throws.
 Family randomly_edited(const Family& family, Random& random) {
     const std::size_t key = random.below(family.keys.size());
     const std::size_t other = random.below(family.keys.size());
@@ -292,7 +292,7 @@ Family randomly_edited(const Family& family, Random& random) {
 
 }  // namespace
 
-TEST_CASE("any sequence of edits, valid and not, leaves a family that promises what a family does") {
+TEST_CASE("any sequence of valid and invalid edits leaves a family that passes check()") {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -314,14 +314,14 @@ TEST_CASE("any sequence of edits, valid and not, leaves a family that promises w
     }
 }
 
-TEST_CASE("adding, duplicating, moving and renaming keys in any order changes nothing that is named") {
+TEST_CASE("adding, duplicating, moving and renaming keys in any order keeps timeline and domain") {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         CAPTURE(seed);
         Random random(seed);
         Family family = sample();
         const auto times = named_times(family);
         const auto vertices = named_vertices(family);
-        // Removing what is named nowhere is no matter either.
+        // The removal of a key that nothing refers to is also allowed.
         for (int step = 0; step < 200; ++step) {
             CAPTURE(step);
             const std::size_t key = random.below(family.keys.size());
@@ -344,7 +344,7 @@ TEST_CASE("adding, duplicating, moving and renaming keys in any order changes no
     }
 }
 
-TEST_CASE("removing keys in any order leaves what the others are named for, in time and at their vertices") {
+TEST_CASE("removing keys in any order keeps the times and the domain vertices of the others") {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -357,7 +357,7 @@ TEST_CASE("removing keys in any order leaves what the others are named for, in t
             const auto vertices = named_vertices(family);
             family = with_key_removed(family, key);
             CHECK(named_times(family) == expected);
-            // At a corner of the domain vertices of other keys may go, too.
+            // At a corner of the domain, vertices of other keys may also be removed.
             for (const NamedVertex& named : named_vertices(family)) {
                 CHECK(std::get<2>(named) != removed);
                 CHECK(std::ranges::count(vertices, named) == 1);

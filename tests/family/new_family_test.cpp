@@ -18,7 +18,7 @@ Family family_of(std::size_t count) {
 
 }  // namespace
 
-TEST_CASE("a new family is sound: unique names, a second from key to key, each key once in the domain") {
+TEST_CASE("a new family is sound: unique names, one second from key to key, each key once in the domain") {
     for (std::size_t count = 1; count <= 30; ++count) {
         CAPTURE(count);
         const Family family = family_of(count);
@@ -36,7 +36,7 @@ TEST_CASE("a new family is sound: unique names, a second from key to key, each k
     }
 }
 
-TEST_CASE("the domain of four keys or more has the first in the middle of a regular polygon on a side") {
+TEST_CASE("the domain of four keys or more has the first key in the middle of a regular polygon on a side") {
     const Family five = family_of(5);
     const auto vertices = five.domain->vertices();
     CHECK(vertices[0] == DomainVertex{{0, 0}, 0});
@@ -46,7 +46,7 @@ TEST_CASE("the domain of four keys or more has the first in the middle of a regu
     CHECK(five.domain->weights(five.domain->locate({0, 0})).size() == 3);
 }
 
-TEST_CASE("names that are taken get a number, empty ones a name") {
+TEST_CASE("duplicate names get a number, empty names a default") {
     std::vector<Key> keys = family_of(1).keys;
     keys.push_back(keys[0]);
     keys.push_back(keys[0]);

@@ -17,14 +17,14 @@ using namespace interleaf;
 
 namespace {
 
-/// The paper's figure 8: four corners and the middle, key numbers as vertex numbers.
+/// The paper's figure 8: four corners and the middle. Key numbers equal vertex numbers.
 ParameterDomain square() {
     return {{{{-1, -1}, 0}, {{1, -1}, 1}, {{1, 1}, 2}, {{-1, 1}, 3}, {{0, 0}, 4}},
             {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
 }
 
-/// Not convex, with a hole: the square ring between (0,0)-(3,3) and (1,1)-(2,2), without its last part;
-/// clockwise and counter-clockwise triangles.
+/// A domain that is not convex and has a hole: the square ring between (0,0)-(3,3) and (1,1)-(2,2), without
+/// its last part. It has clockwise and counter-clockwise triangles.
 ParameterDomain hook() {
     return {{{{0, 0}, 0},
              {{3, 0}, 1},
@@ -37,7 +37,7 @@ ParameterDomain hook() {
             {{0, 1, 5}, {0, 4, 5}, {1, 2, 6}, {1, 5, 6}, {2, 3, 7}, {2, 7, 6}}};
 }
 
-/// The vertices of a fan around the origin, all corners of a regular polygon.
+/// The vertices of a fan around the origin, all of them corners of a regular polygon.
 ParameterDomain fan(unsigned count) {
     std::vector<DomainVertex> vertices{{{0.1, 0.2}, 0}};
     std::vector<Triangle> triangles;
@@ -64,7 +64,7 @@ void check_is_barycentric(const DomainPoint& point) {
     CHECK(sum == doctest::Approx(1).epsilon(1e-15));
 }
 
-/// Least distance of \p point from a fine grid in every triangle.
+/// Minimum distance of \p point from a fine grid in every triangle.
 double sampled_distance(const ParameterDomain& domain, const glm::dvec2& point) {
     constexpr int parts = 200;
     double least = infinity;
@@ -92,7 +92,7 @@ std::vector<double> dense(const Weights& weights, std::size_t key_count) {
 }  // namespace
 
 TEST_CASE(
-    "a point gets the nearest point of the domain, inside and outside, also of one that is not convex") {
+    "locate gives the nearest point of the domain, inside and outside, even if the domain is not convex") {
     const unsigned seed = 5;
     CAPTURE(seed);
     std::mt19937 random(seed);
@@ -105,7 +105,8 @@ TEST_CASE(
             const DomainPoint found = domain.locate(point);
             check_is_barycentric(found);
             CHECK(glm::distance(blend(domain, found), found.at) < 1e-14);
-            // The grid has points of the domain within 0.02 of any other, and none nearer than the nearest.
+            // Every point of the domain has a grid point within 0.02, and no grid point is nearer than the
+            // nearest point.
             const double sampled = sampled_distance(domain, point);
             CHECK(glm::distance(point, found.at) <= sampled + 1e-12);
             CHECK(glm::distance(point, found.at) >= sampled - 0.02);
@@ -125,7 +126,7 @@ TEST_CASE("a point inside stays where it is, to the last bit") {
 }
 
 TEST_CASE(
-    "a vertex of the domain gives its key weight 1 exactly, and its neighbours stay active with weight 0") {
+    "a vertex of the domain gives its key weight 1 exactly, and its neighbors stay active with weight 0") {
     for (const ParameterDomain& domain : {square(), hook(), fan(7)}) {
         for (const DomainVertex& vertex : domain.vertices()) {
             const Weights weights = domain.weights(domain.locate(vertex.at));
@@ -149,7 +150,7 @@ TEST_CASE("weights are continuous across every edge") {
             const Index start = domain.locate(a).triangle;
             if (domain.locate(b).triangle == start) continue;
             ++crossings;
-            // Close in on a point where the triangle changes.
+            // Bisects towards a point where the triangle changes.
             while (glm::distance(a, b) > 1e-10) {
                 const glm::dvec2 middle = (a + b) / 2.0;
                 (domain.locate(middle).triangle == start ? a : b) = middle;
@@ -163,7 +164,7 @@ TEST_CASE("weights are continuous across every edge") {
     }
 }
 
-TEST_CASE("on a shared edge or vertex the current triangle holds, otherwise the lowest index") {
+TEST_CASE("on a shared edge or vertex the current triangle is preferred, otherwise the lowest index") {
     for (const ParameterDomain& domain : {square(), hook(), fan(7)}) {
         const auto triangles = domain.triangles();
         for (Index t = 0; t < triangles.size(); ++t) {
@@ -187,15 +188,15 @@ TEST_CASE("on a shared edge or vertex the current triangle holds, otherwise the 
     }
 }
 
-TEST_CASE("a current triangle that is not nearest, or does not exist, does not hold") {
+TEST_CASE("a current triangle that is not nearest, or does not exist, is not preferred") {
     CHECK(square().locate({0, 0.5}, 0).triangle == 2);
     CHECK(square().locate({0, 0.5}, 99).triangle == 2);
-    // Outside, a corner is the nearest point of two triangles.
+    // Outside the domain, a corner is the nearest point of two triangles.
     CHECK(square().locate({5, 5}, 2).triangle == 2);
     CHECK(square().locate({5, 5}, 0).triangle == 1);
 }
 
-TEST_CASE("points far away are located, points that are not finite refused") {
+TEST_CASE("points far away are located, points that are not finite are rejected") {
     const double huge = std::numeric_limits<double>::max();
     CHECK(square().locate({1000, 2000}).at == glm::dvec2(1, 1));
     CHECK(square().locate({-1000, 0.5}).at == glm::dvec2(-1, 0.5));
@@ -231,11 +232,11 @@ TEST_CASE("point_of takes the keys of an edge or of a vertex alone") {
     CHECK(square().point_of({{2, 1}}) == glm::dvec2(1, 1));
 }
 
-TEST_CASE("point_of gives none where weights are no point of the domain") {
+TEST_CASE("point_of returns none if the weights are no point of the domain") {
     CHECK_FALSE(square().point_of({}));
     CHECK_FALSE(square().point_of({{0, 0.5}, {2, 0.5}}));           // no edge joins them
     CHECK_FALSE(square().point_of({{0, 0.5}, {2, 0}, {4, 0.5}}));   // no triangle has all three
-    CHECK_FALSE(square().point_of({{0, 0.5}, {4, 0.4}}));           // sum
+    CHECK_FALSE(square().point_of({{0, 0.5}, {4, 0.4}}));           // wrong sum
     CHECK_FALSE(square().point_of({{0, -0.5}, {1, 0.5}, {4, 1}}));  // negative
     CHECK_FALSE(square().point_of({{9, 1}}));                       // not in the domain
     CHECK_FALSE(square().point_of({{0, std::nan("")}, {4, 1}}));    // not a number
@@ -243,7 +244,7 @@ TEST_CASE("point_of gives none where weights are no point of the domain") {
     CHECK_FALSE(twice.point_of({{3, 0.5}, {7, 0.5}}));  // a key at two vertices
 }
 
-TEST_CASE("a domain is refused unless its triangles share vertices and edges and nothing else") {
+TEST_CASE("a domain is rejected unless its triangles share only vertices and whole edges") {
     using Vertices = std::vector<DomainVertex>;
     const auto refused = [](const Vertices& vertices, const std::vector<Triangle>& triangles,
                             const char* part) {
@@ -253,7 +254,7 @@ TEST_CASE("a domain is refused unless its triangles share vertices and edges and
     const Vertices corner = {{{0, 0}, 0}, {{1, 0}, 1}, {{0, 1}, 2}};
 
     refused(corner, {}, "no triangle");
-    refused(corner, {{0, 1, 3}}, "names vertex 3, but there are only 3");
+    refused(corner, {{0, 1, 3}}, "refers to vertex 3, but there are only 3 vertices");
     refused({{{0, 0}, 0}, {{1, 0}, 1}, {{0, 1}, 2}, {{1, 1}, 3}}, {{0, 1, 2}},
             "vertex 3 belongs to no triangle");
     refused({{{0, 0}, 0}, {{infinity, 0}, 1}, {{0, 1}, 2}}, {{0, 1, 2}}, "vertex 1 is not finite");

@@ -6,7 +6,7 @@
 
 using namespace interleaf;
 
-TEST_CASE("playback is paused at the beginning until it is played") {
+TEST_CASE("playback is paused at the beginning until play") {
     Playback playback(2, 6);
     CHECK(playback.time(0) == 2);
     CHECK(playback.time(100) == 2);
@@ -17,7 +17,7 @@ TEST_CASE("playback is paused at the beginning until it is played") {
     CHECK(playback.is_playing(101.5));
 }
 
-TEST_CASE("a loop goes from the end to the beginning, as often as it takes") {
+TEST_CASE("a loop jumps from the end to the beginning, any number of times") {
     Playback playback(2, 6);
     playback.play(10);
     CHECK(playback.time(13.75) == 5.75);
@@ -27,7 +27,7 @@ TEST_CASE("a loop goes from the end to the beginning, as often as it takes") {
     CHECK(playback.is_playing(5000));
 }
 
-TEST_CASE("without a loop it rests at the end and plays again from the beginning") {
+TEST_CASE("without a loop, playback stops at the end and plays again from the beginning") {
     Playback playback(2, 6);
     playback.set_loops(false, 0);
     playback.play(10);
@@ -42,7 +42,7 @@ TEST_CASE("without a loop it rests at the end and plays again from the beginning
     CHECK(playback.is_playing(100));
 }
 
-TEST_CASE("a pause keeps the time, and play goes on from there") {
+TEST_CASE("pause keeps the time, and play continues from there") {
     Playback playback(0, 8);
     playback.play(1);
     playback.pause(4);
@@ -53,14 +53,14 @@ TEST_CASE("a pause keeps the time, and play goes on from there") {
     CHECK(playback.time(52) == 5);
 }
 
-TEST_CASE("play while it plays changes nothing") {
+TEST_CASE("play during playback changes nothing") {
     Playback playback(0, 8);
     playback.play(1);
     playback.play(3);
     CHECK(playback.time(4) == 3);
 }
 
-TEST_CASE("a seek jumps, stays within the interval, and goes on playing when it was playing") {
+TEST_CASE("a seek jumps, stays within the interval, and does not stop playback") {
     Playback playback(0, 8);
     playback.seek(5, 1);
     CHECK(playback.time(100) == 5);
@@ -78,7 +78,7 @@ TEST_CASE("a seek jumps, stays within the interval, and goes on playing when it 
     CHECK(playback.is_playing(4));
 }
 
-TEST_CASE("a seek back from the end, where it rests, does not start it") {
+TEST_CASE("a seek back from the end, where playback has stopped, does not start it") {
     Playback playback(0, 8);
     playback.set_loops(false, 0);
     playback.play(0);
@@ -87,7 +87,7 @@ TEST_CASE("a seek back from the end, where it rests, does not start it") {
     CHECK(playback.time(25) == 2);
 }
 
-TEST_CASE("switching the loop changes no time and does not start what rests") {
+TEST_CASE("switching the loop on or off changes no time and does not start stopped playback") {
     Playback playback(0, 8);
     playback.play(0);
     playback.set_loops(false, 11);
@@ -99,7 +99,7 @@ TEST_CASE("switching the loop changes no time and does not start what rests") {
     CHECK_FALSE(playback.is_playing(25));
 }
 
-TEST_CASE("a clock that goes back does not move the animation back") {
+TEST_CASE("a clock that runs backward does not move the animation backward") {
     Playback playback(0, 8);
     playback.seek(3, 10);
     playback.play(10);

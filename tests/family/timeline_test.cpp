@@ -27,7 +27,7 @@ TEST_CASE("a timeline blends the keys before and after a time") {
 }
 
 TEST_CASE(
-    "at a key's own time that key has weight 1 and the key of the interval that begins there stays active") {
+    "at a key's own time it has weight 1, and the other key of the interval that begins there stays active") {
     const Timeline timeline({{1, 4}, {3, 2}, {7, 0}});
     CHECK(timeline.at(1) == Weights{{2, 0}, {4, 1}});
     CHECK(timeline.at(3) == Weights{{0, 0}, {2, 1}});
@@ -35,7 +35,7 @@ TEST_CASE(
     CHECK(timeline.at(7) == Weights{{0, 1}, {2, 0}});
 }
 
-TEST_CASE("a time outside is the nearest end") {
+TEST_CASE("a time outside is clamped to the nearest end") {
     const Timeline timeline({{1, 4}, {3, 2}, {7, 0}});
     CHECK(timeline.at(-10) == timeline.at(1));
     CHECK(timeline.at(8) == timeline.at(7));
@@ -61,7 +61,7 @@ TEST_CASE("the weights of a timeline are not negative and sum to 1") {
     }
 }
 
-TEST_CASE("a timeline without keys or whose times do not ascend is refused") {
+TEST_CASE("a timeline without keys, or with times that do not ascend, is rejected") {
     CHECK_THROWS_WITH_AS(Timeline({}), doctest::Contains("no key"), InputError);
     CHECK_THROWS_WITH_AS(Timeline({{1, 0}, {1, 1}}), doctest::Contains("key 1 is at time 1"), InputError);
     CHECK_THROWS_WITH_AS(Timeline({{0, 0}, {2, 1}, {1, 2}}), doctest::Contains("key 2 is at time 1"),
@@ -71,6 +71,6 @@ TEST_CASE("a timeline without keys or whose times do not ascend is refused") {
     CHECK_THROWS_WITH_AS(Timeline({{-1e308, 0}, {1e308, 1}}), doctest::Contains("too far apart"), InputError);
 }
 
-TEST_CASE("a time that is not a number is refused") {
+TEST_CASE("a time that is not a number is rejected") {
     CHECK_THROWS_AS(Timeline({{0, 0}, {1, 1}}).at(not_a_number), InputError);
 }

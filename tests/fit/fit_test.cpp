@@ -44,7 +44,7 @@ TEST_CASE("star-shaped surfaces become good keys, measured and reported") {
         CHECK(key.report.quality.root_mean_square < key.report.quality.hausdorff);
         CHECK(key.report.quality.flipped_leaves == 0);
         CHECK(key.report.quality.euler == 2);
-        CHECK(key.report.quality.least_angle > 15);
+        CHECK(key.report.quality.min_angle > 15);
         CHECK(key.hierarchy.fields.empty());
     }
 }
@@ -122,7 +122,7 @@ TEST_CASE("the rotation asked for moves the vertices over the surface, not the s
                 CHECK(glm::distance(plain.hierarchy.positions[v], turned.hierarchy.positions[w]) < 1e-4F);
 }
 
-TEST_CASE("colours of the mesh arrive at the key's vertices") {
+TEST_CASE("colors of the mesh arrive at the key's vertices") {
     MappedMesh mapped = unit_sphere_mesh(5);
     for (const glm::dvec3& point : mapped.points) mapped.mesh.colors.emplace_back(0.5 * point + 0.5);
     const FittedKey key = fit_mapped(mapped.mesh, mapped.points, {.leaves = 3000});

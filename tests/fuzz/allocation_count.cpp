@@ -37,7 +37,7 @@ void begin_count() {
     most = allocated;
 }
 
-std::size_t most_bytes() {
+std::size_t max_bytes() {
     return static_cast<std::size_t>(most - at_begin);
 }
 

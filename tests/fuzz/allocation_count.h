@@ -9,6 +9,6 @@ namespace interleaf::fuzz {
 void begin_count();
 
 /// The peak of the allocated bytes since begin_count(), minus the bytes that were allocated then.
-std::size_t most_bytes();
+std::size_t max_bytes();
 
 }  // namespace interleaf::fuzz

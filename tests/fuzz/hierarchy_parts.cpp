@@ -27,9 +27,9 @@ hierarchy_format::Header header_at(ByteSpan file) {
     return header;
 }
 
-FieldTable field_table(ByteSpan bytes, std::uint32_t most_fields) {
+FieldTable field_table(ByteSpan bytes, std::uint32_t max_fields) {
     FieldTable table;
-    while (table.fields < most_fields && table.size + 2 <= bytes.size()) {
+    while (table.fields < max_fields && table.size + 2 <= bytes.size()) {
         const auto kind = std::to_integer<std::uint64_t>(bytes[table.size]);
         const std::uint64_t size = 2 + std::to_integer<std::uint64_t>(bytes[table.size + 1]);
         if (size > bytes.size() - table.size) break;

@@ -21,8 +21,8 @@ struct FieldTable {
     std::uint64_t components = 0;  ///< of all fields
 };
 
-/// The first entries in \p bytes, at most \p most_fields.
-FieldTable field_table(ByteSpan bytes, std::uint32_t most_fields);
+/// The first entries in \p bytes, at most \p max_fields.
+FieldTable field_table(ByteSpan bytes, std::uint32_t max_fields);
 
 /// The number of bytes of the plain file, without the field table, for the counts of \p header and fields of
 /// \p components components.

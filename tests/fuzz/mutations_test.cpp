@@ -48,8 +48,8 @@ TEST_CASE("memory is counted, of any size") {
         begin_count();
         { const Buffer<char> large(size); }
         { const std::vector<char> ordinary(size); }
-        CHECK(most_bytes() >= size);
-        CHECK(most_bytes() < size + size / 2);
+        CHECK(max_bytes() >= size);
+        CHECK(max_bytes() < size + size / 2);
     }
 }
 

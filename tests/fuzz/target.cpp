@@ -60,7 +60,7 @@ Outcome outcome_of(ByteSpan file) {
     } catch (const std::exception& error) {
         return {false, fmt::format("{}: {}", typeid(error).name(), error.what())};
     }
-    const std::size_t bytes = most_bytes();
+    const std::size_t bytes = max_bytes();
     const std::string fault = excess(file, bytes, processor_time() - started);
     return {inspect != nullptr, fault.empty() && inspect ? inspect() : fault};
 }

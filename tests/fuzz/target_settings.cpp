@@ -15,7 +15,7 @@ namespace interleaf::fuzz {
 namespace {
 
 bool are_sound(const std::vector<std::filesystem::path>& recent) {
-    if (recent.size() > most_recent_paths) return false;
+    if (recent.size() > max_recent_paths) return false;
     return std::ranges::all_of(recent, [&](const std::filesystem::path& path) {
         return path.is_absolute() && std::ranges::count(recent, path) == 1;
     });

@@ -46,7 +46,7 @@ TEST_CASE("every refinement conforms, keeps the mesh's own invariants and freeze
     CHECK(leaves > trials(200000));
 }
 
-TEST_CASE("refinement gives exactly what algorithm (A) gives in passes") {
+TEST_CASE("refinement gives exactly the result of algorithm (A) in passes") {
     for (std::uint64_t seed = 1; seed <= trials(1500); ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -71,7 +71,8 @@ TEST_CASE("refinement gives exactly what algorithm (A) gives in passes") {
     }
 }
 
-TEST_CASE("leaves_added_by tells what refinement adds, refine which leaves changed") {
+TEST_CASE(
+    "leaves_added_by returns the number of leaves that refine adds, and refine lists the changed leaves") {
     for (std::uint64_t seed = 1; seed <= trials(2000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -116,13 +117,13 @@ TEST_CASE("a cycle of leaves that wait for each other is refined as one step") {
     }
 }
 
-TEST_CASE("a leaf marked twice, and one that closure has reached, is bisected once") {
+TEST_CASE("a leaf that is marked twice, or reached by closure before, is bisected once") {
     AdaptiveMesh mesh(sheet(1, 1), std::vector<glm::vec3>(4, glm::vec3(0)));
     mesh.refine(std::vector<Index>{0, 1, 0});
     CHECK(mesh.leaf_count() == 4);
 }
 
-TEST_CASE("the list that refine appends to may be the one it is given") {
+TEST_CASE("refine may append to the list of its own marks") {
     AdaptiveMesh mesh(octahedron(), std::vector<glm::vec3>(6, glm::vec3(0)));
     std::vector<Index> changed = {0};
     for (unsigned round = 0; round < 6; ++round) mesh.refine(changed, &changed);
@@ -155,7 +156,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("the midpoint rule is asked once for each new vertex, in the order of indices") {
+TEST_CASE("the midpoint rule is called once per new vertex, in the order of indices") {
     std::vector<std::pair<Index, Index>> asked;
     AdaptiveMesh mesh(octahedron(), std::vector<glm::vec3>(6, glm::vec3(0)),
                       [&](Index a, Index b, Index midpoint) {

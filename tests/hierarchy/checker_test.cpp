@@ -13,8 +13,8 @@ using namespace interleaf::testing;
 
 namespace {
 
-/// Two triangles that share edge (1, 2), the refinement edge of both, with both bisected at it and vertex 4
-/// in its middle.
+/// Two triangles that share the edge (1, 2), which is the refinement edge of both. Both are bisected there,
+/// with vertex 4 in the middle.
 Hierarchy bisected_square() {
     const std::vector<glm::vec3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
     AdaptiveMesh mesh(sheet(1, 1), corners);
@@ -24,7 +24,7 @@ Hierarchy bisected_square() {
 
 }  // namespace
 
-TEST_CASE("any one change of a midpoint, a bit, a position or a size is found, 10,000 hierarchies") {
+TEST_CASE("any single change of a midpoint, a bit, a position or a size is found, 10,000 hierarchies") {
     for_random_families(10000, 1, [](const RandomFamily& family) {
         CAPTURE(family.seed);
         Random random(family.seed * 31);
@@ -62,7 +62,7 @@ TEST_CASE("any one change of a midpoint, a bit, a position or a size is found, 1
     });
 }
 
-TEST_CASE("arbitrary bits and midpoints never make the checker read outside or loop") {
+TEST_CASE("arbitrary bits and midpoints never make the checker read out of bounds or loop") {
     for (std::uint64_t seed = 1; seed <= trials(20000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -78,7 +78,7 @@ TEST_CASE("arbitrary bits and midpoints never make the checker read outside or l
 }
 
 TEST_CASE("a hanging node is named with its edge") {
-    // Root 1 loses its bisection: the midpoint then hangs on it.
+    // Root 1 loses its bisection, so the midpoint becomes a hanging node of it.
     Hierarchy hierarchy = bisected_square();
     REQUIRE(check(hierarchy).empty());
     hierarchy.bits = {0b0001};
@@ -93,7 +93,7 @@ TEST_CASE("two vertices on one edge are found") {
     CHECK(mentions(check(hierarchy), "on one side only"));
 }
 
-TEST_CASE("what is missing or left over is named") {
+TEST_CASE("missing and surplus data are named") {
     Hierarchy hierarchy = bisected_square();
     hierarchy.positions.emplace_back(0.0F);
     CHECK(mentions(check(hierarchy), "vertex 5 is no midpoint"));
@@ -109,8 +109,8 @@ TEST_CASE("what is missing or left over is named") {
     CHECK(mentions(check(Hierarchy{}), "no root triangles"));
 }
 
-TEST_CASE("a tree deeper than 64 levels is refused") {
-    // A single triangle, bisected again and again in its first child; every midpoint lies on the boundary or
+TEST_CASE("a tree deeper than 64 levels is rejected") {
+    // A single triangle whose first child is bisected again and again. Every midpoint lies on the boundary or
     // is visited twice.
     Hierarchy hierarchy{RootComplex(3, {{0, 1, 2}}), {}, {}, {}};
     for (Index n = 0; n < 70; ++n) hierarchy.midpoints.push_back(3 + n);
@@ -119,7 +119,7 @@ TEST_CASE("a tree deeper than 64 levels is refused") {
     CHECK(mentions(check(hierarchy), "at most 64 levels deep"));
 }
 
-TEST_CASE("no more violations are listed than asked for") {
+TEST_CASE("the checker lists no more violations than requested") {
     Hierarchy hierarchy = bisected_square();
     for (glm::vec3& position : hierarchy.positions) position.x = std::numeric_limits<float>::quiet_NaN();
     CHECK(check(hierarchy).size() == 5);
@@ -133,7 +133,7 @@ TEST_CASE("constraints (B) name the key and the root that differs") {
     CHECK(check_constraints(keys).empty());
     other = unrefined(RootComplex(4, {{0, 1, 2}, {2, 1, 3}}), std::vector<glm::vec3>(4));
     CHECK(mentions(check_constraints(keys),
-                   "key 2 has other roots than key 0: root triangle 1 is (2, 1, 3), expected (3, 2, 1)"));
+                   "key 2 has different roots from key 0: root triangle 1 is (2, 1, 3), expected (3, 2, 1)"));
     other = unrefined(octahedron(), std::vector<glm::vec3>(6));
     CHECK(mentions(check_constraints(keys), "8 root triangles over 6 vertices, expected 2 over 4"));
 }

@@ -1,5 +1,5 @@
-// Coarsening, from its specification in adaptive_mesh.h alone: that the mesh stays sound, that it agrees with
-// the literal version, that it is the inverse of refinement, and what happens to indices.
+// Tests of coarsening, written from its specification in adaptive_mesh.h alone: the mesh stays sound, it
+// agrees with the literal version, coarsening is the inverse of refinement, and indices behave as specified.
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -67,7 +67,7 @@ unsigned deepest_level(const AdaptiveMesh& mesh) {
     return deepest;
 }
 
-/// All leaves, those near one place, or each by chance; never none.
+/// All leaves, or the leaves near one place, or a random selection; never none.
 std::vector<Index> random_marks(const AdaptiveMesh& mesh, Random& random) {
     std::vector<Index> leaves = leaves_of(mesh);
     const std::size_t kind = random.below(4);
@@ -103,15 +103,15 @@ RootComplex pinwheel_with_tails(Index spokes) {
     return {2 * spokes + 1, std::move(triangles)};
 }
 
-/// A fan that is open: each triangle waits for the next, the last one for nobody.
+/// An open fan: each triangle waits for the next, and the last one for none.
 RootComplex open_fan(Index triangle_count) {
     std::vector<Triangle> triangles;
     for (Index n = 0; n < triangle_count; ++n) triangles.push_back({1 + n, 2 + n, 0});
     return {triangle_count + 2, std::move(triangles)};
 }
 
-/// A closed strip of squares, two triangles each, in which each triangle waits for the next: a cycle around
-/// no vertex.
+/// A closed strip of squares, two triangles each, in which each triangle waits for the next: a cycle that
+/// surrounds no vertex.
 RootComplex ring(Index squares) {
     std::vector<Triangle> triangles;
     for (Index n = 0; n < squares; ++n) {
@@ -127,7 +127,7 @@ RootComplex tetrahedron() {
     return {4, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 2, 1}}};
 }
 
-/// The marking of number \p number, in which each of the triangles is rotated by a digit of it to base 3.
+/// The marking with the number \p number: its digits to base 3 are the rotations of the triangles.
 RootComplex with_marking(const RootComplex& roots, unsigned number) {
     std::vector<Triangle> triangles(roots.triangles().begin(), roots.triangles().end());
     for (Triangle& triangle : triangles) {
@@ -156,9 +156,8 @@ RootComplex cyclic_roots(Random& random) {
     }
 }
 
-/// A mesh, and beside it what the specification says about it: which node has which index, which vertex of
-/// the infinite complex is stored where, and with which position. Every step is compared with the literal
-/// version.
+/// A mesh, and beside it the state that the specification demands: the index of each node, and the place and
+/// position of each vertex of the infinite complex. Compares every step with the literal version.
 class WatchedMesh {
   public:
     WatchedMesh(const RootComplex& roots, Random& random)
@@ -178,7 +177,7 @@ class WatchedMesh {
 
     const AdaptiveMesh& mesh() const { return mesh_; }
 
-    /// Whether one of the midpoints is that of a root edge.
+    /// Whether one of the midpoints belongs to a root edge.
     bool is_at_a_root(const std::set<Index>& midpoints) const {
         for (const auto& [a, b, c] : roots_.triangles())
             for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
@@ -200,7 +199,7 @@ class WatchedMesh {
         compare_with(expected, changed);
     }
 
-    /// Returns the steps that coarsening took.
+    /// \return the steps that coarsening took
     Steps coarsen(const std::vector<Index>& marks) {
         const std::set<Node> before = node_set(nodes_);
         Steps steps = coarsening_steps(complex_, before, nodes_of_marks(marks));
@@ -244,8 +243,8 @@ class WatchedMesh {
         return position;
     }
 
-    /// The leaves must be those of \p expected, the ones that stay at their index, \p changed must name the
-    /// others.
+    /// Checks that the leaves are those of \p expected, that remaining leaves keep their index, and that
+    /// \p changed lists the other leaves.
     void compare_with(const std::set<Node>& expected, const std::vector<Index>& changed) {
         const std::map<Node, Index> before = std::exchange(nodes_, indexed_nodes(mesh_));
         REQUIRE(node_set(nodes_) == expected);
@@ -268,7 +267,7 @@ class WatchedMesh {
         REQUIRE(leaves_of(mesh_).size() == nodes_.size());
         REQUIRE(mesh_.vertex_count() == stored_.size());
         peak_ = std::max(peak_, mesh_.leaf_count());
-        REQUIRE(mesh_.leaf_bound() == peak_);  // a place is new only when none is free
+        REQUIRE(mesh_.leaf_bound() == peak_);  // a new place is taken only if none is free
         bound_ = mesh_.vertex_bound();
 
         std::map<std::pair<Index, Index>, Index> triangle_along;
@@ -292,7 +291,7 @@ class WatchedMesh {
                 const Triangle& vertices = mesh_.vertices(leaf);
                 const auto across = triangle_along.find({vertices[(k + 2) % 3], vertices[(k + 1) % 3]});
                 is_right &=
-                    mesh_.neighbours(leaf)[k] == (across == triangle_along.end() ? no_index : across->second);
+                    mesh_.neighbors(leaf)[k] == (across == triangle_along.end() ? no_index : across->second);
             }
         REQUIRE(is_right);
     }
@@ -301,7 +300,7 @@ class WatchedMesh {
     Random& random_;
     InfiniteComplex complex_;
     std::map<Index, Stored> stored_;  ///< by index
-    Index peak_ = 0;                  ///< most leaves so far
+    Index peak_ = 0;                  ///< maximum number of leaves so far
     Index bound_ = 0;                 ///< vertex_bound() before the present call
     Index placed_ = 0;
     Index placed_at_end_ = 0;
@@ -311,8 +310,8 @@ class WatchedMesh {
 };
 
 struct Removed {
-    std::size_t alone = 0;        ///< midpoints
-    std::size_t cycles = 0;       ///< of midpoints that went together
+    std::size_t alone = 0;        ///< midpoints removed alone
+    std::size_t cycles = 0;       ///< cycles of midpoints removed together
     std::size_t deep_cycles = 0;  ///< of these, away from the middle of a root edge
 
     Removed& operator+=(const Removed& other) {
@@ -342,7 +341,8 @@ Removed refine_and_coarsen(WatchedMesh& mesh, Random& random, unsigned step_coun
     return removed;
 }
 
-/// Coarsens everything until nothing is left to coarsen, and returns the number of calls that took.
+/// Coarsens everything until no leaf can be coarsened.
+/// \return the number of calls
 unsigned coarsen_to_the_roots(AdaptiveMesh& mesh) {
     unsigned calls = 0;
     while (mesh.leaf_count() > mesh.roots().triangle_count()) {
@@ -364,11 +364,11 @@ void require_unrefined(const AdaptiveMesh& mesh, const std::vector<glm::vec3>& p
         REQUIRE(mesh.is_leaf(root));
         REQUIRE(mesh.level(root) == 0);
         REQUIRE(mesh.vertices(root) == roots.triangles()[root]);
-        REQUIRE(mesh.neighbours(root) == roots.neighbours()[root]);
+        REQUIRE(mesh.neighbors(root) == roots.neighbors()[root]);
     }
 }
 
-/// Refined at random, and coarsened so that places are free.
+/// Refines at random, and coarsens so that places become free.
 void make_holes(AdaptiveMesh& mesh, Random& random) {
     for (unsigned step = 0; step < 3; ++step) {
         mesh.refine(random_marks(mesh, random));
@@ -380,7 +380,7 @@ void make_holes(AdaptiveMesh& mesh, Random& random) {
 }  // namespace
 
 TEST_CASE(
-    "every refinement and every coarsening conforms, freezes soundly and keeps what stays, 10,000 "
+    "every refinement and coarsening conforms, freezes soundly and keeps the other leaves, 10,000 "
     "sequences") {
     std::size_t removed = 0;
     for (std::uint64_t seed = 1; seed <= trials(10000); ++seed) {
@@ -427,7 +427,7 @@ TEST_CASE(
     CHECK(removed > trials(100000));
 }
 
-TEST_CASE("coarsening and refinement give exactly what their literal versions give, at the same indices") {
+TEST_CASE("coarsening and refinement agree exactly with their literal versions, at the same indices") {
     Removed removed;
     for (std::uint64_t seed = 1; seed <= trials(1500); ++seed) {
         CAPTURE(seed);
@@ -439,7 +439,7 @@ TEST_CASE("coarsening and refinement give exactly what their literal versions gi
     CHECK(removed.cycles > trials(10));
 }
 
-TEST_CASE("the same where leaves wait for each other in cycles") {
+TEST_CASE("coarsening agrees with its literal version where leaves wait for each other in cycles") {
     Removed removed;
     for (std::uint64_t seed = 1; seed <= trials(1500); ++seed) {
         CAPTURE(seed);
@@ -452,7 +452,7 @@ TEST_CASE("the same where leaves wait for each other in cycles") {
     CHECK(removed.deep_cycles > trials(200));
 }
 
-TEST_CASE("the same for every marking of a tetrahedron") {
+TEST_CASE("coarsening agrees with its literal version for every marking of a tetrahedron") {
     Removed removed;
     for (unsigned number = 0; number < 81; ++number) {
         CAPTURE(number);
@@ -463,7 +463,8 @@ TEST_CASE("the same for every marking of a tetrahedron") {
     CHECK(removed.cycles > 20);
 }
 
-TEST_CASE("the same on meshes of a thousand leaves and more, coarsened to the roots") {
+TEST_CASE(
+    "coarsening agrees with its literal version on meshes of 1,000 leaves and more, down to the roots") {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -480,8 +481,7 @@ TEST_CASE("the same on meshes of a thousand leaves and more, coarsened to the ro
 }
 
 TEST_CASE(
-    "the midpoints of a cycle go in one step when all leaves around them are marked, and never one at a "
-    "time") {
+    "the midpoints of a cycle are removed in one step if all leaves around them are marked, never singly") {
     const auto look_at = [](const RootComplex& roots, std::size_t cycle) {
         CAPTURE(roots.triangle_count());
         Random random(1);
@@ -504,7 +504,7 @@ TEST_CASE(
     for (Index squares = 3; squares <= 6; ++squares) look_at(ring(squares), 2 * std::size_t{squares});
 }
 
-TEST_CASE("every choice of marks on a pinwheel's nine leaves gives what the literal version gives") {
+TEST_CASE("every choice of marks on a pinwheel's nine leaves agrees with the literal version") {
     std::size_t gone = 0;
     for (unsigned choice = 0; choice < 512; ++choice) {
         CAPTURE(choice);
@@ -602,7 +602,7 @@ TEST_CASE("leaves of the deepest level are coarsened to the roots") {
     }
 }
 
-TEST_CASE("refining the triangles that coarsening made leaves again gives the mesh before") {
+TEST_CASE("refining the triangles that coarsening has made leaves restores the mesh") {
     for (std::uint64_t seed = 1; seed <= trials(1500); ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -618,10 +618,11 @@ TEST_CASE("refining the triangles that coarsening made leaves again gives the me
     }
 }
 
-// Coarsening what a refinement changed takes back its last bisections: nothing from before the refinement,
-// and exactly all of it when no triangle that it bisected has a child that it bisected. Doing so again takes
-// back all of it.
-TEST_CASE("coarsening what refinement changed never goes below the mesh before, and ends there") {
+// Coarsening the leaves that a refinement changed undoes its last bisections. It undoes nothing from before
+// the refinement. It undoes the refinement exactly if no triangle that the refinement bisected has a child
+// that it bisected. Repeating this undoes all of it.
+TEST_CASE(
+    "coarsening the leaves that refinement changed restores the mesh, and removes nothing from before") {
     std::size_t at_once = 0, cycles_at_once = 0, in_several = 0;
     for (std::uint64_t seed = 1; seed <= trials(1500); ++seed) {
         CAPTURE(seed);
@@ -760,12 +761,12 @@ TEST_CASE("marking nothing changes nothing, and roots among the marks do no harm
         mesh.coarsen(leaves_of(mesh), &changed);
         CHECK(mesh.leaf_count() < bound);
         CHECK(changed.size() > 2);
-        CHECK(changed[0] == no_index);  // it is appended to
+        CHECK(changed[0] == no_index);  // the earlier content is kept
         CHECK(changed[1] == 7);
     }
 }
 
-TEST_CASE("refining and coarsening in turn takes no more places than the largest mesh needs") {
+TEST_CASE("refining and coarsening in turn uses no more places than the largest mesh needs") {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -785,7 +786,7 @@ TEST_CASE("refining and coarsening in turn takes no more places than the largest
     }
 }
 
-TEST_CASE("leaves_added_by tells what refinement adds on a coarsened mesh") {
+TEST_CASE("leaves_added_by returns the number of leaves that refine adds to a coarsened mesh") {
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -803,7 +804,7 @@ TEST_CASE("leaves_added_by tells what refinement adds on a coarsened mesh") {
     }
 }
 
-TEST_CASE("a tolerance on a coarsened mesh gives the mesh that it gives without free places") {
+TEST_CASE("a tolerance gives the same mesh with and without free places") {
     std::size_t with_holes = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         CAPTURE(seed);
@@ -828,7 +829,7 @@ TEST_CASE("a tolerance on a coarsened mesh gives the mesh that it gives without 
     CHECK(with_holes > 100);
 }
 
-TEST_CASE("a budget on a coarsened mesh is never passed, and reached to within one bisection") {
+TEST_CASE("a budget on a coarsened mesh is never exceeded, and reached to within one bisection") {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         CAPTURE(seed);
         Random random(seed);

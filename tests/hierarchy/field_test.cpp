@@ -1,5 +1,5 @@
-// Fields follow the vertices: a field that holds a coordinate holds it after everything that is done to a
-// key.
+// Tests that fields follow the vertices: a field that holds a coordinate still holds it after every operation
+// on a key.
 #include "hierarchy/field.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::array<const char*, 3> axis_names = {"x", "y", "z"};
 
-/// One scalar field a coordinate.
+/// One scalar field per coordinate.
 std::vector<Field> coordinates(std::span<const glm::vec3> positions) {
     std::vector<Field> fields;
     for (int axis = 0; axis < 3; ++axis) {
@@ -66,7 +66,7 @@ std::vector<float> random_weights(std::size_t count, Random& random) {
 
 }  // namespace
 
-TEST_CASE("fields that hold the coordinates are the coordinates of every union and morph, bit for bit") {
+TEST_CASE("fields that hold the coordinates equal the coordinates of every union and morph, bit for bit") {
     for (const std::size_t key_count : {1u, 2u, 3u, 6u})
         for_random_families(2000, key_count, [&](const RandomFamily& plain) {
             CAPTURE(plain.seed);
@@ -90,7 +90,7 @@ TEST_CASE("fields that hold the coordinates are the coordinates of every union a
         });
 }
 
-TEST_CASE("fields that hold the coordinates are those of a frozen mesh, also after coarsening") {
+TEST_CASE("fields that hold the coordinates equal the coordinates of a frozen mesh, even after coarsening") {
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -117,7 +117,7 @@ TEST_CASE("fields that hold the coordinates are those of a frozen mesh, also aft
     }
 }
 
-TEST_CASE("values that have nothing to do with positions follow the rule of the union literally") {
+TEST_CASE("values that are independent of positions follow the rule of the union literally") {
     for_random_families(3000, 3, [](const RandomFamily& plain) {
         CAPTURE(plain.seed);
         RandomFamily family = plain;
@@ -149,7 +149,7 @@ TEST_CASE("values that have nothing to do with positions follow the rule of the 
     });
 }
 
-TEST_CASE("colours are mixed as light, and stop at 0 and 1 where weights lead out") {
+TEST_CASE("colors are mixed as light and clamped to 0 to 1") {
     for_random_families(1500, 3, [](const RandomFamily& plain) {
         CAPTURE(plain.seed);
         RandomFamily family = plain;
@@ -180,7 +180,7 @@ TEST_CASE("encoding and its inverse agree, and half the light is encoded as 188 
     }
 }
 
-TEST_CASE("only what all keys have under one name and of one kind is a field of the union") {
+TEST_CASE("the union has exactly the fields that all keys have with the same name and kind") {
     RandomFamily family = random_family(7, 3);
     Random random(7);
     const auto field = [&](std::string name, FieldKind kind, const Hierarchy& key) {
@@ -206,11 +206,11 @@ TEST_CASE("only what all keys have under one name and of one kind is a field of 
     unite_fields(pointers, mesh);
     REQUIRE(mesh.fields.size() == 2);
     CHECK(mesh.fields[1].label == expected[1]);
-    unite(pointers, mesh);  // used again
+    unite(pointers, mesh);  // reuses the memory
     CHECK(mesh.fields.empty());
 }
 
-TEST_CASE("more keys than bits of a key set have their fields united as well") {
+TEST_CASE("fields of more keys than a key set has bits are united as well") {
     Random random(5);
     RandomFamily family{5, Marking::random, octahedron(), {}};
     for (unsigned n = 0; n < 80; ++n) family.keys.push_back(random_key(family.roots, random));
@@ -258,7 +258,7 @@ TEST_CASE("a field's name is printable UTF-8 of 1 to 255 bytes") {
     }
 }
 
-TEST_CASE("the checker names what is wrong with a field") {
+TEST_CASE("the checker names the fault of a field") {
     Hierarchy sound = random_family(3, 1).keys[0];
     Random random(3);
     sound.fields = coordinates(sound.positions);

@@ -23,7 +23,8 @@ std::vector<glm::vec3> octahedron_points() {
 }  // namespace
 
 TEST_CASE(
-    "a budget of leaves is never passed, and reached to within one bisection under a compatible marking of a "
+    "a budget of leaves is never exceeded, and reached to within one bisection under a compatible marking of "
+    "a "
     "closed surface") {
     for (Index budget = 8; budget < 400; budget += 7) {
         CAPTURE(budget);
@@ -38,7 +39,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a tolerance holds for every leaf, and not for a mesh with much fewer leaves") {
+TEST_CASE("a tolerance holds for every leaf, and fails for a mesh with far fewer leaves") {
     AdaptiveMesh mesh(octahedron(), octahedron_points());
     refine_greedily(mesh, longest_edge, {.tolerance = 0.1});
     for (Index leaf = 0; leaf < mesh.leaf_count(); ++leaf) REQUIRE(longest_edge(mesh, leaf) <= 0.1);
@@ -64,7 +65,7 @@ TEST_CASE("leaves go where the error is") {
     CHECK(near > mesh.leaf_count() / 2);
 }
 
-TEST_CASE("what is told after each step, replayed bisection by bisection, gives the same leaves") {
+TEST_CASE("replaying the changes reported after each step gives the same leaves") {
     // Also under a marking of the octahedron in which leaves wait for each other in cycles.
     for (const RootComplex& roots : {octahedron(), mark_compatibly(octahedron())}) {
         std::map<std::pair<Index, Index>, Index> midpoint;

@@ -9,7 +9,7 @@
 using namespace interleaf;
 using namespace interleaf::testing;
 
-TEST_CASE("the children of a triangle are those of the paper's figure 4, and merging them gives it back") {
+TEST_CASE("the children of a triangle are those of the paper's figure 4, and merging them restores it") {
     const Triangle parent = {1, 2, 3};
     const auto children = bisect(parent, 9);
     CHECK(children[0] == Triangle{9, 3, 1});
@@ -31,7 +31,7 @@ TEST_CASE("freezing the leaves of a hierarchy gives the hierarchy, 10,000 hierar
     });
 }
 
-TEST_CASE("leaves are the leaves of the forest, with its triangles, in preorder") {
+TEST_CASE("leaves_of returns the leaves of the forest, with their triangles, in preorder") {
     for_random_families(2000, 1, [](const RandomFamily& family) {
         CAPTURE(family.seed);
         const Hierarchy& key = family.keys[0];
@@ -49,7 +49,7 @@ TEST_CASE("leaves are the leaves of the forest, with its triangles, in preorder"
     });
 }
 
-TEST_CASE("a hierarchy of 5,000 leaves takes at most 10.5 bytes a leaf") {
+TEST_CASE("a hierarchy of 5,000 leaves takes at most 10.5 bytes per leaf") {
     AdaptiveMesh mesh(octahedron(), std::vector<glm::vec3>(6));
     while (mesh.leaf_count() < 5000) {
         std::vector<Index> all = mesh.preorder();

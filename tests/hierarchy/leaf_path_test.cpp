@@ -10,7 +10,7 @@
 using namespace interleaf;
 using namespace interleaf::testing;
 
-TEST_CASE("paths are those of the literal walk, 10,200 hierarchies") {
+TEST_CASE("paths agree with the literal walk, 10,200 hierarchies") {
     for_random_families(10200, 3, [](const RandomFamily& family) {
         CAPTURE(family.seed);
         const UnionMesh mesh = unite(family.key_pointers());
@@ -25,7 +25,7 @@ TEST_CASE("paths are those of the literal walk, 10,200 hierarchies") {
 }
 
 TEST_CASE("a path of 64 levels is followed to its end") {
-    // Down the first children, then back up: leaves of level 64, 64, 63, ..., 1; and the next root.
+    // Down the first children, then back up: leaves of level 64, 64, 63, ..., 1, and then the next root.
     std::vector<LeafTag> tags = {LeafTag(64, 0, {0, 0, 0})};
     for (unsigned level = 64; level > 0; --level) tags.emplace_back(level, 0, std::array<unsigned, 3>{});
     tags.emplace_back(0, 0, std::array<unsigned, 3>{});
@@ -36,9 +36,9 @@ TEST_CASE("a path of 64 levels is followed to its end") {
     CHECK(paths.back() == LeafPath{1, 0});
 }
 
-TEST_CASE("the level map of a leaf's path takes its corners to where they are in the root") {
-    // Keys that are flat in each root: their vertices are images of barycentric coordinates, which are
-    // dyadic, so everything here is exact.
+TEST_CASE("the level map of a leaf's path maps the leaf's corners to their places in the root") {
+    // Keys that are flat in each root. Their vertices are images of barycentric coordinates, which are
+    // dyadic, so the arithmetic is exact.
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
         Random random(seed);

@@ -8,8 +8,8 @@
 
 using namespace interleaf;
 
-TEST_CASE("each child's corners lie in the parent where bisection puts them") {
-    // Parent (i, j, k); l is the middle of (j, k).
+TEST_CASE("each child's corners have the coordinates in the parent that bisection gives them") {
+    // The parent is (i, j, k); l is the midpoint of (j, k).
     const glm::dvec3 i(1, 0, 0), j(0, 1, 0), k(0, 0, 1), l(0, 0.5, 0.5);
     const glm::dmat3 first = level_map(0, 1);
     CHECK(first[0] == l);
@@ -35,7 +35,7 @@ TEST_CASE("a composition agrees with placing the corners by bisection, and halve
         }
         const glm::dmat3 map = level_map(path, level);
         for (int c = 0; c < 3; ++c) REQUIRE(map[c] == corners[triangle[static_cast<std::size_t>(c)]]);
-        // The determinant passes 2^-40, which doubles still hold to a relative 1e-3.
+        // The determinant falls below 2^-40, which doubles still represent to a relative 1e-3.
         REQUIRE(glm::determinant(map) * static_cast<double>(std::uint64_t{1} << level) ==
                 doctest::Approx(1).epsilon(1e-3));
     }

@@ -154,7 +154,7 @@ std::set<Node> coarsened(InfiniteComplex& complex, const std::set<Node>& leaves,
 std::vector<std::string> triangulation_violations(InfiniteComplex& complex, const std::vector<Node>& leaves,
                                                   unsigned level_difference) {
     std::map<std::pair<Index, Index>, unsigned>
-        levels;  // of the triangle that runs along an edge in this direction
+        levels;  // of the triangle that traverses an edge in this direction
     std::vector<std::string> found;
     std::set<Index> vertices;
     for (const Node& leaf : leaves) {
@@ -179,7 +179,7 @@ std::vector<std::string> triangulation_violations(InfiniteComplex& complex, cons
     const RootComplex& roots = complex.roots();
     for (std::size_t t = 0; t < roots.triangle_count(); ++t)
         for (std::size_t k = 0; k < 3; ++k)
-            if (roots.neighbours()[t][k] == no_index)
+            if (roots.neighbors()[t][k] == no_index)
                 add_boundary(roots.triangles()[t][(k + 1) % 3], roots.triangles()[t][(k + 2) % 3]);
 
     std::size_t edge_count = 0;
@@ -194,7 +194,7 @@ std::vector<std::string> triangulation_violations(InfiniteComplex& complex, cons
         if (edge.first < edge.second) ++edge_count;
         if (boundary.contains(edge)) found.emplace_back("an edge on the boundary has two triangles");
         if (std::max(level, opposite->second) - std::min(level, opposite->second) > level_difference)
-            found.emplace_back("neighbours differ by too many levels");
+            found.emplace_back("neighbors differ by too many levels");
     }
     const auto euler =
         static_cast<int>(vertices.size()) - static_cast<int>(edge_count) + static_cast<int>(leaves.size());

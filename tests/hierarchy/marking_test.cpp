@@ -13,7 +13,7 @@ using namespace interleaf::testing;
 
 namespace {
 
-/// Whether \p a and \p b have the same triangles but for the rotation of their triples.
+/// Whether \p a and \p b have the same triangles up to rotation of their triples.
 bool differ_by_marking_only(const RootComplex& a, const RootComplex& b) {
     if (a.vertex_count() != b.vertex_count() || a.triangle_count() != b.triangle_count()) return false;
     for (Index t = 0; t < a.triangle_count(); ++t) {
@@ -57,7 +57,7 @@ TEST_CASE("marking by the longest edge puts the longest edge opposite the first 
     }
 }
 
-TEST_CASE("an incompatible marking is told from a compatible one") {
+TEST_CASE("an incompatible marking is distinguished from a compatible one") {
     CHECK(is_compatibly_marked(sheet(1, 1)));
     CHECK_FALSE(is_compatibly_marked(RootComplex(4, {{0, 1, 2}, {2, 1, 3}})));
 }

@@ -22,7 +22,7 @@ TEST_CASE("area, volume, angle and box of the octahedron") {
 }
 
 TEST_CASE(
-    "the Euler number of an indexed mesh is that of its complex; closed and open meshes are told apart") {
+    "the Euler number of an indexed mesh is that of its complex; closed and open meshes are distinguished") {
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {
         CAPTURE(seed);
         Random random(seed);

@@ -14,9 +14,9 @@ using namespace interleaf::testing;
 
 namespace {
 
-/// Where corner \p corner of the union's leaf \p node is in \p key, by the paper's section 3.3: go up to the
-/// node of the key's leaf that contains it, compose the level maps of equation (1) and weight the positions
-/// of that leaf's vertices.
+/// The literal position of corner \p corner of the union's leaf \p node in \p key, by the paper's section
+/// 3.3: go up to the node of the key's leaf that contains it, compose the level maps of equation (1), and
+/// weight the positions of that leaf's vertices.
 struct LiteralPositions {
     explicit LiteralPositions(const Hierarchy& hierarchy) : key(hierarchy) {
         const std::vector<Leaf> leaves = leaves_of(hierarchy);
@@ -25,7 +25,8 @@ struct LiteralPositions {
         for (std::size_t n = 0; n < nodes.size(); ++n) triangles[nodes[n]] = leaves[n].vertices;
     }
 
-    /// None where the key is bisected further than the node: there it is a node of the key, no leaf.
+    /// False if the key is bisected further than the node: then the node belongs to the key but is no leaf of
+    /// it.
     bool covers(const Node& node) const { return ancestor(node) != triangles.end(); }
 
     std::array<glm::dvec3, 3> corners(const Node& node) const {
@@ -86,7 +87,7 @@ TEST_CASE("positions agree with the literal composition of level maps, 10,200 hi
     });
 }
 
-TEST_CASE("weight 1 on a key gives that key's surface: its positions, area and volume") {
+TEST_CASE("weight 1 on a key gives that key's surface: positions, area and volume") {
     for_random_families(3000, 3, [](const RandomFamily& family) {
         CAPTURE(family.seed);
         const UnionMesh mesh = unite(family.key_pointers());

@@ -19,7 +19,7 @@ void shuffle(std::vector<Index>& values, Random& random) {
     for (std::size_t n = values.size(); n > 1; --n) std::swap(values[n - 1], values[random.below(n)]);
 }
 
-/// The same complex with vertices renumbered and triangles reordered at random.
+/// The same complex with vertices and triangles renumbered at random.
 RootComplex shuffled(const RootComplex& roots, Random& random) {
     std::vector<Index> number(roots.vertex_count());
     std::iota(number.begin(), number.end(), Index{0});
@@ -83,7 +83,7 @@ RootComplex cut_open(RootComplex roots, std::size_t count, Random& random) {
         try {
             roots = compacted(rest);
         } catch (const InputError&) {
-            continue;  // the rest would hang together at one vertex only
+            continue;  // the remaining triangles would touch at a single vertex only
         }
     }
     return roots;

@@ -1,5 +1,5 @@
-// Random root complexes and random keys over them: the input of the property tests. Everything follows from a
-// seed.
+// Random root complexes and random keys over them: the input of the property tests. A seed determines
+// everything.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ class Random {
   public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
 
-    /// From 0 to \p bound - 1.
+    /// A number from 0 to \p bound - 1.
     std::size_t below(std::size_t bound) { return static_cast<std::size_t>(engine_() % bound); }
-    /// From 0 to 1.
+    /// A number from 0 to 1.
     double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
     bool chance(double probability) { return unit() < probability; }
     glm::vec3 point() {
@@ -47,7 +47,7 @@ struct RandomFamily {
 /// The complex of the given triangles; unused vertices are dropped.
 RootComplex compacted(const std::vector<Triangle>& triangles);
 
-/// Cuts up to \p count triangles out, where what remains is a manifold.
+/// Cuts up to \p count triangles out, as long as the rest remains a manifold.
 RootComplex cut_open(RootComplex roots, std::size_t count, Random& random);
 
 /// \p a and \p b as two components of one complex.
@@ -65,12 +65,12 @@ RootComplex sheet(unsigned columns, unsigned rows);
 /// A closed torus of \p columns x \p rows squares, at least 3 x 3.
 RootComplex torus(unsigned columns, unsigned rows);
 
-/// A fan of triangles around vertex 0 in which each waits for the next, all the way round: its refinement
-/// edge is the spoke that it shares with the next.
+/// A closed fan of triangles around vertex 0 in which each triangle waits for the next: its refinement edge
+/// is the spoke that it shares with the next triangle.
 RootComplex pinwheel(Index spokes);
 
-/// Closed surfaces of genus 0 to 3, open ones made of them by cutting triangles out, sheets, and two of these
-/// side by side; vertices and triangles in random order, each triple rotated at random.
+/// A closed surface of genus 0 to 3, an open one made by cutting triangles out, a sheet, or two of these side
+/// by side. Vertices and triangles are in random order, and each triple is rotated at random.
 RootComplex random_roots(Random& random);
 
 RootComplex marked(const RootComplex& roots, Marking marking, Random& random);
@@ -81,7 +81,7 @@ std::vector<glm::vec3> random_points(Random& random, std::size_t count);
 /// leaves.
 void refine_at_random(AdaptiveMesh& mesh, Random& random, unsigned rounds, Index leaf_limit);
 
-/// A key over \p roots: refined at random, midpoints moved off their edges.
+/// A key over \p roots, refined at random, with midpoints moved off their edges.
 Hierarchy random_key(const RootComplex& roots, Random& random);
 
 /// Length of the longest edge of a leaf.
@@ -89,7 +89,8 @@ float longest_edge(const AdaptiveMesh& mesh, Index leaf);
 
 RandomFamily random_family(std::uint64_t seed, std::size_t key_count);
 
-/// Calls \p property on families of \p key_count keys until trials(\p hierarchy_count) keys have been seen.
+/// Calls \p property on families of \p key_count keys until it has been given trials(\p hierarchy_count)
+/// keys.
 void for_random_families(unsigned hierarchy_count, std::size_t key_count,
                          const std::function<void(const RandomFamily&)>& property);
 

@@ -21,7 +21,7 @@ std::vector<Index> random_permutation(std::size_t count, Random& random) {
 RootComplex connected_sum(const RootComplex& a, Index t, const RootComplex& b, Index u) {
     const Triangle cut = a.triangles()[t], other_cut = b.triangles()[u];
     const auto vertex = [&](Index v) {
-        // The edges are put together in opposite directions, so that the orientation goes on.
+        // The edges are glued in opposite directions, so that the orientation stays consistent.
         if (v == other_cut[0]) return cut[0];
         if (v == other_cut[1]) return cut[2];
         if (v == other_cut[2]) return cut[1];
@@ -41,7 +41,7 @@ RootComplex flipped_at_random(RootComplex roots, std::size_t count, Random& rand
     for (std::size_t n = 0; n < count; ++n) {
         const auto t = static_cast<Index>(random.below(roots.triangle_count()));
         const std::size_t k = random.below(3);
-        const Index u = roots.neighbours()[t][k];
+        const Index u = roots.neighbors()[t][k];
         if (u == no_index) continue;
         const auto& at = roots.triangles()[t];
         const Index a = at[k], b = at[(k + 1) % 3], c = at[(k + 2) % 3];
@@ -54,7 +54,7 @@ RootComplex flipped_at_random(RootComplex roots, std::size_t count, Random& rand
         try {
             roots = RootComplex(roots.vertex_count(), std::move(triangles));
         } catch (const InputError&) {
-            continue;  // a and d have an edge already
+            continue;  // a and d already share an edge
         }
     }
     return roots;
@@ -123,7 +123,8 @@ Hierarchy renumbered(const Hierarchy& key, const Renumbering& renumbering) {
     const auto number = [&](Index v) { return v < key.roots.vertex_count() ? renumbering.vertices[v] : v; };
     std::vector<std::vector<Leaf>> trees(key.roots.triangle_count());
     const std::vector<Leaf> leaves = leaves_of(key);
-    std::uint64_t covered = 0;  // of the present root, in units of 2^-60: leaves lie at most 60 deep here
+    // the covered part of the present root, in units of 2^-60: leaves lie at most 60 levels deep here
+    std::uint64_t covered = 0;
     Index root = 0;
     for (const Leaf& leaf : leaves) {
         const auto& [i, j, k] = leaf.vertices;

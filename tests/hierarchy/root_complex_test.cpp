@@ -9,7 +9,7 @@
 using namespace interleaf;
 using namespace interleaf::testing;
 
-TEST_CASE("neighbours are mutual and share the edge opposite the vertex they are listed at") {
+TEST_CASE("neighbors are mutual and share the edge opposite the vertex they are listed at") {
     for (std::uint64_t seed = 1; seed <= trials(2000); ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -17,24 +17,24 @@ TEST_CASE("neighbours are mutual and share the edge opposite the vertex they are
         Index boundary = 0;
         for (Index t = 0; t < roots.triangle_count(); ++t)
             for (std::size_t k = 0; k < 3; ++k) {
-                const Index neighbour = roots.neighbours()[t][k];
-                if (neighbour == no_index) {
+                const Index neighbor = roots.neighbors()[t][k];
+                if (neighbor == no_index) {
                     ++boundary;
                     continue;
                 }
                 const Index from = roots.triangles()[t][(k + 1) % 3], to = roots.triangles()[t][(k + 2) % 3];
                 bool shared = false;
                 for (std::size_t n = 0; n < 3; ++n)
-                    shared = shared || (roots.neighbours()[neighbour][n] == t &&
-                                        roots.triangles()[neighbour][(n + 1) % 3] == to &&
-                                        roots.triangles()[neighbour][(n + 2) % 3] == from);
+                    shared = shared || (roots.neighbors()[neighbor][n] == t &&
+                                        roots.triangles()[neighbor][(n + 1) % 3] == to &&
+                                        roots.triangles()[neighbor][(n + 2) % 3] == from);
                 REQUIRE(shared);
             }
         REQUIRE(boundary == roots.boundary_edge_count());
     }
 }
 
-TEST_CASE("what is no orientable manifold is refused, naming the place") {
+TEST_CASE("triangles that form no orientable manifold are rejected, naming the place") {
     const auto message = [](Index vertex_count, std::vector<Triangle> triangles) -> std::string {
         try {
             RootComplex(vertex_count, std::move(triangles));
@@ -56,7 +56,7 @@ TEST_CASE("what is no orientable manifold is refused, naming the place") {
     CHECK(message(4, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 2, 1}}).empty());
 }
 
-TEST_CASE("complexes are equal when their triples are, marking included") {
+TEST_CASE("complexes are equal if their triples are equal, including the marking") {
     CHECK(octahedron() == octahedron());
     CHECK_FALSE(RootComplex(3, {{0, 1, 2}}) == RootComplex(3, {{1, 2, 0}}));
 }

@@ -39,16 +39,15 @@ bool same_connectivity(const Hierarchy& a, const Hierarchy& b) {
 
 }  // namespace
 
-TEST_CASE(
-    "the union is the literal union of the sets of paths, so no larger than it must be, 10,200 hierarchies") {
+TEST_CASE("the union is the literal union of the sets of paths, so it is minimal, 10,200 hierarchies") {
     for_random_families(10200, 3, [](const RandomFamily& family) {
         CAPTURE(family.seed);
         const UnionMesh mesh = unite(family.key_pointers());
         const std::vector<Node> nodes = nodes_of(mesh);
         REQUIRE(nodes == leaf_nodes(literal_union(family), family.roots.triangle_count()));
 
-        // Vertices are those of the infinite complex: one for each point, whichever side and whichever key
-        // asks.
+        // The vertices are those of the infinite complex: one per point, no matter from which side and in
+        // which key it is requested.
         InfiniteComplex complex(family.roots);
         std::map<Index, Index> names;
         for (std::size_t t = 0; t < nodes.size(); ++t) {
@@ -77,7 +76,7 @@ TEST_CASE("the union conforms, 10,200 hierarchies") {
 }
 
 TEST_CASE(
-    "the union is commutative, associative, idempotent and has its keys as neutral elements, 10,200 "
+    "the union is commutative, associative, idempotent, and its keys are neutral elements, 10,200 "
     "hierarchies") {
     for_random_families(10200, 3, [](const RandomFamily& family) {
         CAPTURE(family.seed);
@@ -138,7 +137,7 @@ TEST_CASE("tags mark the leaf edges that lie on root edges") {
     for_random_families(2000, 2, [](const RandomFamily& family) {
         CAPTURE(family.seed);
         const UnionMesh mesh = unite(family.key_pointers());
-        // Literally: a leaf edge lies on a root edge when both its ends do, and on the same one.
+        // Literally: a leaf edge lies on a root edge if both its ends do, and on the same one.
         std::vector<std::set<std::pair<Index, Index>>> on(mesh.vertex_count());
         const Index root_count = family.roots.vertex_count();
         for (const auto& [a, b, c] : family.roots.triangles())
@@ -162,7 +161,7 @@ TEST_CASE("tags mark the leaf edges that lie on root edges") {
     });
 }
 
-TEST_CASE("more keys than bits of a key set are united as well") {
+TEST_CASE("more keys than a key set has bits are united as well") {
     Random random(5);
     const RootComplex roots = octahedron();
     std::vector<Hierarchy> keys;
@@ -180,7 +179,7 @@ TEST_CASE("more keys than bits of a key set are united as well") {
             REQUIRE(mesh.positions[key][mesh.own_vertices[key][v]] == keys[key].positions[v]);
 }
 
-TEST_CASE("buffers used again give the same union") {
+TEST_CASE("reused buffers give the same union") {
     UnionMesh reused;
     for_random_families(300, 3, [&](const RandomFamily& family) {
         CAPTURE(family.seed);
@@ -193,7 +192,7 @@ TEST_CASE("buffers used again give the same union") {
     });
 }
 
-TEST_CASE("keys over different roots are refused") {
+TEST_CASE("keys over different roots are rejected") {
     const Hierarchy a = unrefined(octahedron(), std::vector<glm::vec3>(6));
     const Hierarchy b = unrefined(torus(3, 3), std::vector<glm::vec3>(9));
     CHECK_THROWS_AS(unite(std::vector<const Hierarchy*>{&a, &b}), InputError);

@@ -14,7 +14,7 @@ using namespace interleaf::testing;
 
 namespace {
 
-/// Largest length of any vector, to relate differences to.
+/// Length of the longest vector, as a scale for differences.
 float magnitude(const std::vector<glm::vec3>& vectors) {
     float largest = 0;
     for (const glm::vec3& v : vectors) largest = std::max(largest, glm::length(v));
@@ -28,7 +28,7 @@ std::vector<float> random_weights(Random& random, std::size_t count) {
 }
 
 /// The weighted normals of the corners around each vertex of the blended mesh, at vertices that every key
-/// has; elsewhere the form interpolates (rule 2) and this says nothing.
+/// has. At other vertices the form interpolates (rule 2), so the result is meaningless there.
 std::vector<glm::dvec3> normals_of_blended_mesh(const UnionMesh& mesh, const std::vector<float>& weights) {
     std::vector<glm::dvec3> normals(mesh.vertex_count());
     const Buffer<glm::vec3> positions = morph(mesh, weights);
@@ -60,7 +60,7 @@ TEST_CASE("the quadratic form gives the corner-weighted normals of the blended m
     });
 }
 
-TEST_CASE("one more key of weight 0 refines the union and changes no normal, 10,200 hierarchies") {
+TEST_CASE("another key of weight 0 refines the union and changes no normal, 10,200 hierarchies") {
     std::size_t refined = 0;
     for_random_families(10200, 3, [&](const RandomFamily& family) {
         CAPTURE(family.seed);
@@ -99,7 +99,7 @@ TEST_CASE("a flat triangle has one normal direction everywhere, however it is bi
     }
 }
 
-TEST_CASE("a triangle without area adds nothing and nothing becomes undefined") {
+TEST_CASE("a triangle without area contributes nothing, and no result is undefined") {
     AdaptiveMesh mesh(octahedron(), std::vector<glm::vec3>(6, glm::vec3(1)));
     mesh.refine(std::vector<Index>{0, 1, 2});
     const Hierarchy key = mesh.freeze();

@@ -1,4 +1,4 @@
-// The camera without OpenGL.
+// Tests of the camera without OpenGL.
 #include "render/camera.h"
 
 #include <algorithm>
@@ -30,13 +30,13 @@ glm::vec3 random_point(std::mt19937& generator, float size) {
 Camera looking_at_unit_box(float azimuth = 30, float elevation = 20) {
     Camera camera;
     camera.look_from(azimuth, elevation);
-    camera.frame(extent_of({glm::vec3(-1), glm::vec3(1)}), aspect);
+    camera.view_all(extent_of({glm::vec3(-1), glm::vec3(1)}), aspect);
     return camera;
 }
 
 }  // namespace
 
-TEST_CASE("a framed box lies in the picture and fills it, whatever its size, the view and the aspect") {
+TEST_CASE("a box in view lies in the picture and fills it, for any size, direction and aspect") {
     const unsigned seed = 7;
     CAPTURE(seed);
     std::mt19937 generator(seed);
@@ -48,7 +48,7 @@ TEST_CASE("a framed box lies in the picture and fills it, whatever its size, the
         const float at_aspect = random(generator, 0.4F, 2.5F);
         Camera camera;
         camera.look_from(random(generator, -180, 180), random(generator, -90, 90));
-        camera.frame(extent_of(box), at_aspect);
+        camera.view_all(extent_of(box), at_aspect);
         float reach = 0;
         for (int corner = 0; corner < 8; ++corner) {
             const glm::vec3 point((corner & 1) != 0 ? a.x : b.x, (corner & 2) != 0 ? a.y : b.y,
@@ -62,12 +62,12 @@ TEST_CASE("a framed box lies in the picture and fills it, whatever its size, the
     }
 }
 
-TEST_CASE("a framed ball fills the picture, its box standing out of it") {
+TEST_CASE("a ball in view fills the picture, while its box extends beyond it") {
     for (const float at_aspect : {0.5F, 1.0F, 1.8F}) {
         CAPTURE(at_aspect);
         Camera camera;
         camera.look_from(35, 25);
-        camera.frame({.box = {glm::vec3(-1), glm::vec3(1)}, .radius = 1}, at_aspect);
+        camera.view_all({.box = {glm::vec3(-1), glm::vec3(1)}, .radius = 1}, at_aspect);
         float reach = 0;
         for (int i = 0; i < 10000; ++i) {  // a spiral over the ball
             const float y = 1 - 2 * (static_cast<float>(i) + 0.5F) / 10000;
@@ -82,9 +82,9 @@ TEST_CASE("a framed ball fills the picture, its box standing out of it") {
     }
 }
 
-TEST_CASE("a box of no size can be framed") {
+TEST_CASE("a box of no size can be brought into view") {
     Camera camera;
-    camera.frame(extent_of({glm::vec3(2), glm::vec3(2)}), aspect);
+    camera.view_all(extent_of({glm::vec3(2), glm::vec3(2)}), aspect);
     const glm::vec3 seen = device_coordinates(camera, glm::vec3(2));
     CHECK(std::abs(seen.x) < 1e-4F);
     CHECK(std::abs(seen.z) < 1);
@@ -110,7 +110,7 @@ TEST_CASE("orbiting keeps the distance, follows the pointer and stops at the pol
     CHECK(device_coordinates(camera, front).y < 0);
     camera.orbit({0, 10});
     CHECK(glm::distance(glm::normalize(camera.eye()), {0, 1, 0}) < 1e-5F);
-    // No roll: the world's vertical stays upright in the picture, or a point at the pole.
+    // No roll: the world's vertical stays upright in the picture, or becomes a point at the pole.
     camera.orbit({0.3F, -0.2F});
     const glm::vec4 up = camera.view() * glm::vec4(0, 1, 0, 0);
     CHECK(std::abs(up.x) < 1e-5F);
@@ -120,14 +120,14 @@ TEST_CASE("orbiting keeps the distance, follows the pointer and stops at the pol
 TEST_CASE("panning keeps the point under the pointer") {
     Camera camera = looking_at_unit_box();
     const glm::vec3 before = device_coordinates(camera, glm::vec3(0));
-    const glm::vec2 delta(0.17F, -0.08F);  // of the picture's height, y down
+    const glm::vec2 delta(0.17F, -0.08F);  // in units of the picture's height, y down
     camera.pan(delta);
     const glm::vec3 after = device_coordinates(camera, glm::vec3(0));
     CHECK(after.x - before.x == doctest::Approx(2 * delta.x / aspect).epsilon(1e-4));
     CHECK(after.y - before.y == doctest::Approx(-2 * delta.y).epsilon(1e-4));
 }
 
-TEST_CASE("a centred point is in the middle of the picture, seen in the same direction from as far") {
+TEST_CASE("a centered point is in the middle of the picture, at the same direction and distance") {
     std::mt19937 generator(13);
     for (int i = 0; i < 100; ++i) {
         Camera camera = looking_at_unit_box(random(generator, -180, 180), random(generator, -80, 80));

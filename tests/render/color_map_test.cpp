@@ -1,4 +1,4 @@
-// Colour maps and scales without OpenGL.
+// Tests of color maps and scales without OpenGL.
 #include "render/color_map.h"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ double adjusted_hue(const glm::dvec3& color, double white) {
     return color.z > -std::numbers::pi / 3 ? color.z + spin : color.z - spin;
 }
 
-/// The diverging map between two colours by its formula.
+/// The diverging map between two colors by its formula.
 glm::vec3 literal_coolwarm(double place) {
     const glm::dvec3 cool = msh_of(glm::vec3(59, 76, 192) / 255.0F);
     const glm::dvec3 warm = msh_of(glm::vec3(180, 4, 38) / 255.0F);
@@ -69,7 +69,7 @@ glm::vec3 literal_coolwarm(double place) {
 
 }  // namespace
 
-TEST_CASE("coolwarm is Moreland's formula to 2.3 of 255") {
+TEST_CASE("coolwarm agrees with Moreland's formula to 2.3 of 255") {
     float worst = 0;
     for (int n = 0; n <= 1000; ++n) {
         const glm::vec3 off = glm::abs(color_at(ColorMap::coolwarm, static_cast<float>(n) / 1000) -
@@ -87,12 +87,12 @@ TEST_CASE("the ends of viridis and magma are those of matplotlib") {
     };
     ends(ColorMap::viridis, {68, 1, 84}, {253, 231, 37});
     ends(ColorMap::magma, {0, 0, 4}, {252, 253, 191});
-    // The middle of 256 colours, as published: #21918c and #b73779, halfway between numbers 127 and 128.
+    // The middle of the 256 published colors: #21918c and #b73779, halfway between numbers 127 and 128.
     CHECK(glm::distance(255.0F * color_at(ColorMap::viridis, 0.5F), glm::vec3(33, 145, 140)) < 1.5F);
     CHECK(glm::distance(255.0F * color_at(ColorMap::magma, 0.5F), glm::vec3(183, 55, 121)) < 1.5F);
 }
 
-TEST_CASE("lightness rises evenly, in the diverging map to its middle from both ends") {
+TEST_CASE("lightness rises evenly; in the diverging map it rises from both ends to the middle") {
     for (const ColorMap map : color_maps()) {
         CAPTURE(name_of(map));
         const auto lightness = [&](double place) {
@@ -112,7 +112,7 @@ TEST_CASE("lightness rises evenly, in the diverging map to its middle from both 
     }
 }
 
-TEST_CASE("maps are found by their names, and have colours beyond their ends") {
+TEST_CASE("maps are found by name, and have colors beyond their ends") {
     for (const ColorMap map : color_maps()) {
         CHECK(color_map_named(name_of(map)) == map);
         CHECK(color_at(map, -1) == color_at(map, 0));
@@ -122,7 +122,7 @@ TEST_CASE("maps are found by their names, and have colours beyond their ends") {
 }
 
 TEST_CASE(
-    "a sequential scale goes from end to end, a diverging one has its middle at 0 where that is within") {
+    "a sequential scale runs from end to end, a diverging one has its middle at 0 if the range contains 0") {
     const ColorScale sequential{ColorMap::viridis, {-1, 3}};
     CHECK(sequential.color(-1) == color_at(ColorMap::viridis, 0));
     CHECK(sequential.color(3) == color_at(ColorMap::viridis, 1));
@@ -139,7 +139,7 @@ TEST_CASE(
     CHECK(positive.color(2) == color_at(ColorMap::coolwarm, 0.5F));
 }
 
-TEST_CASE("scales of any range have colours") {
+TEST_CASE("scales of any range have colors") {
     constexpr float most = std::numeric_limits<float>::max();
     for (const ColorMap map : color_maps())
         for (const ValueRange range :

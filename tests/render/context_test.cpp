@@ -1,4 +1,4 @@
-// Contexts, targets and handles.
+// Tests of contexts, targets and handles.
 #include "render/context.h"
 
 #include <cstdlib>
@@ -27,7 +27,7 @@ int live_objects() {
 
 }  // namespace
 
-TEST_CASE("without a display there is an OpenGL 3.3 core context, again and again") {
+TEST_CASE("OpenGL 3.3 core contexts can be made without a display, again and again") {
     for (int i = 0; i < 3; ++i) {
         EglContext first;
         const EglContext context = std::move(first);
@@ -42,7 +42,7 @@ TEST_CASE("without a display there is an OpenGL 3.3 core context, again and agai
     }
 }
 
-TEST_CASE("a window without a display is the machine's fault and says so") {
+TEST_CASE("a window without a display is reported as the machine's fault") {
     const char* display = std::getenv("DISPLAY");
     const std::optional<std::string> before =
         display != nullptr ? std::optional<std::string>(display) : std::nullopt;
@@ -60,7 +60,7 @@ TEST_CASE("mistakes in the use of OpenGL are collected, once") {
     CHECK(take_debug_messages().empty());
 }
 
-TEST_CASE("what a renderer and a target hold is released with them") {
+TEST_CASE("a renderer and a target release their objects") {
     const EglContext context;
     const int before = live_objects();
     {
@@ -71,15 +71,15 @@ TEST_CASE("what a renderer and a target hold is released with them") {
         Display display;
         display.wireframe = true;
         const float weights[] = {0.5F, 0.5F};
-        take_picture(renderer, target, framing(surface, target), weights, display);
+        take_picture(renderer, target, camera_on(surface, target), weights, display);
         CHECK(live_objects() > before + 10);
         Renderer moved = std::move(renderer);
-        take_picture(moved, target, framing(surface, target), weights, display);
+        take_picture(moved, target, camera_on(surface, target), weights, display);
     }
     CHECK(live_objects() == before);
 }
 
-TEST_CASE("a target that the machine cannot draw into is refused") {
+TEST_CASE("a target that the machine cannot draw into is rejected") {
     const EglContext context;
     CHECK_THROWS_AS(OffscreenTarget(1 << 20, 16, 1), MachineError);
     CHECK_THROWS_AS(OffscreenTarget(16, 16, 1000), MachineError);
@@ -105,14 +105,14 @@ TEST_CASE("a picture is read with its top row first and sRGB-encoded") {
     }
 }
 
-TEST_CASE("the depth under a pixel leads to the surface point there") {
+TEST_CASE("the depth under a pixel gives the surface point there") {
     const EglContext context;
     const TestSurface surface = surface_of_shapes({"sphere"}, 8000);
     Renderer renderer;
     renderer.upload(surface.mesh, surface.form);
     for (const int samples : {1, 4}) {
         OffscreenTarget target(300, 200, samples);
-        const Camera camera = framing(surface, target);
+        const Camera camera = camera_on(surface, target);
         const float weights[] = {1};
         take_picture(renderer, target, camera, weights);
         const int x = 130;

@@ -1,4 +1,4 @@
-// Edges: which are drawn, above which, and how wide.
+// Tests of edges: which ones are drawn, in which order, and with which width.
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -18,8 +18,8 @@ Display showing(bool wireframe, bool refinement_edges, bool root_edges) {
     return display;
 }
 
-/// Width in pixels of the red line that the middle row crosses at 45 degrees, by how much red it adds to \p
-/// plain.
+/// Width in pixels of the red line that crosses the middle row at 45 degrees, computed from the red that it
+/// adds to \p plain.
 float red_width(const Picture& picture, const Picture& plain) {
     float sum = 0;
     const int row = picture.height / 2;
@@ -33,13 +33,13 @@ float red_width(const Picture& picture, const Picture& plain) {
 
 }  // namespace
 
-TEST_CASE("each kind of edge shows in its own colour, and only when it is asked for") {
+TEST_CASE("each kind of edge shows in its own color, and only if it is enabled") {
     const EglContext context;
     const TestSurface sphere = surface_of_shapes({"sphere"}, 600);
     Renderer renderer;
     renderer.upload(sphere.mesh, sphere.form);
     OffscreenTarget target(640, 480, 4);
-    const Camera camera = framing(sphere, target);
+    const Camera camera = camera_on(sphere, target);
     const Picture plain = take_picture(renderer, target, camera, one);
     const Picture wire = take_picture(renderer, target, camera, one, showing(true, false, false));
     const Picture refinement = take_picture(renderer, target, camera, one, showing(false, true, false));
@@ -55,24 +55,24 @@ TEST_CASE("each kind of edge shows in its own colour, and only when it is asked 
     CHECK(count_pixels(refinement, is_white) == 0);
     CHECK(count_pixels(roots, is_white) > 400);
     CHECK(count_pixels(roots, is_red) == 0);
-    // There are more edges of leaves than refinement edges, and more of these than edges of roots.
+    // There are more leaf edges than refinement edges, and more refinement edges than root edges.
     CHECK(count_differences(wire, plain, 8) > count_differences(refinement, plain, 8));
     CHECK(count_differences(refinement, plain, 8) > count_differences(roots, plain, 8));
 }
 
-TEST_CASE("edges of roots are above refinement edges, these above the others") {
+TEST_CASE("root edges are drawn above refinement edges, and these above leaf edges") {
     const EglContext context;
     const TestSurface icosahedron = surface_of_shapes({"icosahedron"}, 20);
     Renderer renderer;
     renderer.upload(icosahedron.mesh, icosahedron.form);
     OffscreenTarget target(640, 480, 1);
-    const Camera camera = framing(icosahedron, target);
+    const Camera camera = camera_on(icosahedron, target);
     const Picture refinement = take_picture(renderer, target, camera, one, showing(false, true, false));
     const Picture without_roots = take_picture(renderer, target, camera, one, showing(true, true, false));
     const Picture all = take_picture(renderer, target, camera, one, showing(true, true, true));
     CHECK(count_pixels(refinement, is_red) > 300);
     CHECK(count_pixels(without_roots, is_red) > 0.85 * count_pixels(refinement, is_red));
-    // Every edge of the unbisected icosahedron is a root's.
+    // Every edge of the unrefined icosahedron is a root edge.
     CHECK(count_pixels(all, is_red) == 0);
     CHECK(count_pixels(all, is_white) > 300);
 }
@@ -81,7 +81,7 @@ TEST_CASE("the refinement edge is the one opposite the first vertex") {
     const EglContext context;
     TestSurface square = surface_of({two_keys_of_a_square().back()});
     OffscreenTarget target(400, 400, 1);
-    const Camera camera = framing(square, target, 0, 0);
+    const Camera camera = camera_on(square, target, 0, 0);
     Renderer renderer;
     renderer.upload(square.mesh, square.form);
     const Picture picture = take_picture(renderer, target, camera, one, showing(false, true, false));
@@ -94,7 +94,7 @@ TEST_CASE("the refinement edge is the one opposite the first vertex") {
     for (float t = -0.9F; t < 1; t += 0.1F) CHECK_FALSE(on_diagonal({t, -0.995F, 0}));
 }
 
-TEST_CASE("a line is as wide as it is said, near and far") {
+TEST_CASE("a line has the requested width, near and far") {
     const EglContext context;
     const TestSurface square = surface_of({two_keys_of_a_square().back()});
     Renderer renderer;
@@ -105,7 +105,7 @@ TEST_CASE("a line is as wide as it is said, near and far") {
         for (const float zoom : {0.25F, 1.0F, 4.0F, 40.0F}) {
             CAPTURE(width);
             CAPTURE(zoom);
-            Camera camera = framing(square, target, 0, 0);
+            Camera camera = camera_on(square, target, 0, 0);
             camera.zoom(zoom, {0, 0}, 1);
             display.line_width = width;
             const Picture plain = take_picture(renderer, target, camera, one);
@@ -114,16 +114,16 @@ TEST_CASE("a line is as wide as it is said, near and far") {
         }
 }
 
-TEST_CASE("a line is whole where its triangle reaches behind the viewer") {
+TEST_CASE("a line is complete if its triangle extends behind the viewer") {
     const EglContext context;
     const TestSurface square = surface_of({two_keys_of_a_square().back()});
     Renderer renderer;
     renderer.upload(square.mesh, square.form);
     OffscreenTarget target(600, 600, 1);
-    // Close above the square's middle, grazing: a corner of both triangles is behind.
+    // Close above the square's center at a grazing angle: a corner of both triangles is behind the camera.
     Camera camera;
     camera.look_from(-45, 4);
-    camera.frame(extent_of({glm::vec3(-1, -1, 0), glm::vec3(1, 1, 0)}), 1);
+    camera.view_all(extent_of({glm::vec3(-1, -1, 0), glm::vec3(1, 1, 0)}), 1);
     camera.look_from(80, 0);
     camera.approach(30, glm::vec3(0));
     const Picture picture = take_picture(renderer, target, camera, one, showing(false, true, false));
@@ -132,26 +132,26 @@ TEST_CASE("a line is whole where its triangle reaches behind the viewer") {
     CHECK(count_pixels(picture, is_red) > 600 / 2);
 }
 
-TEST_CASE("on a mesh of tiny triangles the lines fade and leave the shape to be seen") {
+TEST_CASE("on a mesh of tiny triangles the lines fade and the shape stays visible") {
     const EglContext context;
     const TestSurface sphere = surface_of_shapes({"sphere"}, 60000);
     Renderer renderer;
     renderer.upload(sphere.mesh, sphere.form);
     OffscreenTarget target(200, 150, 4);
-    const Camera camera = framing(sphere, target);
+    const Camera camera = camera_on(sphere, target);
     const Picture plain = take_picture(renderer, target, camera, one);
     const Picture wire = take_picture(renderer, target, camera, one, showing(true, false, false));
     CHECK(mean_brightness(wire) < mean_brightness(plain));
     CHECK(mean_brightness(wire) > 0.75 * mean_brightness(plain));
 }
 
-TEST_CASE("edges of roots are without gaps across small triangles") {
+TEST_CASE("root edges have no gaps across small triangles") {
     const EglContext context;
     const TestSurface sphere = surface_of_shapes({"sphere"}, 20000);
     Renderer renderer;
     renderer.upload(sphere.mesh, sphere.form);
     OffscreenTarget target(320, 240, 4);
-    const Camera camera = framing(sphere, target);
+    const Camera camera = camera_on(sphere, target);
     Display display = showing(false, false, true);
     display.line_width = 3;
     const Picture picture = take_picture(renderer, target, camera, one, display);

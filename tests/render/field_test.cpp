@@ -1,4 +1,4 @@
-// Pictures of fields, and of the checker over the roots.
+// Tests of pictures of fields, and of the checkerboard over the roots.
 #include <cmath>
 
 #include <doctest/doctest.h>
@@ -19,7 +19,7 @@ using namespace interleaf;
 
 namespace {
 
-/// The keys of a square, not bisected alike, with scalar fields "f" and colour fields "c" of their own.
+/// The keys of a square with different bisections, each with its own scalar field "f" and color field "c".
 std::vector<Hierarchy> keys_with_fields() {
     std::vector<Hierarchy> keys = two_keys_of_a_square();
     for (std::size_t key = 0; key < keys.size(); ++key) {
@@ -61,7 +61,7 @@ std::vector<float> field_in_middle(const UnionMesh& mesh, std::size_t field, std
     return result;
 }
 
-/// Checks that the middle of each leaf has the linear light color_of(leaf) times the light that falls on it.
+/// Checks that the middle of each leaf has the linear light color_of(leaf) times the incident light.
 void check_leaves(const UnionMesh& mesh, std::span<const float> weights, const Camera& camera,
                   const Picture& plain, const Picture& picture,
                   const std::function<glm::vec3(std::size_t)>& color_of) {
@@ -88,14 +88,14 @@ std::vector<Hierarchy> shapes_with_height(std::initializer_list<std::string_view
 
 }  // namespace
 
-TEST_CASE("a scalar field has the colours of its scale, for any weights") {
+TEST_CASE("a scalar field has the colors of its scale, for any weights") {
     const EglContext context;
     const TestSurface square = surface_with_fields(keys_with_fields());
     Renderer renderer;
     renderer.upload(square.mesh, square.form);
     renderer.set_field(&square.mesh.fields[0]);
     OffscreenTarget target(400, 400, 1);
-    const Camera camera = framing(square, target, 0, 0);
+    const Camera camera = camera_on(square, target, 0, 0);
     for (const ColorMap map : color_maps())
         for (const std::array<float, 2> weights :
              {std::array{1.0F, 0.0F}, {0.0F, 1.0F}, {0.5F, 0.5F}, {1.5F, -0.5F}}) {
@@ -107,20 +107,20 @@ TEST_CASE("a scalar field has the colours of its scale, for any weights") {
             check_leaves(square.mesh, weights, camera, plain, picture, [&](std::size_t leaf) {
                 return linear_light(display.scale.color(field_in_middle(square.mesh, 0, weights, leaf)[0]));
             });
-            display.wireframe = true;  // through the other stages
+            display.wireframe = true;  // through the other shader stages
             CHECK(count_differences(take_picture(renderer, target, camera, weights, display), picture, 8) <
                   40000);
         }
 }
 
-TEST_CASE("a colour field is mixed as light, between vertices and between keys") {
+TEST_CASE("a color field is mixed as light, between vertices and between keys") {
     const EglContext context;
     const TestSurface square = surface_with_fields(keys_with_fields());
     Renderer renderer;
     renderer.upload(square.mesh, square.form);
     renderer.set_field(&square.mesh.fields[1]);
     OffscreenTarget target(400, 400, 1);
-    const Camera camera = framing(square, target, 0, 0);
+    const Camera camera = camera_on(square, target, 0, 0);
     for (const std::array<float, 2> weights : {std::array{1.0F, 0.0F}, {0.0F, 1.0F}, {0.25F, 0.75F}}) {
         Display display;
         const Picture plain = take_picture(renderer, target, camera, weights, display);
@@ -133,14 +133,14 @@ TEST_CASE("a colour field is mixed as light, between vertices and between keys")
     }
 }
 
-TEST_CASE("without a field, and after another surface came, the picture is plain") {
+TEST_CASE("without a field, and after an upload of another surface, the picture is plain") {
     const EglContext context;
     const TestSurface square = surface_with_fields(keys_with_fields());
     const float both[] = {0.5F, 0.5F};
     Renderer renderer;
     renderer.upload(square.mesh, square.form);
     OffscreenTarget target(200, 200, 1);
-    const Camera camera = framing(square, target, 0, 0);
+    const Camera camera = camera_on(square, target, 0, 0);
     Display display;
     const Picture plain = take_picture(renderer, target, camera, both, display);
     display.coloring = Coloring::field;
@@ -158,14 +158,14 @@ TEST_CASE("without a field, and after another surface came, the picture is plain
     CHECK(take_picture(renderer, target, camera, both, display) == field);
 }
 
-TEST_CASE("a field blended by the processor is the one blended by the GPU") {
+TEST_CASE("a field blended by the processor equals the one blended by the GPU") {
     const EglContext context;
     const auto names = {"sphere", "star", "bone", "cushion", "icosahedron"};
     std::vector<Hierarchy> keys = shapes_with_height({"sphere", "star", "bone", "cushion", "icosahedron"});
     const TestSurface five = surface_with_fields(keys);
     REQUIRE(five.mesh.key_count() == names.size());
     OffscreenTarget target(320, 240, 1);
-    const Camera camera = framing(five, target);
+    const Camera camera = camera_on(five, target);
     Display display;
     display.coloring = Coloring::field;
     display.scale.range = {-1.4F, 1.4F};
@@ -189,14 +189,14 @@ TEST_CASE("a field blended by the processor is the one blended by the GPU") {
     CHECK(count_differences(by_processor, other, 3) > 3000);
 }
 
-TEST_CASE("a field that is the height is the height of the picture, whatever is morphed") {
+TEST_CASE("a field that holds the height shows the height in the picture, for any morph") {
     const EglContext context;
     const TestSurface surface = surface_with_fields(shapes_with_height({"sphere", "star", "bone"}));
     Renderer renderer;
     renderer.upload(surface.mesh, surface.form);
     renderer.set_field(&surface.mesh.fields[0]);
     OffscreenTarget target(400, 400, 1);
-    const Camera camera = framing(surface, target, 0, 0);
+    const Camera camera = camera_on(surface, target, 0, 0);
     Display display;
     display.coloring = Coloring::field;
     Renderer empty;
@@ -214,7 +214,7 @@ TEST_CASE("a field that is the height is the height of the picture, whatever is 
             const glm::vec3 way = p - camera.eye();
             const auto hit =
                 first_hit(surface.mesh.triangles, positions, {camera.eye(), p - 0.03F * glm::normalize(way)});
-            if (hit) continue;  // behind something
+            if (hit) continue;  // behind another part
             const glm::ivec2 at(pixel_of(camera, picture, p));
             const glm::vec3 light = picture.light(at.x, at.y);
             if (light == background.light(at.x, at.y)) continue;  // at the rim
@@ -226,7 +226,7 @@ TEST_CASE("a field that is the height is the height of the picture, whatever is 
     }
 }
 
-TEST_CASE("the checker shows where in its root each point is, by literal level maps") {
+TEST_CASE("the checkerboard shows the place of each point in its root, compared with literal level maps") {
     const EglContext context;
     const std::vector<Hierarchy> keys = two_keys_of_a_square();
     const TestSurface square = surface_of(keys);
@@ -235,7 +235,7 @@ TEST_CASE("the checker shows where in its root each point is, by literal level m
     Renderer renderer;
     renderer.upload(mesh, square.form);
     OffscreenTarget target(800, 800, 1);
-    const Camera camera = framing(square, target, 0, 0);
+    const Camera camera = camera_on(square, target, 0, 0);
     Display display;
     display.coloring = Coloring::checker;
     const Picture picture = take_picture(renderer, target, camera, both, display);
@@ -269,13 +269,13 @@ TEST_CASE("the checker shows where in its root each point is, by literal level m
     CHECK(light_ones < 2 * checked / 3);
 }
 
-TEST_CASE("the checker does not depend on how the union is bisected") {
+TEST_CASE("the checkerboard does not depend on the bisection of the union") {
     const EglContext context;
     const TestSurface alone = surface_of_shapes({"star"}, 3000);
     const TestSurface with_others = surface_of_shapes({"star", "bone", "cushion"}, 3000);
     REQUIRE(with_others.mesh.leaf_count() > alone.mesh.leaf_count());
     OffscreenTarget target(400, 300, 1);
-    const Camera camera = framing(alone, target);
+    const Camera camera = camera_on(alone, target);
     Display display;
     display.coloring = Coloring::checker;
     Renderer renderer;
@@ -287,7 +287,7 @@ TEST_CASE("the checker does not depend on how the union is bisected") {
     const Picture plain = take_picture(renderer, target, camera, weights);
     CHECK(count_differences(first, second, 12) < 300);
     CHECK(count_differences(first, plain, 12) > 5000);
-    // Far away it becomes even, without a pattern of its own.
+    // From far away it becomes uniform, without a pattern of its own.
     Camera far = camera;
     far.zoom(0.12F, {0, 0}, 4.0F / 3);
     display.shading = Shading::smooth;

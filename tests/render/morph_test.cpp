@@ -1,4 +1,4 @@
-// The morph in the vertex shader against the one on the processor, and what weights do.
+// Tests of the morph in the vertex shader against the morph on the processor, and of the effect of weights.
 #include "hierarchy/morph.h"
 
 #include <vector>
@@ -22,7 +22,7 @@ TestSurface repeated(const std::vector<Hierarchy>& keys, std::size_t count) {
     return surface_of(all);
 }
 
-/// \p weights shared out among the repeated keys.
+/// \p weights distributed over the repeated keys.
 std::vector<float> repeated(const std::vector<float>& weights, std::size_t count) {
     std::vector<float> all(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -42,14 +42,14 @@ std::vector<Hierarchy> keys_of(std::initializer_list<std::string_view> names) {
 
 }  // namespace
 
-TEST_CASE("the picture is the same for one to four keys on the GPU and for more on the processor") {
+TEST_CASE("the picture is the same for one to four keys on the GPU and for more keys on the processor") {
     const EglContext context;
     const std::vector<Hierarchy> keys = keys_of({"star", "bone"});
     const std::vector<float> weights = {0.7F, 0.3F};
     OffscreenTarget target(640, 480, 1);
     Renderer renderer;
     const TestSurface two = repeated(keys, 2);
-    const Camera camera = framing(two, target);
+    const Camera camera = camera_on(two, target);
     renderer.upload(two.mesh, two.form);
     const Picture expected = take_picture(renderer, target, camera, weights);
     for (const std::size_t count : {3U, 4U, 5U, 6U}) {
@@ -74,7 +74,7 @@ TEST_CASE("the blend on the processor follows the weights") {
     Renderer renderer;
     renderer.upload(five.mesh, five.form);
     OffscreenTarget target(320, 240, 1);
-    const Camera camera = framing(five, target);
+    const Camera camera = camera_on(five, target);
     const std::vector<float> star = {1, 0, 0, 0, 0};
     const std::vector<float> sphere = {0, 0, 0, 1, 0};
     const Picture first = take_picture(renderer, target, camera, star);
@@ -82,13 +82,13 @@ TEST_CASE("the blend on the processor follows the weights") {
     CHECK(take_picture(renderer, target, camera, star) == first);
 }
 
-TEST_CASE("weights alone change the picture, and back") {
+TEST_CASE("changing only the weights changes the picture, and restoring them restores it") {
     const EglContext context;
     const TestSurface surface = surface_of(keys_of({"star", "sphere"}));
     Renderer renderer;
     renderer.upload(surface.mesh, surface.form);
     OffscreenTarget target(320, 240, 4);
-    const Camera camera = framing(surface, target);
+    const Camera camera = camera_on(surface, target);
     const float star[] = {1, 0};
     const float half[] = {0.5F, 0.5F};
     const float beyond[] = {1.5F, -0.5F};
@@ -99,12 +99,12 @@ TEST_CASE("weights alone change the picture, and back") {
     CHECK(take_picture(renderer, target, camera, star) == at_star);
 }
 
-TEST_CASE("weight 1 on a key shows that key, whatever other key refines the union") {
+TEST_CASE("weight 1 on a key shows that key, no matter which other key refines the union") {
     const EglContext context;
     const std::vector<Hierarchy> keys = keys_of({"star", "bone", "cushion"});
     const TestSurface all = surface_of(keys);
     OffscreenTarget target(640, 480, 1);
-    const Camera camera = framing(all, target);
+    const Camera camera = camera_on(all, target);
     Renderer renderer;
     for (std::size_t key = 0; key < keys.size(); ++key) {
         CAPTURE(key);
@@ -120,12 +120,12 @@ TEST_CASE("weight 1 on a key shows that key, whatever other key refines the unio
     }
 }
 
-TEST_CASE("a smaller surface after a larger one leaves nothing behind") {
+TEST_CASE("after a larger surface, a smaller one leaves nothing of it behind") {
     const EglContext context;
     const TestSurface large = surface_of(keys_of({"star", "bone", "cushion", "sphere"}));
     const TestSurface small = surface_of(keys_of({"icosahedron"}));
     OffscreenTarget target(320, 240, 1);
-    const Camera camera = framing(small, target);
+    const Camera camera = camera_on(small, target);
     const float one[] = {1};
     const float four[] = {0.25F, 0.25F, 0.25F, 0.25F};
     Renderer fresh;

@@ -1,4 +1,4 @@
-// Colours without OpenGL.
+// Tests of colors without OpenGL.
 #include "render/palette.h"
 
 #include <numeric>
@@ -10,7 +10,7 @@ using namespace interleaf;
 
 namespace {
 
-/// CIE luminance of an sRGB-encoded colour.
+/// CIE luminance of an sRGB-encoded color.
 float luminance(glm::vec3 color) {
     return glm::dot(linear_light(color), {0.2126F, 0.7152F, 0.0722F});
 }
@@ -26,12 +26,12 @@ TEST_CASE("a deeper level is lighter, from viridis' violet to its yellow") {
     }
 }
 
-TEST_CASE("levels of a mesh that has one, and levels outside the range, have colours") {
+TEST_CASE("the level of a mesh with a single level, and levels outside the range, have colors") {
     CHECK(level_color(5, {5, 5}) == level_color(0, {5, 5}));
     CHECK(level_color(9, {2, 6}) == level_color(6, {2, 6}));
 }
 
-TEST_CASE("every set of up to four keys has a colour of its own") {
+TEST_CASE("every set of up to four keys has a color of its own") {
     for (std::size_t count = 1; count <= 4; ++count) {
         std::vector<std::size_t> keys(count);
         std::iota(keys.begin(), keys.end(), std::size_t{0});
@@ -44,7 +44,7 @@ TEST_CASE("every set of up to four keys has a colour of its own") {
     }
 }
 
-TEST_CASE("a key keeps its colour whatever other keys are active") {
+TEST_CASE("a key keeps its color no matter which other keys are active") {
     const std::size_t few[] = {4, 6};
     const std::size_t more[] = {1, 4, 5, 6};
     CHECK(glm::distance(origin_color(key_bit(0), few), key_color(4)) < 1e-3F);

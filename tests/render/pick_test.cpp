@@ -1,4 +1,4 @@
-// What a ray meets.
+// Tests of picking: what a ray hits.
 #include "render/pick.h"
 
 #include <random>
@@ -22,7 +22,7 @@ glm::vec3 point_of(const Hit& hit, const std::vector<Triangle>& triangles,
            hit.barycentric.z * positions[c];
 }
 
-/// The first of all triangles that the ray meets, each by solving its three equations.
+/// The first of all triangles that the ray hits, each found by solving its three equations.
 std::optional<std::size_t> literal_hit(const std::vector<Triangle>& triangles,
                                        const std::vector<glm::vec3>& positions, const Ray& ray) {
     std::optional<std::size_t> first;
@@ -74,7 +74,7 @@ TEST_CASE("the hit is the first of all triangles, and its point lies on the ray"
     CHECK(hits < 2900);
 }
 
-TEST_CASE("no ray slips between triangles: those through vertices and edges of a sphere meet its near side") {
+TEST_CASE("no ray slips between triangles: rays through vertices and edges of a sphere hit its near side") {
     const TestSurface sphere = surface_of_shapes({"sphere"}, 2000);
     const Buffer<glm::vec3>& positions = sphere.mesh.positions[0];
     for (const auto& [a, b, c] : sphere.mesh.triangles)
@@ -88,7 +88,7 @@ TEST_CASE("no ray slips between triangles: those through vertices and edges of a
         }
 }
 
-TEST_CASE("a ray meets nothing beside a surface, behind its ends, and in triangles of no area") {
+TEST_CASE("a ray hits nothing beside a surface, beyond its ends, and in triangles of no area") {
     const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}};
     const std::vector<Triangle> triangle{{0, 1, 2}};
     const glm::vec3 inside(0.25F, 0.25F, 0);

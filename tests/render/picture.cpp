@@ -1,4 +1,4 @@
-// Reading pictures.
+// Reads pictures.
 #include "render/picture.h"
 
 #include <cstdlib>

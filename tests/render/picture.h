@@ -1,4 +1,4 @@
-// A picture in memory and what the tests ask of one.
+// A picture in memory, and the measurements that tests take of it.
 #pragma once
 
 #include <cstdint>
@@ -24,20 +24,20 @@ struct Picture {
     glm::vec3 light(int x, int y) const;
 };
 
-/// Draws and reads, and checks that OpenGL had nothing to complain of.
+/// Draws and reads a picture, and checks that OpenGL reported no problem.
 Picture take_picture(Renderer& renderer, OffscreenTarget& target, const Camera& camera,
                      std::span<const float> weights, const Display& display = {});
 
-/// Number of pixels for which \p holds.
+/// Number of pixels for which \p holds is true.
 int count_pixels(const Picture& picture, const std::function<bool(glm::vec3 light)>& holds);
 
-/// Number of pixels of which a component differs by more than \p tolerance of 255.
+/// Number of pixels with a component that differs by more than \p tolerance of 255.
 int count_differences(const Picture& a, const Picture& b, int tolerance = 0);
 
 /// Mean over all pixels of the sum of the components.
 double mean_brightness(const Picture& picture);
 
-/// Where \p camera sees the world point \p point in \p picture, in pixels from the upper left.
+/// The place of the world point \p point in \p picture as seen by \p camera, in pixels from the upper left.
 glm::vec2 pixel_of(const Camera& camera, const Picture& picture, glm::vec3 point);
 
 bool is_red(glm::vec3 light);

@@ -1,4 +1,5 @@
-// Meshes that are no keys, drawn as they are, and the depths that tell where they are in a picture.
+// Tests of meshes that are no keys, drawn as they are, and of the depths that tell where they are in a
+// picture.
 #include "render/plain_mesh.h"
 
 #include <doctest/doctest.h>
@@ -9,7 +10,7 @@
 
 using namespace interleaf;
 
-TEST_CASE("a plain mesh is drawn flat as the key with the same leaves") {
+TEST_CASE("a plain mesh with flat shading looks like the key with the same leaves") {
     const EglContext context;
     const TestSurface key = surface_of_shapes({"star"}, 2000);
     const UnionMesh plain = plain_mesh(key.mesh.triangles, key.mesh.positions.front());
@@ -17,7 +18,7 @@ TEST_CASE("a plain mesh is drawn flat as the key with the same leaves") {
     CHECK(plain.vertex_count() == key.mesh.vertex_count());
     OffscreenTarget target(200, 150, 1);
     Renderer renderer;
-    const Camera camera = framing(key, target);
+    const Camera camera = camera_on(key, target);
     Display flat;
     flat.shading = Shading::flat;
     flat.wireframe = true;
@@ -27,7 +28,7 @@ TEST_CASE("a plain mesh is drawn flat as the key with the same leaves") {
     CHECK(take_picture(renderer, target, camera, one, flat) == of_key);
 }
 
-TEST_CASE("triangles without order, open and crossing each other, are drawn too") {
+TEST_CASE("unordered, open and intersecting triangles are drawn too") {
     const EglContext context;
     const std::vector<glm::vec3> positions{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
     const std::vector<Triangle> triangles{{0, 1, 2}, {0, 1, 2}, {2, 1, 0}, {0, 1, 3}, {0, 1, 4}};
@@ -40,17 +41,17 @@ TEST_CASE("triangles without order, open and crossing each other, are drawn too"
     display.root_edges = true;
     const Picture picture = take_picture(renderer, target, Camera(), one);
     CHECK(count_differences(picture, empty) > 1000);
-    // No edge of it is one of roots.
+    // None of its edges is a root edge.
     CHECK(take_picture(renderer, target, Camera(), one, display) == picture);
 }
 
-TEST_CASE("all depths of a target are those of its pixels, top row first") {
+TEST_CASE("the depths of a target are those of its pixels, top row first") {
     const EglContext context;
     const TestSurface key = surface_of_shapes({"star"}, 500);
     Renderer renderer;
     renderer.upload(key.mesh, key.form);
     OffscreenTarget target(61, 37, 1);
-    take_picture(renderer, target, framing(key, target), one);
+    take_picture(renderer, target, camera_on(key, target), one);
     const std::vector<float> depths = target.read_depths();
     REQUIRE(depths.size() == 61 * 37);
     int covered = 0;

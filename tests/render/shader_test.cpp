@@ -1,4 +1,4 @@
-// Loading and compiling shaders.
+// Tests of loading and compiling shaders.
 #include "render/shader.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::string failure(std::string_view definitions) {
 
 }  // namespace
 
-TEST_CASE("every shader is embedded as it is on disk") {
+TEST_CASE("every embedded shader equals the file on disk") {
     CHECK(embedded_shaders().size() == 5);
     for (const EmbeddedShader& shader : embedded_shaders()) {
         CAPTURE(shader.file);
@@ -36,7 +36,7 @@ TEST_CASE("every shader is embedded as it is on disk") {
     CHECK_THROWS_AS(shader_source("no such file"), InputError);
 }
 
-TEST_CASE("a shader that does not compile is named with file and line") {
+TEST_CASE("the error of a shader that does not compile names file and line") {
     const EglContext context;
     CHECK(failure("#define KEY_COUNT 2\n#define EDGES 0").empty());
     const std::string message = failure("#define KEY_COUNT wrong\n#define EDGES 0");
@@ -48,15 +48,15 @@ TEST_CASE("a shader that does not compile is named with file and line") {
     CHECK(message.starts_with("surface.vert:" + std::to_string(line) + ":"));
 }
 
-TEST_CASE("stages that do not fit each other are named") {
+TEST_CASE("the error names stages that do not match") {
     const EglContext context;
     const std::string message =
-        failure("#define KEY_COUNT 2\n#define EDGES 1");  // wants what surface.geom gives
+        failure("#define KEY_COUNT 2\n#define EDGES 1");  // needs the output of surface.geom
     CAPTURE(message);
     CHECK(message.find("surface.frag") != std::string::npos);
 }
 
-TEST_CASE("lines are named in the messages of every driver") {
+TEST_CASE("lines are recognized in the messages of every driver") {
     CHECK(name_lines("0:12(5): error: x\n0:13(1): error: y", "a.frag") ==
           "a.frag:12: error: x\na.frag:13: error: y");
     CHECK(name_lines("0(12) : error C0000: x", "a.frag") == "a.frag:12: error C0000: x");

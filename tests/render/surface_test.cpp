@@ -1,4 +1,4 @@
-// What the picture of a surface looks like: shape, light, colours.
+// Tests of the picture of a surface: shape, light, colors.
 #include <algorithm>
 #include <numbers>
 #include <set>
@@ -29,15 +29,15 @@ std::size_t distinct_colors(const Picture& picture) {
     return colors.size();
 }
 
-/// Middle of the leaf in the first key.
+/// The center of the leaf in the first key.
 glm::vec3 middle(const UnionMesh& mesh, std::size_t leaf) {
     const auto& [a, b, c] = mesh.triangles[leaf];
     const auto& positions = mesh.positions.front();
     return (positions[a] + positions[b] + positions[c]) / 3.0F;
 }
 
-/// Checks that \p picture shows each leaf in its color_of() times the light that falls on it, which \p plain,
-/// of the colour \p plain_color, tells.
+/// Checks that \p picture shows each leaf in its color_of() times the incident light. The light is known from
+/// \p plain, a picture in the color \p plain_color.
 void check_leaf_colors(const UnionMesh& mesh, const Camera& camera, const Picture& plain,
                        glm::vec3 plain_color, const Picture& picture,
                        const std::function<glm::vec3(std::size_t)>& color_of) {
@@ -52,21 +52,21 @@ void check_leaf_colors(const UnionMesh& mesh, const Camera& camera, const Pictur
 
 }  // namespace
 
-TEST_CASE("a sphere covers the disc that geometry says, with and without samples") {
+TEST_CASE("a sphere covers the disc that geometry predicts, with and without multisampling") {
     const EglContext context;
     const TestSurface sphere = surface_of_shapes({"sphere"}, 20000);
     Renderer renderer;
     renderer.upload(sphere.mesh, sphere.form);
     for (const int samples : {1, 4}) {
         OffscreenTarget target(640, 480, samples);
-        const Camera camera = framing(sphere, target);
+        const Camera camera = camera_on(sphere, target);
         const Picture picture = take_picture(renderer, target, camera, one);
         const Picture background = background_of(target);
         const double distance = glm::length(camera.eye());
         const double field = std::tan(glm::radians(static_cast<double>(vertical_field_degrees) / 2));
         const double radius = 240 / field / std::sqrt(distance * distance - 1);
         const double area = std::numbers::pi * radius * radius;
-        const double rim = samples > 1 ? std::numbers::pi * radius : 0;  // half covered pixels count, too
+        const double rim = samples > 1 ? std::numbers::pi * radius : 0;  // half-covered pixels count as well
         CHECK(count_differences(picture, background) == doctest::Approx(area + rim).epsilon(0.01));
     }
 }
@@ -77,20 +77,20 @@ TEST_CASE("light comes from above left, and the background stays darker than the
     Renderer renderer;
     renderer.upload(sphere.mesh, sphere.form);
     OffscreenTarget target(300, 300, 4);
-    const Picture picture = take_picture(renderer, target, framing(sphere, target), one);
+    const Picture picture = take_picture(renderer, target, camera_on(sphere, target), one);
     const auto brightness = [&](int x, int y) { return glm::dot(picture.light(x, y), glm::vec3(1)); };
     CHECK(brightness(110, 100) > 2 * brightness(200, 210));
     CHECK(brightness(110, 100) > 4 * brightness(2, 2));
     CHECK(brightness(2, 2) > 2 * brightness(2, 297));
 }
 
-TEST_CASE("flat shading gives each face one colour") {
+TEST_CASE("flat shading gives each face one color") {
     const EglContext context;
     const TestSurface icosahedron = surface_of_shapes({"icosahedron"}, 20);
     Renderer renderer;
     renderer.upload(icosahedron.mesh, icosahedron.form);
     OffscreenTarget target(320, 240, 1);
-    const Camera camera = framing(icosahedron, target);
+    const Camera camera = camera_on(icosahedron, target);
     Display display;
     const Picture smooth = take_picture(renderer, target, camera, one, display);
     display.shading = Shading::flat;
@@ -102,28 +102,28 @@ TEST_CASE("flat shading gives each face one colour") {
     CHECK(count_differences(smooth, flat, 8) > 2000);
 }
 
-TEST_CASE("where the normal vanishes, smooth shading takes the face's") {
+TEST_CASE("where the normal vanishes, smooth shading uses the face normal") {
     const EglContext context;
     TestSurface sphere = surface_of_shapes({"sphere"}, 500);
     std::ranges::fill(sphere.form.products, glm::vec3(0));
     Renderer renderer;
     renderer.upload(sphere.mesh, sphere.form);
     OffscreenTarget target(320, 240, 1);
-    const Camera camera = framing(sphere, target);
+    const Camera camera = camera_on(sphere, target);
     Display display;
     const Picture smooth = take_picture(renderer, target, camera, one, display);
     display.shading = Shading::flat;
     CHECK(take_picture(renderer, target, camera, one, display) == smooth);
 }
 
-TEST_CASE("an open surface is seen from behind, darker") {
+TEST_CASE("the back of an open surface is visible, and darker") {
     const EglContext context;
     const TestSurface square = surface_of(two_keys_of_a_square());
     Renderer renderer;
     renderer.upload(square.mesh, square.form);
     OffscreenTarget target(200, 200, 1);
-    const Picture front = take_picture(renderer, target, framing(square, target, 0, 0), both);
-    const Picture back = take_picture(renderer, target, framing(square, target, 180, 0), both);
+    const Picture front = take_picture(renderer, target, camera_on(square, target, 0, 0), both);
+    const Picture back = take_picture(renderer, target, camera_on(square, target, 180, 0), both);
     const Picture background = background_of(target);
     CHECK(count_differences(front, background) ==
           doctest::Approx(count_differences(back, background)).epsilon(0.02));
@@ -132,7 +132,7 @@ TEST_CASE("an open surface is seen from behind, darker") {
     CHECK(seen > 0.2F * glm::dot(front.light(100, 100), glm::vec3(1)));
 }
 
-TEST_CASE("colours by level and by origin are those of the legend") {
+TEST_CASE("colors by level and by origin are those of the legend") {
     const EglContext context;
     const TestSurface square = surface_of(two_keys_of_a_square());
     const UnionMesh& mesh = square.mesh;
@@ -140,7 +140,7 @@ TEST_CASE("colours by level and by origin are those of the legend") {
     Renderer renderer;
     renderer.upload(mesh, square.form);
     OffscreenTarget target(400, 400, 1);
-    const Camera camera = framing(square, target, 0, 0);
+    const Camera camera = camera_on(square, target, 0, 0);
     Display display;
     const Picture plain = take_picture(renderer, target, camera, both, display);
 
@@ -157,13 +157,13 @@ TEST_CASE("colours by level and by origin are those of the legend") {
                       [&](std::size_t leaf) { return origin_color(mesh.origins[leaf], keys); });
 }
 
-TEST_CASE("each origin of a union is seen in its colour") {
+TEST_CASE("each origin of a union is visible in its color") {
     const EglContext context;
     const TestSurface surface = surface_of_shapes({"star", "bone", "cushion"}, 3000);
     Renderer renderer;
     renderer.upload(surface.mesh, surface.form);
     OffscreenTarget target(640, 480, 4);
-    const Camera camera = framing(surface, target);
+    const Camera camera = camera_on(surface, target);
     const float weights[] = {0.4F, 0.3F, 0.3F};
     Display display;
     const Picture plain = take_picture(renderer, target, camera, weights, display);
@@ -183,13 +183,13 @@ TEST_CASE("each origin of a union is seen in its colour") {
     }
 }
 
-TEST_CASE("shaders that are read again draw the same picture") {
+TEST_CASE("reloaded shaders draw the same picture") {
     const EglContext context;
     const TestSurface sphere = surface_of_shapes({"sphere"}, 500);
     Renderer renderer;
     renderer.upload(sphere.mesh, sphere.form);
     OffscreenTarget target(160, 120, 1);
-    const Camera camera = framing(sphere, target);
+    const Camera camera = camera_on(sphere, target);
     const Picture before = take_picture(renderer, target, camera, one);
     renderer.reload_shaders();
     CHECK(take_picture(renderer, target, camera, one) == before);

@@ -1,4 +1,4 @@
-// Building the surfaces.
+// Builds the surfaces.
 #include "render/test_surfaces.h"
 
 #include <doctest/doctest.h>
@@ -41,7 +41,7 @@ std::vector<Hierarchy> two_keys_of_a_square() {
     return {bisected.freeze(), unrefined(roots, positions)};
 }
 
-Camera framing(const TestSurface& surface, const OffscreenTarget& target, float azimuth, float elevation) {
+Camera camera_on(const TestSurface& surface, const OffscreenTarget& target, float azimuth, float elevation) {
     Box box = bounding_box(surface.mesh.positions.front());
     for (const auto& stream : surface.mesh.positions) {
         const Box other = bounding_box(stream);
@@ -49,7 +49,7 @@ Camera framing(const TestSurface& surface, const OffscreenTarget& target, float 
     }
     Camera camera;
     camera.look_from(azimuth, elevation);
-    camera.frame(extent_of(box), static_cast<float>(target.width()) / static_cast<float>(target.height()));
+    camera.view_all(extent_of(box), static_cast<float>(target.width()) / static_cast<float>(target.height()));
     return camera;
 }
 

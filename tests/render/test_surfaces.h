@@ -12,7 +12,7 @@
 
 namespace interleaf {
 
-/// The weights of the only key.
+/// The weights of a single key.
 inline constexpr float one[] = {1};
 
 /// A union with its normals.
@@ -27,11 +27,11 @@ TestSurface surface_of(const std::vector<Hierarchy>& keys);
 TestSurface surface_of_shapes(std::initializer_list<std::string_view> names, Index leaves);
 
 /// The square from -1 to 1 in the plane z = 0, counter-clockwise seen from +z: two roots whose refinement
-/// edge is the diagonal x = y. Both are bisected in the first key, the first one once more.
+/// edge is the diagonal x = y. Both are bisected in the first key, the first root twice.
 std::vector<Hierarchy> two_keys_of_a_square();
 
-/// A camera that frames \p surface at \p azimuth and \p elevation for pictures of \p target's size.
-Camera framing(const TestSurface& surface, const OffscreenTarget& target, float azimuth = 30,
-               float elevation = 20);
+/// A camera with all of \p surface in view at \p azimuth and \p elevation, for pictures of \p target's size.
+Camera camera_on(const TestSurface& surface, const OffscreenTarget& target, float azimuth = 30,
+                 float elevation = 20);
 
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-// The window against EGL: one renderer, one picture. Needs a display.
+// Tests of the window against EGL: one renderer, one picture. Needs a display.
 #include <doctest/doctest.h>
 #include <glad/gl.h>
 
@@ -13,7 +13,7 @@ namespace {
 constexpr int width = 320;
 constexpr int height = 240;
 
-/// A picture with everything in it, in the context that is current.
+/// A picture with every kind of content, in the current context.
 Picture full_picture(OffscreenTarget& target) {
     const TestSurface surface = surface_of_shapes({"star", "bone", "sphere"}, 3000);
     Renderer renderer;
@@ -22,7 +22,7 @@ Picture full_picture(OffscreenTarget& target) {
     display.coloring = Coloring::origin;
     display.wireframe = display.refinement_edges = display.root_edges = true;
     const float weights[] = {0.5F, 0.25F, 0.25F};
-    return take_picture(renderer, target, framing(surface, target), weights, display);
+    return take_picture(renderer, target, camera_on(surface, target), weights, display);
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ TEST_CASE("a hidden window draws the picture that EGL draws, byte for byte") {
     }
 }
 
-TEST_CASE("the window receives the encoded values unchanged, where they were sent") {
+TEST_CASE("the window receives the encoded values unchanged, at the requested place") {
     const Window window("interleaf", width + 20, height + 30, true);
     glClearColor(0, 0, 0, 1);
     for (const int samples : {1, 4}) {

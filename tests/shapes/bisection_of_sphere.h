@@ -1,5 +1,5 @@
-// A key over the icosahedron together with the points of the unit sphere that its vertices are the images of,
-// found anew from the key alone.
+// Recomputes, from a key over the icosahedron alone, the points of the unit sphere that its vertices are
+// images of.
 #pragma once
 
 #include <array>

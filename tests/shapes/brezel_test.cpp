@@ -1,4 +1,4 @@
-// The brezel: its roots, its surface, and the keys made from them.
+// Tests of the brezel: its roots, its surface, and the keys made from them.
 #include "shapes/brezel.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::array<glm::dvec3, 3> corners_of(const Triangle& triangle, const Hierarchy& 
     return {key.positions[triangle[0]], key.positions[triangle[1]], key.positions[triangle[2]]};
 }
 
-/// The density as it is defined: cube by cube.
+/// The density by its definition, cube by cube.
 double literal_density(const glm::dvec3& point) {
     constexpr std::array<std::string_view, 4> plate = {"######", "#.##.#", "#.##.#", "######"};
     const auto blurred = [](double p, double from) {
@@ -48,7 +48,7 @@ double literal_density(const glm::dvec3& point) {
     return sum;
 }
 
-/// Distance from the surface, to first order; for points that are near.
+/// Distance from the surface, to first order; for points near it.
 double distance_from_brezel(const glm::dvec3& point) {
     const auto [value, gradient] = brezel_density(point);
     return std::abs(value - brezel_level) / glm::length(gradient);
@@ -64,8 +64,8 @@ std::vector<glm::dvec3> random_points_around(unsigned seed, std::size_t count) {
     return points;
 }
 
-/// Largest distance of the surface from the key, sampled leaf by leaf on a grid that has no points in common
-/// with the generator's besides corners.
+/// Largest distance of the surface from the key, sampled leaf by leaf. The sampling grid shares only corners
+/// with the generator's grid.
 double sampled_deviation(const Hierarchy& key) {
     double distance = 0;
     for (const Triangle& leaf : leaf_triangles(key)) {
@@ -103,7 +103,7 @@ TEST_CASE("the plate's refinement edges are the diagonals of its squares, for bo
     }
 }
 
-TEST_CASE("the reflection at the centre keeps the plate's triangles and their marking") {
+TEST_CASE("the reflection at the center keeps the plate's triangles and their marking") {
     const Hierarchy plate = brezel_plate();
     const std::set<Triangle> triangles(plate.roots.triangles().begin(), plate.roots.triangles().end());
     const auto reflected = [&](Index vertex) {
@@ -179,7 +179,7 @@ TEST_CASE("all vertices are on the surface, to the precision of floats") {
     }
 }
 
-TEST_CASE("no leaf is flipped against the surface, and the least angle of 20,000 leaves is 23 degrees") {
+TEST_CASE("no leaf is flipped against the surface, and the minimum angle of 20,000 leaves is 23 degrees") {
     for (const Index budget : {144U, 1000U, 20000U}) {
         CAPTURE(budget);
         const Hierarchy key = make_brezel({budget, {}});
@@ -194,7 +194,7 @@ TEST_CASE("no leaf is flipped against the surface, and the least angle of 20,000
     }
 }
 
-TEST_CASE("a tolerance holds on dense samples of the brezel, and is not met by far too many leaves") {
+TEST_CASE("a tolerance holds on dense samples of the brezel, without far too many leaves") {
     const double diagonal = bounding_box(make_brezel({20000, {}}).positions).diagonal();
     for (const double value : {0.02, 0.005, 0.001}) {
         CAPTURE(value);
@@ -211,7 +211,7 @@ TEST_CASE("a brezel of more leaves is nearer to its surface") {
     CHECK(sampled_deviation(make_brezel({5000, {}})) < sampled_deviation(make_brezel({500, {}})) / 4);
 }
 
-TEST_CASE("fewer leaves than the brezel's roots are refused") {
+TEST_CASE("fewer leaves than the brezel has roots are rejected") {
     CHECK_THROWS_WITH_AS(make_brezel({143, {}}), doctest::Contains("144 roots"), UsageError);
     CHECK_THROWS_WITH_AS(make_brezel({200, 0.1}), doctest::Contains("exclude each other"), UsageError);
 }

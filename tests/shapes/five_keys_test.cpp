@@ -1,4 +1,4 @@
-// The family that is shipped, held against the generator.
+// Tests of the shipped family against the generator.
 #include <algorithm>
 
 #include <doctest/doctest.h>
@@ -10,7 +10,7 @@
 
 using namespace interleaf;
 
-TEST_CASE("the keys that are shipped are what the generator makes: same roots and bits, positions to 1e-6") {
+TEST_CASE("the shipped keys equal the generator's keys: same roots and bits, positions to 1e-6") {
     const Family family = read_family(FIVE_KEYS_FOLDER);
     REQUIRE(family.keys.size() == five_keys().size());
     for (const ShippedKey& shipped : five_keys()) {
@@ -29,8 +29,7 @@ TEST_CASE("the keys that are shipped are what the generator makes: same roots an
     }
 }
 
-TEST_CASE(
-    "the icosahedron is shipped with its 20 roots, the others with 5,000 to 40,000 leaves, all different") {
+TEST_CASE("the shipped icosahedron has its 20 roots, the others have 5,000 to 40,000 leaves, all different") {
     std::vector<std::size_t> counts;
     for (const Key& key : read_family(FIVE_KEYS_FOLDER).keys) {
         counts.push_back(key.hierarchy->leaf_count());

@@ -7,7 +7,7 @@
 
 using namespace interleaf;
 
-TEST_CASE("the distance to a triangle is that to its plane, its edges or its corners") {
+TEST_CASE("the distance to a triangle is the distance to its plane, its edges or its corners") {
     const std::array<glm::dvec3, 3> corners = {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}};
     CHECK(distance_to_triangle({0.5, 0.5, -3}, corners) == doctest::Approx(3));
     CHECK(distance_to_triangle({0.5, 0.5, 0}, corners) == 0);
@@ -16,12 +16,12 @@ TEST_CASE("the distance to a triangle is that to its plane, its edges or its cor
     CHECK(distance_to_triangle({-2, -1, 2}, corners) == doctest::Approx(3));
 }
 
-TEST_CASE("the distance to a triangle of no area is that to a segment or a point") {
+TEST_CASE("the distance to a triangle of no area is the distance to a segment or a point") {
     CHECK(distance_to_triangle({1, 1, 0}, {{{0, 0, 0}, {3, 0, 0}, {2, 0, 0}}}) == doctest::Approx(1));
     CHECK(distance_to_triangle({1, 2, 2}, {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}) == doctest::Approx(3));
 }
 
-TEST_CASE("a leaf over an octant of the sphere is as far off as its centroid, and turns as its corners do") {
+TEST_CASE("the fit of a leaf over an octant has the distance at its centroid and the turn at its corners") {
     const LeafFit fit = measure_fit(unit_sphere, sphere_surface, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
     // The samples next to the centroid lie at (2, 1, 1) / sqrt(6).
     CHECK(fit.distance == doctest::Approx(4 / std::sqrt(18.0) - 1 / std::sqrt(3.0)));
@@ -32,7 +32,7 @@ TEST_CASE("a leaf over an octant of the sphere is as far off as its centroid, an
     CHECK(fit.turn < 1);
 }
 
-TEST_CASE("a flat surface fits without distance and turn") {
+TEST_CASE("a flat surface fits with distance 0 and turn 0") {
     const Surface octahedron = [](const glm::dvec3& u) {
         return u / (std::abs(u.x) + std::abs(u.y) + std::abs(u.z));
     };

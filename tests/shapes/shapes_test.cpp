@@ -36,7 +36,7 @@ Hierarchy make(std::string_view name, const ShapeBudget& budget) {
     return make_key(*shape, budget);
 }
 
-/// All but the brezel, which has tests of its own.
+/// All shapes except the brezel, which has its own tests.
 std::vector<Shape> shapes_over_the_icosahedron() {
     std::vector<Shape> found;
     for (const Shape& shape : shapes())
@@ -57,7 +57,7 @@ void check_is_closed_key(const Hierarchy& key) {
     CHECK(measure(triangles, key.positions).volume > 0);
 }
 
-/// The surface's normal at the point over \p u by central differences; not normalised.
+/// The surface's normal at the point over \p u by central differences; not normalized.
 glm::dvec3 normal_over(Surface surface, const glm::dvec3& u) {
     constexpr double step = 1e-5;
     const glm::dvec3 across = std::abs(u.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -67,8 +67,8 @@ glm::dvec3 normal_over(Surface surface, const glm::dvec3& u) {
     return glm::cross(at(u + s) - at(u - s), at(u + t) - at(u - t));
 }
 
-/// Largest distance of the surface from the key, sampled leaf by leaf on a grid that has no points in common
-/// with the generator's besides corners, as a fraction of the diagonal of the samples' box.
+/// Largest distance of the surface from the key, as a fraction of the diagonal of the samples' box. Samples
+/// leaf by leaf; the sampling grid shares only corners with the generator's grid.
 double sampled_deviation(const Hierarchy& key, Surface surface) {
     glm::dvec3 low(std::numeric_limits<double>::infinity());
     glm::dvec3 high = -low;
@@ -117,7 +117,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a key has 20,000 leaves when the budget names neither leaves nor tolerance") {
+TEST_CASE("a key has 20,000 leaves if the budget sets neither leaves nor tolerance") {
     const std::size_t count = make("sphere", {}).leaf_count();
     CHECK(count <= 20000);
     CHECK(count + 2 >= 20000);
@@ -135,11 +135,11 @@ TEST_CASE("positions are on the surface, to the precision of floats") {
     }
 }
 
-TEST_CASE("no leaf is flipped against the surface, and the least angles are those the shapes can have") {
-    const auto check_quality = [](std::string_view name, double least_angle) {
+TEST_CASE("no leaf is flipped against the surface, and each shape reaches its possible minimum angle") {
+    const auto check_quality = [](std::string_view name, double min_angle) {
         CAPTURE(name);
         const Hierarchy key = make(name, leaves(12000));
-        CHECK(measure_key(key).min_angle > least_angle);
+        CHECK(measure_key(key).min_angle > min_angle);
         const Surface surface = find_shape(name)->surface;
         std::size_t flipped = 0;
         for (const auto& [on_sphere, on_key] : sphere_leaves(key)) {
@@ -164,7 +164,7 @@ TEST_CASE("area and volume of the sphere key are near those of the unit sphere")
     CHECK(measures.volume < 4 * pi / 3);
 }
 
-TEST_CASE("a tolerance holds on dense samples of the surface, and is not met by far too many leaves") {
+TEST_CASE("a tolerance holds on dense samples of the surface, without far too many leaves") {
     for (const Shape& shape : shapes_over_the_icosahedron()) {
         if (shape.surface == nullptr) continue;
         CAPTURE(shape.name);
@@ -179,7 +179,7 @@ TEST_CASE("a tolerance holds on dense samples of the surface, and is not met by 
     }
 }
 
-TEST_CASE("more leaves are nearer to the surface") {
+TEST_CASE("more leaves lie nearer to the surface") {
     for (const Shape& shape : shapes_over_the_icosahedron()) {
         if (shape.surface == nullptr) continue;
         CAPTURE(shape.name);
@@ -189,7 +189,7 @@ TEST_CASE("more leaves are nearer to the surface") {
     }
 }
 
-TEST_CASE("the star key has twelve arms, also with few leaves") {
+TEST_CASE("the star key has twelve arms, even with few leaves") {
     for (const Index budget : {500U, 5000U}) {
         CAPTURE(budget);
         const Hierarchy key = make("star", leaves(budget));
@@ -207,7 +207,7 @@ TEST_CASE("the star key has twelve arms, also with few leaves") {
     }
 }
 
-TEST_CASE("a key is the same bytes every time") {
+TEST_CASE("a key has the same bytes every time") {
     for (const Shape& shape : shapes()) {
         CAPTURE(shape.name);
         CHECK(serialize_hierarchy(make_key(shape, leaves(3000))) ==
@@ -215,7 +215,7 @@ TEST_CASE("a key is the same bytes every time") {
     }
 }
 
-TEST_CASE("two budgets at once, and budgets out of range, are refused") {
+TEST_CASE("two budgets at once, and budgets out of range, are rejected") {
     const Shape& star = *find_shape("star");
     CHECK_THROWS_WITH_AS(make_key(star, {100, 0.1}), doctest::Contains("exclude each other"), UsageError);
     CHECK_THROWS_WITH_AS(make_key(star, leaves(19)), doctest::Contains("20 roots"), UsageError);

@@ -24,7 +24,7 @@ std::vector<glm::dvec3> random_directions(unsigned seed, std::size_t count) {
     return directions;
 }
 
-/// The bone's formula as it is written, for w > 0.
+/// The literal formula of the bone, for w > 0.
 glm::dvec3 literal_bone(const glm::dvec3& u) {
     const auto sigma = [](double t) { return 1 / (1 + std::exp(-14 * (std::abs(t) - 0.62))); };
     const double t = u.x;
@@ -40,7 +40,7 @@ glm::dvec3 literal_bone(const glm::dvec3& u) {
 
 }  // namespace
 
-TEST_CASE("the cushion fulfils its equation, on the ray and within the square") {
+TEST_CASE("the cushion satisfies its equation, on the ray and within the square") {
     const unsigned seed = 1;
     CAPTURE(seed);
     for (const glm::dvec3& u : random_directions(seed, 1000)) {
@@ -57,7 +57,7 @@ TEST_CASE("the cushion fulfils its equation, on the ray and within the square") 
     CHECK(cushion_surface({diagonal, diagonal, 0}).x == doctest::Approx(1));
 }
 
-TEST_CASE("the star's arms are towards the vertices of the icosahedron") {
+TEST_CASE("the star's arms point towards the vertices of the icosahedron") {
     for (const glm::dvec3 corner : icosahedron().positions) {
         const glm::dvec3 tip = glm::normalize(corner);
         const double radius = glm::length(star_surface(tip));
@@ -83,7 +83,7 @@ TEST_CASE("the star's radius is the sum over all twelve arms") {
     }
 }
 
-TEST_CASE("the bone is the formula as written, and continuous at its poles") {
+TEST_CASE("the bone agrees with its literal formula, and is continuous at its poles") {
     const unsigned seed = 4;
     CAPTURE(seed);
     for (const glm::dvec3& u : random_directions(seed, 1000)) {

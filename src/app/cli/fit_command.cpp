@@ -109,7 +109,7 @@ Family family_of(const FitCommandOptions& options, const Fitted& fitted) {
 Json json_of(const FitQuality& quality) {
     return {{"hausdorff", quality.hausdorff},
             {"root_mean_square", quality.root_mean_square},
-            {"least_angle", quality.least_angle},
+            {"least_angle", quality.min_angle},
             {"flipped_leaves", quality.flipped_leaves},
             {"euler", quality.euler}};
 }
@@ -154,7 +154,7 @@ void print_report(const std::filesystem::path& file, const FittedMesh& mesh) {
     if (report.hausdorff_as_brought != report.quality.hausdorff)
         fmt::print("  at most {:.3g} % of its box diagonal from the mesh as it was brought\n",
                    100 * report.hausdorff_as_brought);
-    fmt::print("  least angle {:.3g} degrees, flipped leaves: {}, {:.2g} s\n", report.quality.least_angle,
+    fmt::print("  least angle {:.3g} degrees, flipped leaves: {}, {:.2g} s\n", report.quality.min_angle,
                report.quality.flipped_leaves, whole);
 }
 

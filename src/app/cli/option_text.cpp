@@ -13,7 +13,7 @@
 namespace interleaf {
 namespace {
 
-constexpr int largest_side = 16384;
+constexpr int max_side = 16384;
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
@@ -83,9 +83,9 @@ PictureSize parse_size(std::string_view text) {
     const auto side = [&](std::size_t i) {
         return i < sides.size() ? typed_number<int>(sides[i]).value_or(0) : 0;
     };
-    const auto is_allowed = [](int length) { return length >= 1 && length <= largest_side; };
+    const auto is_allowed = [](int length) { return length >= 1 && length <= max_side; };
     if (sides.size() != 2 || !is_allowed(side(0)) || !is_allowed(side(1))) {
-        expected(fmt::format("WIDTHxHEIGHT with sides from 1 to {}", largest_side), text);
+        expected(fmt::format("WIDTHxHEIGHT with sides from 1 to {}", max_side), text);
     }
     return {side(0), side(1)};
 }

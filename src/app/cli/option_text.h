@@ -48,7 +48,7 @@ Shading parse_shading(std::string_view text);
 /// one of these.
 void parse_coloring(std::string_view text, Display& display);
 
-/// The name of a colour map.
+/// The name of a color map.
 ColorMap parse_color_map(std::string_view text);
 
 /// "MIN,MAX", ascending and finite as floats.

@@ -25,7 +25,7 @@ constexpr int samples = 4;
 Camera camera_on(const Family& family, const Viewpoint& viewpoint, float aspect) {
     Camera camera;
     camera.look_from(viewpoint.azimuth, viewpoint.elevation);
-    camera.frame(extent(family), aspect);
+    camera.view_all(extent(family), aspect);
     camera.zoom(viewpoint.zoom, {0, 0}, aspect);
     return camera;
 }
@@ -52,7 +52,7 @@ void run_render(const RenderOptions& options) {
     const std::vector<FamilyField> fields = fields_of(family.keys);
     require_field(options.display, fields);
     Display display = options.display;
-    fit_display(display, fields);
+    adapt_display(display, fields);
     const std::optional<UnionField> field = united_shown_field(display, fields, family, weights, mesh);
 
     const EglContext context;

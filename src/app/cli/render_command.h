@@ -12,7 +12,7 @@ struct PictureSize {
     int height = 720;
 };
 
-/// Where the camera looks from; at zoom 1 it frames the box of all keys.
+/// Where the camera looks from; at zoom 1 it views the box of all keys.
 struct Viewpoint {
     float azimuth = 30;    ///< about Y, 0 from +Z, degrees
     float elevation = 20;  ///< above the XZ plane, degrees

@@ -11,7 +11,7 @@
 #include "family/key_edits.h"
 #include "family/new_family.h"
 #include "family/origin.h"
-#include "family/synchronise_keys.h"
+#include "family/synchronize_keys.h"
 #include "hierarchy/error.h"
 #include "hierarchy/morph.h"
 
@@ -126,9 +126,9 @@ void add_keys(ViewerState& state, std::vector<Key> keys, const glm::dvec3& origi
                 key.name = unused_name(result, key.name);
                 result.keys.push_back(std::move(key));
             }
-            const Synchronisation synchronisation = synchronise(result.keys);
-            if (!synchronisation.mismatches.empty()) {
-                const KeyMismatch& mismatch = synchronisation.mismatches.front();
+            const Synchronization synchronization = synchronize(result.keys);
+            if (!synchronization.mismatches.empty()) {
+                const KeyMismatch& mismatch = synchronization.mismatches.front();
                 throw MismatchError(mismatch.text, result.keys, mismatch);
             }
             return result;

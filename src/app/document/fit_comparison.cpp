@@ -94,7 +94,7 @@ FitComparison compare(std::string mesh_name, FittedKey fitted, const Progress& p
     return comparison;
 }
 
-float largest_distance(const FitComparison& comparison) {
+float max_distance(const FitComparison& comparison) {
     return std::max(std::ranges::max(comparison.mesh_distances), std::ranges::max(comparison.key_distances));
 }
 
@@ -111,7 +111,7 @@ std::vector<ComparedKey> compared_keys(const Family& family, const Comparisons& 
 
 std::string in_words(const FitQuality& quality) {
     return fmt::format("at most {:.3g} % of the box diagonal from the mesh, least angle {:.3g} degrees, {}",
-                       100 * quality.hausdorff, quality.least_angle,
+                       100 * quality.hausdorff, quality.min_angle,
                        quality.flipped_leaves == 0 ? "no flipped leaves"
                        : quality.flipped_leaves == 1
                            ? "1 flipped leaf"

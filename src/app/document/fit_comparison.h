@@ -33,7 +33,7 @@ struct FitComparison {
 FitComparison compare(std::string mesh_name, FittedKey fitted, const Progress& progress = {});
 
 /// The largest of all distances.
-float largest_distance(const FitComparison& comparison);
+float max_distance(const FitComparison& comparison);
 
 using Comparisons = std::vector<std::shared_ptr<const FitComparison>>;
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "family/synchronise_keys.h"
+#include "family/synchronize_keys.h"
 
 namespace interleaf {
 

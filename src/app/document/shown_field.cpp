@@ -23,7 +23,7 @@ const FamilyField* shown_field(const Display& display, std::span<const FamilyFie
     return display.coloring == Coloring::field ? find_field(fields, display.field) : nullptr;
 }
 
-void fit_display(Display& display, std::span<const FamilyField> fields) {
+void adapt_display(Display& display, std::span<const FamilyField> fields) {
     if (fields.empty()) {
         if (display.coloring == Coloring::field) display.coloring = Coloring::plain;
         display.field.clear();

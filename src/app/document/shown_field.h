@@ -14,8 +14,8 @@ void require_field(const Display& display, std::span<const FamilyField> fields);
 /// The field that \p display shows; null where it shows none.
 const FamilyField* shown_field(const Display& display, std::span<const FamilyField> fields);
 
-/// Makes \p display fit a family with \p fields: it names one of them, the first if it named none, and
-/// colours plainly where there are none; a range that is not locked is that of all keys.
-void fit_display(Display& display, std::span<const FamilyField> fields);
+/// Adapts \p display to a family with \p fields: it names one of them, the first if it named none, and
+/// colors plainly where there are none; a range that is not locked is that of all keys.
+void adapt_display(Display& display, std::span<const FamilyField> fields);
 
 }  // namespace interleaf

@@ -21,7 +21,7 @@ namespace interleaf {
 enum class FileWish : std::uint8_t { none, open, reopen, save, save_as, add_keys, quit };
 
 /// What the camera shall see the whole of from the next frame on.
-enum class Framing {
+enum class ViewTarget {
     none,      ///< it stays where it is
     surface,   ///< what is shown now
     all_keys,  ///< so that it need not move while they morph
@@ -50,13 +50,13 @@ struct ViewerState {
 
     Comparisons comparisons;      ///< of keys that were fitted to meshes since the document was opened
     bool is_comparing = false;    ///< one of them is shown instead of the document
-    bool compares_colors = true;  ///< with distances as colours
+    bool compares_colors = true;  ///< with distances as colors
     std::shared_ptr<const FitComparison> compared;  ///< which of them; the first where this is none of them
 
     FileWish file_wish = FileWish::none;
     std::optional<TextQuestion> question;
     bool help_shown = false;
-    Framing framing = Framing::all_keys;
+    ViewTarget view_target = ViewTarget::all_keys;
     bool reload_wanted = false;
     bool quit_wanted = false;
     Message message{};  ///< empty for none

@@ -13,14 +13,14 @@ namespace interleaf {
 
 namespace {
 
-constexpr Index most_leaves = 10'000'000;
-constexpr double least_percent = 0.001;
-constexpr double most_percent = 100;
-constexpr double most_degrees = 360;
+constexpr Index max_leaves = 10'000'000;
+constexpr double min_percent = 0.001;
+constexpr double max_percent = 100;
+constexpr double max_degrees = 360;
 
 std::optional<double> degrees_of(const FitChoices::Turn& turn) {
     const std::optional<double> degrees = typed_number<double>(turn.degrees);
-    if (!degrees || !(std::abs(*degrees) <= most_degrees)) return {};
+    if (!degrees || !(std::abs(*degrees) <= max_degrees)) return {};
     return degrees;
 }
 
@@ -30,14 +30,14 @@ std::string fault_of(const FitChoices& choices, const SphereRoots& roots,
                      const std::vector<std::string>& names) {
     if (choices.by_tolerance) {
         const std::optional<double> percent = typed_number<double>(choices.tolerance);
-        if (!percent || !(*percent >= least_percent && *percent <= most_percent))
-            return fmt::format("Tolerance: expected {} to {} % of the box diagonal", least_percent,
-                               most_percent);
+        if (!percent || !(*percent >= min_percent && *percent <= max_percent))
+            return fmt::format("Tolerance: expected {} to {} % of the box diagonal", min_percent,
+                               max_percent);
     } else {
         const std::optional<Index> leaves = typed_count(choices.leaves);
         const Index least = roots.complex.triangle_count();
-        if (!leaves || *leaves < least || *leaves > most_leaves)
-            return fmt::format("Leaves: expected {}, the number of roots, to {}", least, most_leaves);
+        if (!leaves || *leaves < least || *leaves > max_leaves)
+            return fmt::format("Leaves: expected {}, the number of roots, to {}", least, max_leaves);
     }
     for (std::size_t mesh = 0; mesh < choices.turns.size(); ++mesh)
         if (!degrees_of(choices.turns[mesh]))

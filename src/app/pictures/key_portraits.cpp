@@ -62,7 +62,7 @@ bool KeyPortraits::draw_next(std::size_t begin, std::size_t end, int side) {
     renderer_.upload(mesh, normal_form(mesh));
     Camera camera;
     camera.look_from(30, 20);
-    camera.frame(missing->extent, 1);
+    camera.view_all(missing->extent, 1);
     OffscreenTarget target(side, side, samples);
     constexpr std::array<float, 1> weight{1};
     renderer_.draw(target, camera, weight, {});

@@ -36,7 +36,7 @@ class KeyPortraits {
     /// One a key.
     const std::vector<KeyPortrait>& portraits() const { return portraits_; }
 
-    /// Of all keys: what a camera frames, so that it need not move while they morph.
+    /// Of all keys: what a camera views, so that it need not move while they morph.
     const Extent& extent() const { return extent_; }
 
   private:

@@ -26,11 +26,11 @@ constexpr float tube_radius = 0.006F;
 constexpr float ball_radius = 0.014F;
 
 /// Part of the picture's half height that a root fills, from its middle to its corners.
-constexpr float least_reach = 0.45F;
-constexpr float most_reach = 0.75F;
+constexpr float min_reach = 0.45F;
+constexpr float max_reach = 0.75F;
 
 /// Triangles that are looked at to find a view: about a second's worth.
-constexpr std::size_t most_tests = 100'000'000;
+constexpr std::size_t max_tests = 100'000'000;
 
 Extent extent_of(const Hierarchy& key) {
     Extent extent{bounding_box(key.positions), 0};
@@ -141,13 +141,13 @@ Camera looking_at(const Subject& subject, glm::vec3 from, const Extent& extent, 
     Camera camera;
     camera.look_from(glm::degrees(std::atan2(from.x, from.z)),
                      glm::degrees(std::asin(std::clamp(from.y, -1.0F, 1.0F))));
-    camera.frame(extent, aspect);
+    camera.view_all(extent, aspect);
     camera.center(subject.middle);
     const float seen = std::tan(glm::radians(vertical_field_degrees / 2)) *
                        glm::distance(camera.eye(), subject.middle) * std::min(aspect, 1.0F);
     if (!(subject.reach > 0)) return camera;
     const float nearer = seen / subject.reach;
-    camera.approach(std::clamp(1.0F, least_reach * nearer, most_reach * nearer), subject.middle);
+    camera.approach(std::clamp(1.0F, min_reach * nearer, max_reach * nearer), subject.middle);
     return camera;
 }
 
@@ -166,7 +166,7 @@ std::size_t seen_points(const UnionMesh& mesh, const Subject& subject, glm::vec3
 
 Camera best_view(const UnionMesh& mesh, const Subject& subject, const Extent& extent, float aspect) {
     std::vector<glm::vec3> directions = directions_about(subject.normal);
-    const std::size_t affordable = most_tests / (mesh.leaf_count() * subject.points.size());
+    const std::size_t affordable = max_tests / (mesh.leaf_count() * subject.points.size());
     directions.resize(std::clamp<std::size_t>(affordable, 1, directions.size()));
     Camera best;
     std::size_t most = 0;
@@ -187,7 +187,7 @@ void append_color(Buffer<float>& values, glm::vec3 color) {
     values.insert(values.end(), {light.r, light.g, light.b});
 }
 
-/// Gives the leaves of the root vertices of their own, in its colour.
+/// Gives the leaves of the root vertices of their own, in its color.
 void fill_root(MismatchPicture& picture, std::span<const std::size_t> leaves) {
     UnionMesh& mesh = picture.mesh;
     std::map<Index, Index> own;
@@ -251,7 +251,7 @@ MismatchPicture mismatch_picture(const Hierarchy& key, const RootPlace& place, f
     const Extent extent = extent_of(key);
     if (place.root == no_index) {
         picture.camera.look_from(30, 20);
-        picture.camera.frame(extent, aspect);
+        picture.camera.view_all(extent, aspect);
         return picture;
     }
     const Subject subject = subject_in(picture.mesh, place);

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "family/synchronise_keys.h"
+#include "family/synchronize_keys.h"
 #include "hierarchy/union_mesh.h"
 #include "hierarchy/vertex_normals.h"
 #include "render/camera.h"
@@ -25,7 +25,7 @@ RootPlace place_in_reference(const RootMismatch& mismatch);
 /// "bone: root 12, edge (3, 7)"; the name alone for no place.
 std::string caption_of(const std::string& name, const RootPlace& place);
 
-/// What a renderer draws with weight 1, and Coloring::field for the colours.
+/// What a renderer draws with weight 1, and Coloring::field for the colors.
 struct MismatchPicture {
     UnionMesh mesh;  ///< of one key; leaves in the place's root have vertices of their own, behind the key's,
                      ///< and the tube or ball is at the end

@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 
 #include "app/pictures/mismatch_picture.h"
-#include "family/synchronise_keys.h"
+#include "family/synchronize_keys.h"
 #include "render/gl_object.h"
 #include "render/renderer.h"
 #include "ui/dialogs/message_panel.h"

@@ -39,7 +39,7 @@ class MorphSurface {
     void update(const Family& family, const Weights& weights, const FieldName* field);
 
     /// The field of the surface with \p weights where \p ray first meets it: one number, or the linear light
-    /// of a colour. None where it does not, and without a field.
+    /// of a color. None where it does not, and without a field.
     std::optional<glm::vec3> field_at(const Ray& ray, const Weights& weights);
 
     /// The extent of the surface with \p weights. \pre they are those of the last update()

@@ -145,15 +145,15 @@ void DocumentFiles::tell_fit(const FittedMeshes& fitted) {
     if (compared.empty()) return;
     state_.comparisons.insert(state_.comparisons.end(), fitted.comparisons.begin(), fitted.comparisons.end());
     state_.compared = compared.front().comparison;
-    constexpr std::size_t most_lines = 6;
+    constexpr std::size_t max_lines = 6;
     std::string text =
         compared.size() == 1
             ? "A key has been fitted. M compares it with its mesh."
             : fmt::format("{} keys have been fitted. M compares them with their meshes.", compared.size());
-    for (const ComparedKey& each : compared | std::views::take(most_lines))
+    for (const ComparedKey& each : compared | std::views::take(max_lines))
         text += fmt::format("\n{}: {}.", state_.document.family().keys[each.key].name,
                             in_words(each.comparison->quality));
-    if (compared.size() > most_lines) text += fmt::format("\nAnd {} more.", compared.size() - most_lines);
+    if (compared.size() > max_lines) text += fmt::format("\nAnd {} more.", compared.size() - max_lines);
     for (const std::string& warning : fitted.warnings) text += "\n" + warning;
     state_.message = {.text = std::move(text), .kind = MessageKind::notice, .seen = now_};
 }

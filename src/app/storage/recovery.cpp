@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t largest_note = 1 << 16;
+constexpr std::uint64_t max_note_size = 1 << 16;
 constexpr double latest_time = 253'402'300'800;  // the year 10000
 
 [[noreturn]] void fail(const fs::path& path, std::string_view action, const std::error_code& error) {
@@ -48,7 +48,7 @@ fs::path own_name(std::string_view kind, unsigned attempt) {
     return fmt::format("{}-{}-{}{}", self.number, self.start_time, kind, attempt);
 }
 
-constexpr unsigned most_attempts = 1000;
+constexpr unsigned max_attempts = 1000;
 
 bool has_family(const Recovery& recovery) {
     std::error_code ignored;
@@ -57,7 +57,7 @@ bool has_family(const Recovery& recovery) {
 
 RecoveryNote note_in(const fs::path& file) {
     try {
-        return parse_recovery_note(read_text(file, largest_note), file.string());
+        return parse_recovery_note(read_text(file, max_note_size), file.string());
     } catch (const std::runtime_error&) {
         return {.name = "Unnamed", .document_folder = {}, .time = 0};
     }
@@ -98,7 +98,7 @@ Recovery make_recovery(const fs::path& state_folder) {
     std::error_code error;
     fs::create_directories(all, error);
     if (error) fail(all, "make the folder", error);
-    for (unsigned attempt = 1; attempt <= most_attempts; ++attempt) {
+    for (unsigned attempt = 1; attempt <= max_attempts; ++attempt) {
         Recovery recovery{.folder = all / own_name("", attempt), .note = {}};
         // A document may be private: the folder is its owner's alone.
         if (::mkdir(recovery.folder.c_str(), 0700) == 0) return recovery;
@@ -131,7 +131,7 @@ std::vector<Recovery> abandoned_recoveries(const fs::path& state_folder) {
 
 std::optional<Recovery> claim_recovery(const Recovery& recovery) {
     const fs::path all = recovery.folder.parent_path();
-    for (unsigned attempt = 1; attempt <= most_attempts; ++attempt) {
+    for (unsigned attempt = 1; attempt <= max_attempts; ++attempt) {
         Recovery claimed{.folder = all / own_name("claimed-", attempt), .note = recovery.note};
         std::error_code error;
         if (fs::exists(fs::symlink_status(claimed.folder, error))) continue;

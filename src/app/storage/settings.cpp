@@ -20,8 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr std::uint64_t largest_file = 1 << 20;
-constexpr std::size_t largest_window = 32'768;  // what GLFW and X11 can express, and more than any screen has
+constexpr std::uint64_t max_file_size = 1 << 20;
+constexpr std::size_t max_window_size =
+    32'768;  // what GLFW and X11 can express, and more than any screen has
 
 fs::path path_at(const JsonPlace& place) {
     const std::string text = place.string();
@@ -34,14 +35,14 @@ std::vector<fs::path> paths_at(const JsonPlace& place) {
     std::vector<fs::path> paths;
     for (std::size_t i = 0; i < place.size(); ++i) {
         fs::path path = path_at(place.element(i));
-        if (paths.size() < most_recent_paths && std::ranges::find(paths, path) == paths.end())
+        if (paths.size() < max_recent_paths && std::ranges::find(paths, path) == paths.end())
             paths.push_back(std::move(path));
     }
     return paths;
 }
 
 int length_at(const JsonPlace& place) {
-    const std::uint32_t length = place.index_below(largest_window);
+    const std::uint32_t length = place.index_below(max_window_size);
     if (length == 0) place.fail_expecting("a size above 0");
     return static_cast<int>(length);
 }
@@ -102,7 +103,7 @@ void remember(std::vector<fs::path>& recent, const fs::path& path) {
     if (!whole.has_filename()) whole = whole.parent_path();  // it ends with a '/'
     std::erase(recent, whole);
     recent.insert(recent.begin(), whole);
-    if (recent.size() > most_recent_paths) recent.resize(most_recent_paths);
+    if (recent.size() > max_recent_paths) recent.resize(max_recent_paths);
 }
 
 void remember_document(std::vector<fs::path>& recent, const fs::path& path) {
@@ -116,9 +117,9 @@ void remember_document(std::vector<fs::path>& recent, const fs::path& path) {
 }
 
 Settings parse_settings(std::string_view json, std::string_view name) {
-    if (json.size() > largest_file)
+    if (json.size() > max_file_size)
         throw InputError(
-            fmt::format("{}: size: {} bytes, expected at most {}", name, json.size(), largest_file));
+            fmt::format("{}: size: {} bytes, expected at most {}", name, json.size(), max_file_size));
     const nlohmann::json document = parse_json(json, name);
     const JsonPlace root(document, std::string(name));
     Settings settings;
@@ -141,7 +142,7 @@ LoadedSettings load_settings(const fs::path& file) {
     std::error_code ignored;
     if (!fs::exists(fs::symlink_status(file, ignored))) return {};
     try {
-        return {.settings = parse_settings(read_text(file, largest_file), file.string()), .message = ""};
+        return {.settings = parse_settings(read_text(file, max_file_size), file.string()), .message = ""};
     } catch (const InputError& error) {
         return {.settings = {}, .message = keep_damaged(file, error.what())};
     } catch (const MachineError& error) {

@@ -24,7 +24,7 @@ struct Settings {
 };
 
 /// Of files, and of folders.
-inline constexpr std::size_t most_recent_paths = 12;
+inline constexpr std::size_t max_recent_paths = 12;
 
 /// Puts \p path in front of \p recent, made absolute, and drops what is too old.
 void remember(std::vector<std::filesystem::path>& recent, const std::filesystem::path& path);

@@ -8,14 +8,14 @@
 
 namespace interleaf {
 
-/// A point of the window in \p view's normalised device coordinates, -1 to 1, y up.
+/// A point of the window in \p view's normalized device coordinates, -1 to 1, y up.
 glm::vec2 device_coordinates(const Rect& view, glm::vec2 point);
 
 /// Width over height.
 float aspect_of(const Rect& view);
 
 /// Turns and shifts \p camera; comes nearer to what is under the pointer in \p picture, which fills \p view;
-/// null for no picture yet. Framing is left to the caller.
+/// null for no picture yet. ViewTarget is left to the caller.
 void move_camera(Camera& camera, const ViewInput& input, const Rect& view, OffscreenTarget* picture);
 
 }  // namespace interleaf

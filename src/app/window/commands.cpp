@@ -279,7 +279,7 @@ constexpr Command table[] = {
      "Frame model",
      {{{GLFW_KEY_F}}},
      "See the whole of what is shown (or double-click it)",
-     [](ViewerState& state, double) { state.framing = Framing::surface; }},
+     [](ViewerState& state, double) { state.view_target = ViewTarget::surface; }},
     {"View",
      "Smooth shading",
      {{{GLFW_KEY_S}}},
@@ -305,9 +305,9 @@ constexpr Command table[] = {
      toggle<&Display::root_edges>,
      is_on<&Display::root_edges>},
     {"View",
-     "Next colouring",
+     "Next coloring",
      {{{GLFW_KEY_C}}},
-     "Colour plainly, by level, by origin, checker, by field",
+     "Color plainly, by level, by origin, checker, by field",
      cycle_coloring},
     {"View",
      "Compare with mesh",
@@ -351,7 +351,8 @@ std::span<const Command> commands() {
 
 const Command* find_command(Shortcut shortcut) {
     const auto* const found = std::ranges::find_if(table, [shortcut](const Command& command) {
-        return shortcut.key != 0 && std::ranges::find(command.shortcuts, shortcut) != command.shortcuts.end();
+        return shortcut.keyboard_key != 0 &&
+               std::ranges::find(command.shortcuts, shortcut) != command.shortcuts.end();
     });
     return found == std::end(table) ? nullptr : found;
 }

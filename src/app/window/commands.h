@@ -10,9 +10,9 @@
 
 namespace interleaf {
 
-/// A key as GLFW numbers it, with GLFW_MOD_CONTROL, _SHIFT and _ALT bits.
+/// A key of the keyboard with GLFW_MOD_CONTROL, _SHIFT and _ALT bits.
 struct Shortcut {
-    int key = 0;  ///< 0 for none
+    int keyboard_key = 0;  ///< as GLFW numbers it; 0 for none
     int modifiers = 0;
     bool operator==(const Shortcut&) const = default;
 };

@@ -76,7 +76,7 @@ ComparisonShown shown_of(const ViewerState& state, const std::vector<ComparedKey
                           .chosen = chosen,
                           .hausdorff = 100 * quality.hausdorff,
                           .root_mean_square = 100 * quality.root_mean_square,
-                          .least_angle = quality.least_angle,
+                          .min_angle = quality.min_angle,
                           .flipped_leaves = quality.flipped_leaves,
                           .has_colors = state.compares_colors,
                           .scale = scale};
@@ -101,15 +101,15 @@ void ComparisonView::take(std::shared_ptr<const FitComparison> taken, std::strin
         side.renderer.upload(side.mesh, normal_form(side.mesh));
         side.renderer.set_field(&side.mesh.fields.front());
     }
-    scale_ = {.map = ColorMap::viridis, .range = {0, largest_distance(comparison)}};
+    scale_ = {.map = ColorMap::viridis, .range = {0, max_distance(comparison)}};
     extent_ = extent_of_both(comparison);
     camera_ = from;
-    frame_wanted_ = true;
+    view_all_wanted_ = true;
     shown_ = std::move(taken);
     ++surface_;
 }
 
-void ComparisonView::show(ViewerState& state, const Rect& area, const Camera& from, bool takes_keys) {
+void ComparisonView::show(ViewerState& state, const Rect& area, const Camera& from, bool takes_keyboard) {
     const auto compared = compared_keys(state.document.family(), state.comparisons);
     const auto found = std::ranges::find(compared, state.compared, &ComparedKey::comparison);
     const std::size_t chosen =
@@ -124,16 +124,17 @@ void ComparisonView::show(ViewerState& state, const Rect& area, const Camera& fr
     pointer_.reset();
     (*sides_)[0].view = {area.x, area.y, half, height};
     (*sides_)[1].view = {area.x + half, area.y, area.width - half, height};
-    if (std::exchange(state.framing, Framing::none) != Framing::none) frame_wanted_ = true;
+    if (std::exchange(state.view_target, ViewTarget::none) != ViewTarget::none) view_all_wanted_ = true;
     show_side((*sides_)[0], "mesh");
     show_side((*sides_)[1], "key");
-    if (std::exchange(frame_wanted_, false)) camera_.frame(extent_, aspect_of((*sides_)[0].view));
+    if (std::exchange(view_all_wanted_, false)) camera_.view_all(extent_, aspect_of((*sides_)[0].view));
 
     ImGui::GetBackgroundDrawList()->AddLine({area.x + half, area.y}, {area.x + half, area.y + height},
                                             colors::dark);
 
-    const ComparisonResult result = comparison_panel({area.x, area.y + height, area.width, panel},
-                                                     shown_of(state, compared, chosen, scale_), takes_keys);
+    const ComparisonResult result =
+        comparison_panel({area.x, area.y + height, area.width, panel},
+                         shown_of(state, compared, chosen, scale_), takes_keyboard);
     state.compared = compared[result.chosen].comparison;
     has_colors_ = state.compares_colors = result.has_colors;
     if (result.is_over) state.is_comparing = false;
@@ -142,7 +143,7 @@ void ComparisonView::show(ViewerState& state, const Rect& area, const Camera& fr
 void ComparisonView::show_side(Side& side, const char* name) {
     const ViewInput input = view_area(side.view, name);
     move_camera(camera_, input, side.view, side.picture.target());
-    if (input.frame) frame_wanted_ = true;
+    if (input.view_all) view_all_wanted_ = true;
     if (input.pointed_at) {
         pointer_ = input.pointer;
         pointed_at_ = static_cast<std::size_t>(&side - sides_->data());

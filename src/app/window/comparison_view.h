@@ -1,4 +1,4 @@
-// A fitted key and its mesh side by side in the window, seen by one camera, with their distances as colours.
+// A fitted key and its mesh side by side in the window, seen by one camera, with their distances as colors.
 #pragma once
 
 #include <array>
@@ -22,9 +22,9 @@ class ComparisonView {
     /// Shows the comparison that \p state has come to, and its panel, in \p area: instead of the document.
     /// Choices made there, and the wish to go back, go into \p state. What is compared is seen from where
     /// \p from looks when it is not the pair of the frame before.
-    /// \param takes_keys  whether the keyboard is for it
+    /// \param takes_keyboard  whether the keyboard is for it
     /// \pre a context is current; state.is_comparing, with something to compare
-    void show(ViewerState& state, const Rect& area, const Camera& from, bool takes_keys);
+    void show(ViewerState& state, const Rect& area, const Camera& from, bool takes_keyboard);
 
     /// Draws both surfaces into the window, \p window_height high, below what show() has put there.
     /// \return whether the pictures are as good as they get; otherwise draw again soon
@@ -58,7 +58,7 @@ class ComparisonView {
     Camera camera_;
     ColorScale scale_;
     bool has_colors_ = true;
-    bool frame_wanted_ = false;
+    bool view_all_wanted_ = false;
     std::optional<glm::vec2> pointer_;  ///< that rests over a side
     std::size_t pointed_at_ = 0;        ///< which one
 };

@@ -10,7 +10,7 @@ namespace interleaf {
 
 namespace {
 
-std::string key_text(int key) {
+std::string keyboard_key_text(int key) {
     switch (key) {
         case GLFW_KEY_SPACE:
             return "Space";
@@ -46,7 +46,7 @@ std::string shortcut_text(Shortcut shortcut) {
     if ((shortcut.modifiers & GLFW_MOD_CONTROL) != 0) text += "Ctrl+";
     if ((shortcut.modifiers & GLFW_MOD_SHIFT) != 0) text += "Shift+";
     if ((shortcut.modifiers & GLFW_MOD_ALT) != 0) text += "Alt+";
-    return text + key_text(shortcut.key);
+    return text + keyboard_key_text(shortcut.keyboard_key);
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ std::string shortcut_text(Shortcut shortcut) {
 std::string shortcut_text(const Command& command) {
     std::string text;
     for (const Shortcut shortcut : command.shortcuts) {
-        if (shortcut.key == 0) continue;
+        if (shortcut.keyboard_key == 0) continue;
         if (!text.empty()) text += " or ";
         text += shortcut_text(shortcut);
     }

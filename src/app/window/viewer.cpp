@@ -209,10 +209,10 @@ void Viewer::frame() {
     int width = 0;
     int height = 0;
     glfwGetWindowSize(window_.handle(), &width, &height);
-    if (width == 0 || height == 0) return;  // minimised
+    if (width == 0 || height == 0) return;  // minimized
 
     const double now = glfwGetTime();
-    gui_.begin_frame(std::exchange(input_.keys, {}));
+    gui_.begin_frame(std::exchange(input_.keyboard_keys, {}));
     read_input(now);
     state_.session.advance(now);
     places_ = {.window = {width, height},
@@ -309,7 +309,7 @@ void Viewer::follow_document() {
 }
 
 void Viewer::update_surface() {
-    fit_display(state_.session.display, fields_);
+    adapt_display(state_.session.display, fields_);
     const FamilyField* const field = shown();
     surface_.update(state_.session.family(), state_.session.weights(), field ? &field->label : nullptr);
 }
@@ -399,16 +399,16 @@ void Viewer::show_keys_and_display(double now) {
 
 void Viewer::move_camera(const ViewInput& input) {
     interleaf::move_camera(camera_, input, layout_.view, picture_.target());
-    if (input.frame) state_.framing = Framing::surface;
+    if (input.view_all) state_.view_target = ViewTarget::surface;
 }
 
 /// \pre the surface is that of the present weights
 void Viewer::frame_camera() {
-    const Framing framing = std::exchange(state_.framing, Framing::none);
-    if (framing == Framing::surface)
-        camera_.frame(surface_.extent(state_.session.weights()), aspect_of(layout_.view));
-    else if (framing == Framing::all_keys)
-        camera_.frame(portraits_.extent(), aspect_of(layout_.view));
+    const ViewTarget view_target = std::exchange(state_.view_target, ViewTarget::none);
+    if (view_target == ViewTarget::surface)
+        camera_.view_all(surface_.extent(state_.session.weights()), aspect_of(layout_.view));
+    else if (view_target == ViewTarget::all_keys)
+        camera_.view_all(portraits_.extent(), aspect_of(layout_.view));
 }
 
 void Viewer::draw_surface() {

@@ -12,7 +12,7 @@ GLFWwindow* watch_input(GLFWwindow* window, WindowInput& input) {
     glfwSetKeyCallback(window, [](GLFWwindow* source, int key, int, int action, int modifiers) {
         if (action == GLFW_RELEASE) return;
         auto& seen = *static_cast<WindowInput*>(glfwGetWindowUserPointer(source));
-        if (action == GLFW_PRESS) seen.keys.push_back(key);
+        if (action == GLFW_PRESS) seen.keyboard_keys.push_back(key);
         const Shortcut shortcut{key, modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT)};
         const Command* const command = find_command(shortcut);
         if (command == nullptr || (action == GLFW_REPEAT && !command->repeats)) return;

@@ -29,8 +29,8 @@ void check_numbers(const SurfaceMesh& mesh) {
             fmt::format("the mesh has {} vertices and {} triangles, at most 2^30 of each are expected",
                         mesh.positions.size(), mesh.triangles.size()));
     if (!mesh.colors.empty() && mesh.colors.size() != mesh.positions.size())
-        throw InputError(fmt::format("the mesh has {} colours for {} vertices", mesh.colors.size(),
-                                     mesh.positions.size()));
+        throw InputError(
+            fmt::format("the mesh has {} colors for {} vertices", mesh.colors.size(), mesh.positions.size()));
     const auto is_good = [](double number) {  // not of a NaN either
         return std::abs(number) <= std::numeric_limits<float>::max();
     };
@@ -121,7 +121,7 @@ SurfaceMesh used_part(std::span<const glm::dvec3> positions, std::vector<Triangl
 
 /// Fills holes; refuses some as large as the surface.
 void fill(SurfaceMesh& mesh, std::span<const Index> twin, CleanUpReport& report, ProgressMeter& meter) {
-    constexpr double largest_part = 0.95;  // of the surface's own area; the lid of a shallow dish
+    constexpr double max_part = 0.95;  // of the surface's own area; the lid of a shallow dish
     const std::size_t own_count = mesh.triangles.size();
     const std::vector<FilledHole> holes = fill_holes(mesh, twin, meter);
     if (holes.empty()) return;
@@ -138,7 +138,7 @@ void fill(SurfaceMesh& mesh, std::span<const Index> twin, CleanUpReport& report,
         begin += hole.triangles;
     }
     std::ranges::stable_sort(report.fillings, std::greater(), &MadeFilling::area);
-    if (!(report.made_area < largest_part))
+    if (!(report.made_area < max_part))
         throw InputError(fmt::format(
             "the surface is an open sheet, not closed: to fill its {} would take {:.0f} % of its own area{}",
             holes.size() == 1 ? "hole" : fmt::format("{} holes", holes.size()), 100 * report.made_area,
@@ -193,13 +193,13 @@ void weld_equal(SurfaceMesh& mesh, CleanUpReport& report, ProgressMeter& meter) 
 /// Refuses what is no surface at all: triangles that share no edges, and the faces inside a volume mesh.
 void check_edges(std::size_t triangles, std::span<const Index> twin, std::size_t crowded_edges) {
     const auto open = static_cast<std::size_t>(std::ranges::count(twin, no_index));
-    constexpr std::size_t least_triangles = 8;
-    if (triangles >= least_triangles && open == twin.size() && crowded_edges == 0)
+    constexpr std::size_t min_triangles = 8;
+    if (triangles >= min_triangles && open == twin.size() && crowded_edges == 0)
         throw InputError(fmt::format(
             "no two of the {} triangles share an edge: their corners are apart, and too far to be joined",
             triangles));
-    constexpr std::size_t least_of_volume = 100;
-    if (triangles >= least_of_volume && 4 * crowded_edges > triangles)
+    constexpr std::size_t min_of_volume = 100;
+    if (triangles >= min_of_volume && 4 * crowded_edges > triangles)
         throw InputError(
             fmt::format("more than two triangles meet at {} edges of {} triangles: these may be all faces of "
                         "a volume mesh; its "

@@ -85,8 +85,8 @@ std::vector<std::string> CleanUpReport::sentences() const {
                                    dropped_parts.size() == 1 ? "component" : "components",
                                    triangles_text(dropped_triangles()),
                                    dropped_parts.size() == 1 ? "was" : "were", percent(dropped_area)));
-    say(turned_triangles, "triangle was turned to agree with its neighbours",
-        "triangles were turned to agree with their neighbours");
+    say(turned_triangles, "triangle was turned to agree with its neighbors",
+        "triangles were turned to agree with their neighbors");
     say(split_vertices, "vertex was added where the surface touches itself",
         "vertices were added where the surface touches itself");
     say(split_edges, "edge that joined the same vertices as another got a midpoint",

@@ -31,7 +31,7 @@ struct CleanUpReport {
     double dropped_area = 0;                 ///< of all parts' area, the part that was dropped
     std::size_t split_vertices = 0;          ///< added where the surface touches itself at a point
     std::size_t split_edges = 0;             ///< of two that joined the same vertices, given a midpoint
-    std::size_t turned_triangles = 0;        ///< that disagreed with their neighbours
+    std::size_t turned_triangles = 0;        ///< that disagreed with their neighbors
     std::vector<MadeFilling> fillings;       ///< of holes, the largest first
     double made_area = 0;                    ///< of fillings, as a part of the area of what they close
     bool turned_outward = false;             ///< the whole surface looked inward

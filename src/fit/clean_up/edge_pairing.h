@@ -1,4 +1,4 @@
-// Finds which triangles are neighbours in a heap of triangles that need not be a manifold, nor be oriented.
+// Finds which triangles are neighbors in a heap of triangles that need not be a manifold, nor be oriented.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 namespace interleaf {
 namespace {
 
-/// A position and a colour that are blended alike.
+/// A position and a color that are blended alike.
 struct Sample {
     glm::dvec3 position{0};
     glm::vec3 color{0};
@@ -30,13 +30,13 @@ class Filler {
             add(rim[0], rim[1], rim[2]);
             return;
         }
-        constexpr std::size_t most_spokes = 8;
+        constexpr std::size_t max_spokes = 8;
         std::vector<Sample> rim_samples;
         rim_samples.reserve(rim.size());
         for (const Index vertex : rim) rim_samples.push_back(sample(vertex));
         const Sample middle = middle_of(rim_samples);
         std::vector<Index> outer = std::move(rim);
-        while (outer.size() > most_spokes) {
+        while (outer.size() > max_spokes) {
             std::vector<Index> inner = add_ring(rim_samples, middle, (outer.size() + 1) / 2);
             add_strip(outer, inner);
             outer = std::move(inner);

@@ -27,7 +27,7 @@ std::size_t remove_duplicates(std::vector<Triangle>& triangles, ProgressMeter& m
 /// The component of each triangle, numbered from 0 by their first triangles.
 std::vector<Index> components_of(std::span<const Index> twin, ProgressMeter& meter);
 
-/// Turns triangles over until each agrees with its neighbours, the first of each component kept as it is; how
+/// Turns triangles over until each agrees with its neighbors, the first of each component kept as it is; how
 /// many. \throw InputError naming an edge when the surface is one-sided
 std::size_t make_agree(std::vector<Triangle>& triangles, std::vector<Index>& twin, ProgressMeter& meter);
 

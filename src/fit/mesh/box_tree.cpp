@@ -7,7 +7,7 @@
 namespace interleaf {
 namespace {
 
-constexpr Index most_items = 4;
+constexpr Index max_items = 4;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void BoxTree::build(Index number, Index begin, Index end, std::span<const SpaceB
         centers = {glm::min(centers.min, doubled_center(item)), glm::max(centers.max, doubled_center(item))};
     }
     nodes_[number] = {box, begin, end - begin};
-    if (end - begin <= most_items) return;
+    if (end - begin <= max_items) return;
 
     const glm::dvec3 sides = centers.max - centers.min;
     const int axis = sides.x >= sides.y && sides.x >= sides.z ? 0 : (sides.y >= sides.z ? 1 : 2);

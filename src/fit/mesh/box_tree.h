@@ -1,6 +1,6 @@
 // A bounding volume tree: finds, among many boxes, those that contain a point, or the item nearest to one.
 //
-// Boxes are halved at the median of their centres along the longest axis, down to a few a node. Ties are
+// Boxes are halved at the median of their centers along the longest axis, down to a few a node. Ties are
 // broken by number, so the tree, and the order in which it is walked, depend on the boxes alone.
 #pragma once
 
@@ -41,7 +41,7 @@ class BoxTree {
     /// returns true. \return whether it did
     template <typename Visit>
     bool find(const glm::dvec3& point, Visit visit) const {
-        std::array<Index, most_levels> open;
+        std::array<Index, max_levels> open;
         std::size_t count = 0;
         open[count++] = 0;
         while (count > 0) {
@@ -64,7 +64,7 @@ class BoxTree {
     template <typename SquaredDistance>
     void find_nearest(const glm::dvec3& point, double& least, double enough,
                       SquaredDistance squared_distance) const {
-        std::array<std::pair<double, Index>, most_levels> open;
+        std::array<std::pair<double, Index>, max_levels> open;
         std::size_t count = 0;
         open[count++] = {nodes_[0].box.squared_distance(point), 0};
         while (count > 0 && least > enough) {
@@ -84,7 +84,7 @@ class BoxTree {
 
   private:
     /// Halving 2^32 items ends well before this many levels.
-    static constexpr std::size_t most_levels = 48;
+    static constexpr std::size_t max_levels = 48;
 
     struct Node {
         SpaceBox box;

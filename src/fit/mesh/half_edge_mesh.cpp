@@ -89,10 +89,10 @@ bool HalfEdgeMesh::is_connected() const {
         waiting.pop_back();
         ++count;
         for (Index k = 0; k < 3; ++k) {
-            const Index neighbour = twin_[3 * triangle + k] / 3;
-            if (is_reached[neighbour]) continue;
-            is_reached[neighbour] = 1;
-            waiting.push_back(neighbour);
+            const Index neighbor = twin_[3 * triangle + k] / 3;
+            if (is_reached[neighbor]) continue;
+            is_reached[neighbor] = 1;
+            waiting.push_back(neighbor);
         }
     }
     return count == triangle_capacity();

@@ -1,7 +1,8 @@
 // A closed triangle mesh as half-edges, with edge collapses that can be undone in reverse order, edge flips
 // and edge splits.
 //
-// Half-edge 3 t + k runs from corner k of triangle t to its next corner. A half-edge collapse (v to w) takes
+// Half-edge 3 t + k runs from corner k of triangle t to its next corner. It is not the side k of t, which is
+// opposite corner k (hierarchy/triangle.h); on_side() converts. A half-edge collapse (v to w) takes
 // v and two triangles away; what those two held stays in place, so that undoing needs nothing but the
 // collapsed half-edge (the links "dance" back, Knuth 2000). The mesh must be a simplicial complex and stay
 // one: see decimation.h.
@@ -24,6 +25,9 @@ class HalfEdgeMesh {
 
     static Index next(Index half_edge) { return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1; }
     static Index previous(Index half_edge) { return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1; }
+
+    /// The half-edge that lies on side k of triangle t, opposite its corner k.
+    static Index on_side(Index triangle, Index k) { return next(3 * triangle + k); }
 
     Index vertex_capacity() const { return static_cast<Index>(outgoing_.size()); }
     Index triangle_capacity() const { return static_cast<Index>(origin_.size() / 3); }
@@ -48,7 +52,7 @@ class HalfEdgeMesh {
     Index rotated(Index half_edge) const { return twin_[previous(half_edge)]; }
 
     /// Moves the origin v of \p half_edge onto its target w: v and the two triangles at the edge go.
-    /// \pre v and w have exactly two common neighbours, and there are more than four vertices.
+    /// \pre v and w have exactly two common neighbors, and there are more than four vertices.
     void collapse(Index half_edge);
 
     /// Undoes the last collapse that has not been undone, which was of \p half_edge.

@@ -16,13 +16,13 @@
 namespace interleaf {
 namespace {
 
-constexpr int most_rounds = 6;
+constexpr int max_rounds = 6;
 
-/// Parts of the way to a neighbour that are tried, towards it and away from it.
+/// Parts of the way to a neighbor that are tried, towards it and away from it.
 constexpr std::array<double, 10> way_parts = {0.4, -0.4, 0.2, -0.2, 0.1, -0.1, 0.05, -0.05, 0.025, -0.025};
 
 /// Places of a vertex, those of the best angles first, that are looked at closely.
-constexpr std::size_t most_places = 8;
+constexpr std::size_t max_places = 8;
 
 /// After a move no place of the star may be farther than this part of the largest distance there is: a
 /// margin, since distances are measured at some places only.
@@ -33,7 +33,7 @@ constexpr auto coarse_grid = barycentric_grid<4>();
 constexpr auto fine_grid = barycentric_grid<8>();
 
 /// The cosine of the least angle; 1 for a triangle without area.
-double largest_cosine(const TriangleCorners& corners) {
+double max_cosine(const TriangleCorners& corners) {
     double largest = -1;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 a = corners[(i + 1) % 3] - corners[i];
@@ -56,7 +56,7 @@ TriangleCorners corners_of(const Triangle& leaf, const SampledSurface& surface) 
 
 bool is_faulty(const Triangle& leaf, const SampledSurface& surface, const MappedSurface& mapped,
                double good_cosine) {
-    return largest_cosine(corners_of(leaf, surface)) > good_cosine || is_turned_over(leaf, surface, mapped);
+    return max_cosine(corners_of(leaf, surface)) > good_cosine || is_turned_over(leaf, surface, mapped);
 }
 
 /// What is wrong with some leaves.
@@ -84,15 +84,15 @@ class Smoothing {
         for (const Leaf& leaf : surface.leaves) leaves_.push_back(leaf.vertices);
         gather_stars();
         assign_vertices(meter);
-        allowed_distance_ = near_enough * largest_distance(meter);
+        allowed_distance_ = near_enough * max_distance(meter);
     }
 
-    void run(std::size_t fixed_vertices, std::size_t most_tries, ProgressMeter& meter) {
+    void run(std::size_t fixed_vertices, std::size_t max_tries, ProgressMeter& meter) {
         bool moved = true;
         std::size_t tries = 0;
-        for (int round = 0; round < most_rounds && moved && tries < most_tries; ++round) {
+        for (int round = 0; round < max_rounds && moved && tries < max_tries; ++round) {
             moved = false;
-            meter.set_part(double(round) / most_rounds);
+            meter.set_part(double(round) / max_rounds);
             for (const Index leaf : faulty_leaves(meter))
                 for (const Index vertex : leaves_[leaf]) {
                     if (vertex < fixed_vertices || at_rest_[vertex] || !is_faulty(leaf)) continue;
@@ -123,7 +123,7 @@ class Smoothing {
     std::vector<Index> faulty_leaves(ProgressMeter& meter) const;
     bool improve(Index vertex);
     std::vector<Place> better_places(Index vertex, const Fault& before);
-    double largest_distance(ProgressMeter& meter) const;
+    double max_distance(ProgressMeter& meter) const;
     bool is_near(std::span<const Index> star, std::span<const glm::dvec3> grid) const;
 
     TriangleCorners corners(Index leaf) const { return corners_of(leaves_[leaf], surface_); }
@@ -141,7 +141,7 @@ class Smoothing {
         Fault found{0, good_cosine_};
         for (const Index leaf : star) {
             found.turned_over += is_turned_over(leaves_[leaf], surface_, mapped_);
-            found.cosine = std::max(found.cosine, largest_cosine(corners(leaf)));
+            found.cosine = std::max(found.cosine, max_cosine(corners(leaf)));
         }
         return found;
     }
@@ -221,7 +221,7 @@ std::vector<Index> Smoothing::faulty_leaves(ProgressMeter& meter) const {
 }
 
 /// Of the mesh from the key, at its vertices and at the middles of leaves.
-double Smoothing::largest_distance(ProgressMeter& meter) const {
+double Smoothing::max_distance(ProgressMeter& meter) const {
     const std::vector<glm::dvec3> positions(surface_.positions.begin(), surface_.positions.end());
     const SurfaceDistance to_key(leaves_, positions);
     Index nearest = no_index;
@@ -282,7 +282,7 @@ std::vector<Place> Smoothing::better_places(Index vertex, const Fault& before) {
             put(vertex, place);
             double cosine = -1;
             for (const Index other : star(vertex)) {
-                cosine = std::max(cosine, largest_cosine(corners(other)));
+                cosine = std::max(cosine, max_cosine(corners(other)));
                 if (cosine > before.cosine) break;
             }
             if (cosine <= before.cosine) found.emplace_back(cosine, place);
@@ -302,7 +302,7 @@ bool Smoothing::improve(Index vertex) {
     const Place here = place_of(vertex);
     std::size_t tried = 0;
     for (const Place& place : better_places(vertex, before)) {
-        if (tried++ == most_places) break;
+        if (tried++ == max_places) break;
         put(vertex, place);
         if (fault(star(vertex)).is_less_than(before) && is_near(star(vertex), coarse_grid) &&
             is_near(star(vertex), fine_grid)) {
@@ -320,10 +320,10 @@ bool Smoothing::improve(Index vertex) {
 }  // namespace
 
 void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, SampledSurface& surface,
-                   const Progress& progress, std::size_t most_tries) {
+                   const Progress& progress, std::size_t max_tries) {
     ProgressMeter meter(progress);
     meter.enter("smoothing", 0);
-    Smoothing(mapped, surface, meter).run(fixed_vertices, most_tries, meter);
+    Smoothing(mapped, surface, meter).run(fixed_vertices, max_tries, meter);
 }
 
 std::size_t count_faulty_leaves(const MappedSurface& mapped, const SampledSurface& surface) {

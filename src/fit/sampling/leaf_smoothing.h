@@ -24,11 +24,10 @@ inline constexpr double smoothed_angle = 18;
 /// mesh was, at its vertices and on a grid over the leaves; between these it may be a little farther.
 /// \param surface         sampled from \p mapped
 /// \param fixed_vertices  the first so many stay where they are: those of the roots
-/// \param most_tries      no further round begins when so many vertices have looked for better places
+/// \param max_tries      no further round begins when so many vertices have looked for better places
 /// \throw Cancelled
 void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, SampledSurface& surface,
-                   const Progress& progress,
-                   std::size_t most_tries = std::numeric_limits<std::size_t>::max());
+                   const Progress& progress, std::size_t max_tries = std::numeric_limits<std::size_t>::max());
 
 /// The leaves that smooth_leaves() tries to mend: of a small angle, or turned over.
 std::size_t count_faulty_leaves(const MappedSurface& mapped, const SampledSurface& surface);

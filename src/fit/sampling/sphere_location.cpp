@@ -14,7 +14,7 @@ namespace interleaf {
 namespace {
 
 /// Of a walk: it comes to its end in fewer from nearby, and might go in circles.
-constexpr int most_steps = 24;
+constexpr int max_steps = 24;
 
 /// Boxes are larger by this, so that rounding leaves no direction outside all of them.
 constexpr double rounding = 1e-12;
@@ -42,13 +42,13 @@ std::vector<SpaceBox> cone_boxes_of(std::span<const Triangle> triangles, std::sp
     return boxes;
 }
 
-std::vector<Triangle> neighbours_of(std::span<const Triangle> triangles, std::size_t vertex_count) {
+std::vector<Triangle> neighbors_of(std::span<const Triangle> triangles, std::size_t vertex_count) {
     const HalfEdgeMesh mesh(static_cast<Index>(vertex_count), triangles);
-    std::vector<Triangle> neighbours(triangles.size());
+    std::vector<Triangle> neighbors(triangles.size());
     for (Index t = 0; t < triangles.size(); ++t)
         for (Index corner = 0; corner < 3; ++corner)
-            neighbours[t][corner] = mesh.twin(HalfEdgeMesh::next(3 * t + corner)) / 3;
-    return neighbours;
+            neighbors[t][corner] = mesh.twin(HalfEdgeMesh::on_side(t, corner)) / 3;
+    return neighbors;
 }
 
 }  // namespace
@@ -56,10 +56,10 @@ std::vector<Triangle> neighbours_of(std::span<const Triangle> triangles, std::si
 SphereLocation::SphereLocation(std::span<const Triangle> triangles, std::span<const glm::dvec3> points)
     : triangles_(triangles),
       points_(points),
-      neighbours_(neighbours_of(triangles, points.size())),
+      neighbors_(neighbors_of(triangles, points.size())),
       tree_(cone_boxes_of(triangles, points)) {}
 
-/// The coordinates of \p direction in the cone of a triangle, not normalised: side_of_arc() of the edges
+/// The coordinates of \p direction in the cone of a triangle, not normalized: side_of_arc() of the edges
 /// opposite to its corners.
 glm::dvec3 SphereLocation::volumes(Index triangle, const glm::dvec3& direction) const {
     const auto& [a, b, c] = triangles_[triangle];
@@ -68,13 +68,13 @@ glm::dvec3 SphereLocation::volumes(Index triangle, const glm::dvec3& direction) 
 }
 
 MeshPoint SphereLocation::locate(const glm::dvec3& direction, Index guess) const {
-    for (int steps = 0; guess != no_index && steps < most_steps; ++steps) {
+    for (int steps = 0; guess != no_index && steps < max_steps; ++steps) {
         const glm::dvec3 inside = volumes(guess, direction);
         const glm::length_t farthest =
             inside.x <= inside.y ? (inside.x <= inside.z ? 0 : 2) : (inside.y <= inside.z ? 1 : 2);
         const double sum = inside.x + inside.y + inside.z;
         if (inside[farthest] >= 0 && sum > 0) return {guess, inside / sum};
-        guess = neighbours_[guess][static_cast<std::size_t>(farthest)];
+        guess = neighbors_[guess][static_cast<std::size_t>(farthest)];
     }
 
     MeshPoint best;

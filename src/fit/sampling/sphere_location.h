@@ -54,7 +54,7 @@ class SphereLocation {
 
     std::span<const Triangle> triangles_;
     std::span<const glm::dvec3> points_;
-    std::vector<Triangle> neighbours_;  ///< across the edges opposite to the corners
+    std::vector<Triangle> neighbors_;  ///< across the edges opposite to the corners
     BoxTree tree_;
 };
 

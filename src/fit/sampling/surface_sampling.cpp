@@ -29,7 +29,7 @@ constexpr std::size_t close_work = 400;
 
 /// When leaves are levelled, those that seemed farthest before are measured closely: this many times as many
 /// as can be added.
-constexpr std::size_t levelling_choice = 3;
+constexpr std::size_t leveling_choice = 3;
 
 /// A deeper leaf is not bisected on its own account. Closure may add two levels, and max_level is the end.
 constexpr unsigned deepest_level = max_level - 4;
@@ -40,16 +40,16 @@ TriangleCorners corners_of(const AdaptiveMesh& mesh, Index leaf) {
 }
 
 /// The square of the distance of a place of the surface from the key: from \p leaf, or from a leaf that is
-/// nearer, as far as one comes to it by going to ever nearer neighbours, until it is \p enough.
+/// nearer, as far as one comes to it by going to ever nearer neighbors, until it is \p enough.
 double squared_distance_to_key(const glm::dvec3& place, const AdaptiveMesh& mesh, Index leaf, double enough) {
     double least = squared_distance_to_triangle(place, corners_of(mesh, leaf));
     for (bool is_nearer = true; is_nearer && least > enough;) {
         is_nearer = false;
-        for (const Index neighbour : mesh.neighbours(leaf)) {
-            const double distance = squared_distance_to_triangle(place, corners_of(mesh, neighbour));
+        for (const Index neighbor : mesh.neighbors(leaf)) {
+            const double distance = squared_distance_to_triangle(place, corners_of(mesh, neighbor));
             if (distance >= least) continue;
             least = distance;
-            leaf = neighbour;
+            leaf = neighbor;
             is_nearer = true;
             break;
         }
@@ -208,8 +208,8 @@ double Sampler::error(const AdaptiveMesh& mesh, Index leaf) {
         squared_turn = std::max(squared_turn, glm::dot(turn, turn));
     };
     for (const MeshPoint& middle : record.middles) measure_at(middle);
-    const glm::dvec3 centre = glm::normalize(sphere_points_[a] + sphere_points_[b] + sphere_points_[c]);
-    measure_at(mapped_.location.locate(centre, record.middles[0].triangle));
+    const glm::dvec3 center = glm::normalize(sphere_points_[a] + sphere_points_[b] + sphere_points_[c]);
+    measure_at(mapped_.location.locate(center, record.middles[0].triangle));
     for (const Index vertex : vertices_of(record))
         squared_distance =
             std::max(squared_distance, squared_distance_to_triangle(mapped_.mesh.positions[vertex], corners));
@@ -286,13 +286,13 @@ SampledSurface sample_surface(const MappedSurface& mapped, const SphereRoots& ro
                         },
                         {.leaves = options.leaves, .tolerance = options.tolerance, .after_step = after_step});
     } else {
-        const Index levelling = std::min(options.leaves / 10, options.most_levelling);
+        const Index leveling = std::min(options.leaves / 10, options.max_leveling);
         refine_greedily(leaves,
                         [&](const AdaptiveMesh& refined, Index leaf) { return sampler.error(refined, leaf); },
-                        {.leaves = options.leaves - levelling, .after_step = after_step});
-        if (levelling == 0) return std::move(sampler).result(leaves);
-        const double far = noted_distance_behind(levelling_choice * levelling, sampler, leaves);
-        // What is nearer than half of that need not be told apart: it is not what levelling is for.
+                        {.leaves = options.leaves - leveling, .after_step = after_step});
+        if (leveling == 0) return std::move(sampler).result(leaves);
+        const double far = noted_distance_behind(leveling_choice * leveling, sampler, leaves);
+        // What is nearer than half of that need not be told apart: it is not what leveling is for.
         refine_greedily(
             leaves,
             [&](const AdaptiveMesh& refined, Index leaf) {

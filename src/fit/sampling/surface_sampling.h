@@ -4,7 +4,7 @@
 // the largest error is bisected next, at the middle of its refinement edge on the sphere. Its error is its
 // distance from the surface plus a term for the turn of the normal, measured at a few places of it and at all
 // vertices of the surface that are mapped into it: without those, what is thin is missed. At last comes
-// levelling: the distance alone is measured, closely, and the farthest leaves are bisected.
+// leveling: the distance alone is measured, closely, and the farthest leaves are bisected.
 #pragma once
 
 #include <vector>
@@ -19,11 +19,11 @@
 namespace interleaf {
 
 struct SamplingOptions {
-    Index leaves = 20000;         ///< at most this many, and as near as closure allows
-    Index most_levelling = 2000;  ///< so many of the leaves, but at most a tenth, are for levelling
+    Index leaves = 20000;       ///< at most this many, and as near as closure allows
+    Index max_leveling = 2000;  ///< so many of the leaves, but at most a tenth, are for leveling
 
     /// Where it is not 0: leaves are bisected that are farther from the surface when they are made, in its
-    /// unit, and no others but by closure. Their neighbours may change later, so the key is to be measured.
+    /// unit, and no others but by closure. Their neighbors may change later, so the key is to be measured.
     double tolerance = 0;
 };
 

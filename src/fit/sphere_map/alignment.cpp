@@ -8,7 +8,7 @@
 namespace interleaf {
 namespace {
 
-/// Directions of the vertices from the surface's centre of area, each as long as its vertex has area, in
+/// Directions of the vertices from the surface's center of area, each as long as its vertex has area, in
 /// parts of the whole.
 std::vector<glm::dvec3> weighted_directions(const SurfaceMesh& mesh) {
     std::vector<double> areas(mesh.positions.size(), 0.0);

@@ -16,7 +16,7 @@
 namespace interleaf {
 
 /// The rotation R for which the mean of (R u) . d is largest, by area; u is the point of the sphere of a
-/// vertex, d its direction from the surface's centre of area.
+/// vertex, d its direction from the surface's center of area.
 glm::dmat3 rotation_to_surface(const SurfaceMesh& mesh, std::span<const glm::dvec3> points);
 
 /// That mean for the map as it is: 1 where all directions agree, -1 where all are opposite.

@@ -60,7 +60,7 @@ Eigen::VectorXd lumped_masses(const HalfEdgeMesh& mesh, const Points& points) {
 void flow_once(Points& x, const Eigen::VectorXd& masses, const Stiffness& stiffness, double step,
                const auto& report) {
     constexpr double tolerance = 1e-7;
-    constexpr int most_iterations = 1000;
+    constexpr int max_iterations = 1000;
     const auto apply = [&](const Points& p) -> Points {
         return masses.asDiagonal() * p + step * (stiffness * p);
     };
@@ -70,7 +70,7 @@ void flow_once(Points& x, const Eigen::VectorXd& masses, const Stiffness& stiffn
     Points direction = inverse_diagonal.asDiagonal() * residual;
     double energy = residual.cwiseProduct(direction).sum();
     const double enough = tolerance * right.norm();
-    for (int i = 0; i < most_iterations && residual.norm() > enough && energy > 0; ++i) {
+    for (int i = 0; i < max_iterations && residual.norm() > enough && energy > 0; ++i) {
         report();
         const Points image = apply(direction);
         const double along = energy / direction.cwiseProduct(image).sum();
@@ -113,12 +113,12 @@ std::vector<glm::dvec3> flow_to_sphere(const HalfEdgeMesh& mesh, std::span<const
 
 std::vector<glm::dvec3> map_by_curvature_flow(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
                                               const CurvatureFlowOptions& options, ProgressMeter& meter) {
-    constexpr int most_sweeps = 100;
+    constexpr int max_sweeps = 100;
     std::vector<glm::dvec3> points = flow_to_sphere(mesh, positions, options, meter);
     const std::vector<double> areas = solid_angles_wanted(mesh, positions);
     Relaxation relaxation(mesh, positions, areas, points);
     relaxation.update_shapes(options.blend);
-    if (relaxation.untangle(most_sweeps, meter)) relaxation.sweep(most_sweeps, meter);
+    if (relaxation.untangle(max_sweeps, meter)) relaxation.sweep(max_sweeps, meter);
     return points;
 }
 

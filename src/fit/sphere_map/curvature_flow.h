@@ -1,4 +1,4 @@
-// Conformalised mean curvature flow (Kazhdan, Solomon and Ben-Chen 2012, "Can Mean-Curvature Flow be Modified
+// Conformalized mean curvature flow (Kazhdan, Solomon and Ben-Chen 2012, "Can Mean-Curvature Flow be Modified
 // to be Non-singular?"): a surface of genus 0 flows to a sphere without collapsing at its necks. What comes
 // out is nearly conformal and not certain to be one to one.
 #pragma once

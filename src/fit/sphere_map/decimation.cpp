@@ -41,7 +41,7 @@ class Decimation {
         std::vector<Index> collapsed;
         const std::size_t wanted = mesh_.vertex_capacity() - 4;
         collapsed.reserve(wanted);
-        for (; collapsed.size() < wanted; largest_degree_ *= 8) {
+        for (; collapsed.size() < wanted; max_degree_ *= 8) {
             for (Index vertex = 0; vertex < mesh_.vertex_capacity(); ++vertex) {
                 if (mesh_.has_vertex(vertex)) push(vertex);
                 meter.step();
@@ -98,8 +98,8 @@ class Decimation {
         for (const Index vertex : changed) push(vertex);
     }
 
-    /// Fills ring_ with the neighbours of \p vertex and marks those that its collapse must not go to: they
-    /// have a third neighbour in common with it.
+    /// Fills ring_ with the neighbors of \p vertex and marks those that its collapse must not go to: they
+    /// have a third neighbor in common with it.
     void gather_ring(Index vertex) {
         ring_.clear();
         half_edges_.clear();
@@ -112,8 +112,8 @@ class Decimation {
         } while (half_edge != mesh_.outgoing(vertex));
         blocked_.assign(ring_.size(), 0);
         if (ring_.size() == 3) return;
-        // Whether an edge joins two neighbours of large degree is not looked up: both count as blocked.
-        const auto is_large = [&](Index neighbour) { return mesh_.degree(neighbour) > largest_degree_; };
+        // Whether an edge joins two neighbors of large degree is not looked up: both count as blocked.
+        const auto is_large = [&](Index neighbor) { return mesh_.degree(neighbor) > max_degree_; };
         const bool block_large = std::count_if(ring_.begin(), ring_.end(), is_large) > 1;
         for (Index place = 0; place < ring_.size(); ++place) {
             if (!is_large(ring_[place]))
@@ -146,7 +146,7 @@ class Decimation {
 
     Collapse cheapest(Index vertex) {
         Collapse best;
-        if (mesh_.degree(vertex) > largest_degree_) return best;
+        if (mesh_.degree(vertex) > max_degree_) return best;
         gather_ring(vertex);
         double worst_shape = 1;
         for (Index place = 0; place < ring_.size(); ++place) {
@@ -163,7 +163,7 @@ class Decimation {
         return best;
     }
 
-    /// The squared cost of moving \p vertex onto its neighbour at \p place; anything not below \p limit
+    /// The squared cost of moving \p vertex onto its neighbor at \p place; anything not below \p limit
     /// when it is not.
     double cost_of(Index vertex, Index place, double limit) const {
         const auto size = static_cast<Index>(ring_.size());
@@ -188,7 +188,7 @@ class Decimation {
     HalfEdgeMesh& mesh_;
     std::span<const glm::dvec3> positions_;
     std::priority_queue<Entry> queue_;
-    Index largest_degree_ = 16;  // vertices of larger degree wait, or a fan would take quadratic time
+    Index max_degree_ = 16;  // vertices of larger degree wait, or a fan would take quadratic time
     std::vector<Index> stamp_;
     std::vector<Index> place_in_ring_;
     std::vector<Index> ring_;

@@ -1,4 +1,4 @@
-// Moebius centring (Baden, Crane and Kazhdan 2018, "Moebius Registration", algorithm 1).
+// Moebius centering (Baden, Crane and Kazhdan 2018, "Moebius Registration", algorithm 1).
 #include <cmath>
 
 #include <Eigen/Dense>
@@ -31,7 +31,7 @@ glm::dvec3 center_of_mass(std::span<const glm::dvec3> points, std::span<const do
     return sum;
 }
 
-/// The inversion that would bring the centre of mass to the origin if it were linear.
+/// The inversion that would bring the center of mass to the origin if it were linear.
 glm::dvec3 newton_inversion(std::span<const glm::dvec3> points, std::span<const double> weights) {
     Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -54,16 +54,16 @@ std::vector<glm::dvec3> inverted(std::span<const glm::dvec3> points, const glm::
     return moved;
 }
 
-/// The points after a Newton step that brings the centre of mass nearer to the origin; empty when none does.
+/// The points after a Newton step that brings the center of mass nearer to the origin; empty when none does.
 std::vector<glm::dvec3> centered_once(std::span<const glm::dvec3> points, std::span<const double> weights,
-                                      double largest_step) {
-    constexpr int most_halvings = 20;
+                                      double max_step) {
+    constexpr int max_halvings = 20;
     const double mass = glm::length(center_of_mass(points, weights));
     glm::dvec3 c = newton_inversion(points, weights);
     const double length = glm::length(c);
     if (!std::isfinite(length)) return {};
-    if (length > largest_step) c *= largest_step / length;
-    for (int i = 0; i < most_halvings; ++i, c *= 0.5) {
+    if (length > max_step) c *= max_step / length;
+    for (int i = 0; i < max_halvings; ++i, c *= 0.5) {
         std::vector<glm::dvec3> moved = inverted(points, c);
         if (glm::length(center_of_mass(moved, weights)) < mass) return moved;
     }
@@ -76,14 +76,14 @@ void center_map(const SurfaceMesh& mesh, std::vector<glm::dvec3>& points) {
     constexpr double centered = 1e-10;
     constexpr double longest = 0.8;  // an inversion near the sphere's radius would tear the map to one side
     constexpr double shortest = 0.01;
-    constexpr int most_steps = 100;
+    constexpr int max_steps = 100;
     const std::vector<double> weights = vertex_weights(mesh);
     // Great circles do not stay great circles, so a triangle much longer than wide can flip. Then the way
     // goes in shorter steps, as far as it goes.
     for (double step = longest; step > shortest; step /= 8) {
         std::vector<glm::dvec3> valid = points;
         std::vector<glm::dvec3> moved = points;
-        for (int i = 0; i < most_steps && !moved.empty(); ++i) {
+        for (int i = 0; i < max_steps && !moved.empty(); ++i) {
             if (glm::length(center_of_mass(moved, weights)) < centered) break;
             std::vector<glm::dvec3> next = centered_once(moved, weights, step);
             if (next.empty()) break;

@@ -44,7 +44,7 @@ class ProgressiveMapping {
                 relaxed = restored_;
             }
             if (restore_next()) continue;
-            // The neighbourhood may be crowded by those that came since the last relaxation.
+            // The neighborhood may be crowded by those that came since the last relaxation.
             if (relaxed == restored_) return failure();
             relax_all();
             relaxed = restored_;
@@ -94,7 +94,7 @@ class ProgressiveMapping {
             return false;
         }
         relaxation_.relax_star(vertex);
-        if (options_.crowded > 0 && relaxation_.least_share(vertex) < options_.crowded)
+        if (options_.crowded > 0 && relaxation_.min_share(vertex) < options_.crowded)
             relaxation_.relax_around(vertex, options_.moves_where_crowded, meter_);
         collapses_.pop_back();
         other_area_.pop_back();
@@ -116,8 +116,8 @@ class ProgressiveMapping {
     /// Coarse meshes are only likenesses of the surface, so their shapes bind less.
     void relax_all() {
         constexpr double coarse_blend = 10;
-        constexpr double largest_blend = 0.5;
-        blend_ = std::min(largest_blend, options_.blend + coarse_blend / double(restored_));
+        constexpr double max_blend = 0.5;
+        blend_ = std::min(max_blend, options_.blend + coarse_blend / double(restored_));
         relaxation_.update_shapes(blend_);
         relaxation_.sweep(options_.sweeps, meter_);
     }

@@ -75,20 +75,20 @@ double Relaxation::relax(Index vertex) {
 
 void Relaxation::relax_star(Index vertex) {
     constexpr int rounds = 2;
-    constexpr Index largest_degree = 32;  // a hub takes part in each star, and would make the work quadratic
+    constexpr Index max_degree = 32;  // a hub takes part in each star, and would make the work quadratic
     for (int round = 0; round < rounds; ++round) {
         relax(vertex);
         Index half_edge = mesh_.outgoing(vertex);
         do {
-            const Index neighbour = mesh_.target(half_edge);
-            if (mesh_.degree(neighbour) <= largest_degree) relax(neighbour);
+            const Index neighbor = mesh_.target(half_edge);
+            if (mesh_.degree(neighbor) <= max_degree) relax(neighbor);
             half_edge = mesh_.rotated(half_edge);
         } while (half_edge != mesh_.outgoing(vertex));
     }
     relax(vertex);
 }
 
-double Relaxation::least_share(Index vertex) const {
+double Relaxation::min_share(Index vertex) const {
     double least = std::numeric_limits<double>::infinity();
     Index half_edge = mesh_.outgoing(vertex);
     do {

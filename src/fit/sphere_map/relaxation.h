@@ -31,13 +31,13 @@ class Relaxation {
     /// Moves \p vertex by one Newton step and gives by how much of it the energy of its star falls.
     double relax(Index vertex);
 
-    /// Moves \p vertex and its neighbours, but for those of very many edges, by a few steps.
+    /// Moves \p vertex and its neighbors, but for those of very many edges, by a few steps.
     void relax_star(Index vertex);
 
     /// The least ratio of the spherical area of a triangle at \p vertex to the one that it is to take.
-    double least_share(Index vertex) const;
+    double min_share(Index vertex) const;
 
-    /// Relaxes \p vertex and its neighbours, then those that moved and their neighbours, and so on, in at
+    /// Relaxes \p vertex and its neighbors, then those that moved and their neighbors, and so on, in at
     /// most \p steps moves. One step of \p meter a move.
     void relax_around(Index vertex, int steps, ProgressMeter& meter);
 
@@ -45,7 +45,7 @@ class Relaxation {
     /// closure; false when doubles do not resolve the kernel.
     bool put_into_kernel(Index vertex, const glm::dvec3& seed);
 
-    /// Relaxes all vertices, and again those that moved and their neighbours, at most \p sweeps times.
+    /// Relaxes all vertices, and again those that moved and their neighbors, at most \p sweeps times.
     /// One step of \p meter a vertex and sweep.
     void sweep(int sweeps, ProgressMeter& meter);
 

@@ -34,8 +34,8 @@ SphericalMap map_to_sphere(const SurfaceMesh& mesh, const Progress& progress, Ke
 /// when the map is one to one; else the reason in words. The signs are those of exact arithmetic.
 std::string fault_of_map(const SurfaceMesh& mesh, std::span<const glm::dvec3> points);
 
-/// Moves \p points by the Moebius map of the sphere that brings the surface's centre of mass on the sphere to
-/// the sphere's centre (Baden, Crane and Kazhdan 2018), as far as the map stays one to one.
+/// Moves \p points by the Moebius map of the sphere that brings the surface's center of mass on the sphere to
+/// the sphere's center (Baden, Crane and Kazhdan 2018), as far as the map stays one to one.
 void center_map(const SurfaceMesh& mesh, std::vector<glm::dvec3>& points);
 
 }  // namespace interleaf

@@ -13,7 +13,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A determinant below this much of its edges' length is too near to 0: rounding a unit vector moves it by
 /// 1e-16.
-constexpr double least_height = 8e-16;
+constexpr double min_height = 8e-16;
 
 double squared_length(const glm::dvec3& vector) {
     return glm::dot(vector, vector);
@@ -106,14 +106,14 @@ double SphericalStar::energy(const glm::dvec2& place) const {
     const double squared_tangent = glm::dot(place, place);
     const double secant = std::sqrt(1 + squared_tangent);
     const double height = 1 / secant;
-    const glm::dvec3 moved = {place * height, -squared_tangent / (secant * (secant + 1))};  // less the centre
+    const glm::dvec3 moved = {place * height, -squared_tangent / (secant * (secant + 1))};  // less the center
     double sum = 0;
     for (const StarTriangle& triangle : triangles_) {
         const double determinant =
             (place.x * triangle.normal.x + place.y * triangle.normal.y + triangle.normal.z) * height;
         const double to_a = squared_length(moved - triangle.a);
         const double to_b = squared_length(moved - triangle.b);
-        if (!(determinant > 0) || determinant * determinant < least_height * least_height * (to_a + to_b))
+        if (!(determinant > 0) || determinant * determinant < min_height * min_height * (to_a + to_b))
             return infinity;
         sum += Distortion(triangle, stretch_of(triangle, to_a, to_b), determinant).energy(triangle, keeps_);
     }
@@ -212,18 +212,17 @@ NewtonStep SphericalStar::newton_step() const {
     const double slope = glm::dot(step, here.gradient);
     if (!(slope < 0) || !(slope > -infinity)) return {};
 
-    constexpr double most_of_the_way = 0.8;  // to the edge of the kernel
+    constexpr double max_fraction = 0.8;  // to the edge of the kernel
     double part = 1;
     for (const StarTriangle& triangle : triangles_) {
         const double fall = -glm::dot(step, glm::dvec2(triangle.normal));
-        if (fall * part > most_of_the_way * triangle.normal.z)
-            part = most_of_the_way * triangle.normal.z / fall;
+        if (fall * part > max_fraction * triangle.normal.z) part = max_fraction * triangle.normal.z / fall;
     }
-    constexpr int most_halvings = 12;
-    constexpr double least_decrease = 1e-4;
-    for (int halving = 0; halving < most_halvings; ++halving, part /= 2) {
+    constexpr int max_halvings = 12;
+    constexpr double min_decrease = 1e-4;
+    for (int halving = 0; halving < max_halvings; ++halving, part /= 2) {
         const double there = energy(part * step);
-        if (there < here.value + least_decrease * part * slope) return {part * step, 1 - there / here.value};
+        if (there < here.value + min_decrease * part * slope) return {part * step, 1 - there / here.value};
     }
     return {};
 }

@@ -1,8 +1,8 @@
 // The star of one vertex on the unit sphere, in coordinates of the tangent plane there: where the vertex may
 // move, which is the kernel of the star, and where it moves best.
 //
-// A place (s, t) of the tangent plane at the centre stands for the point of the sphere that lies before it
-// (central projection, so great circles are lines). All coordinates are differences from the centre, so a
+// A place (s, t) of the tangent plane at the center stands for the point of the sphere that lies before it
+// (central projection, so great circles are lines). All coordinates are differences from the center, so a
 // star of size h is known to about 1e-16 / h of its size, however small it is.
 #pragma once
 
@@ -22,7 +22,7 @@ struct TangentFrame {
 
     explicit TangentFrame(const glm::dvec3& unit_point);
 
-    /// The point in the frame's coordinates, less the centre.
+    /// The point in the frame's coordinates, less the center.
     glm::dvec3 local(const glm::dvec3& point) const;
     /// The unit point before a place of the plane.
     glm::dvec3 point_at(const glm::dvec2& place) const;
@@ -32,11 +32,11 @@ struct TangentFrame {
 /// sheared, and ten times as many are turned over. But limbs many times longer than thick need room.
 enum class Keeps { shapes, areas };
 
-/// A spherical triangle (centre, a, b) of a star with the rest shape it is to keep.
+/// A spherical triangle (center, a, b) of a star with the rest shape it is to keep.
 struct StarTriangle {
-    glm::dvec3 a;           ///< in the frame, less the centre
+    glm::dvec3 a;           ///< in the frame, less the center
     glm::dvec3 b;           ///< the next corner counter-clockwise
-    glm::dvec3 normal;      ///< a x b: positive on the side of the great circle a b where the centre may be
+    glm::dvec3 normal;      ///< a x b: positive on the side of the great circle a b where the center may be
     double cotangent_to_a;  ///< of the rest angle opposite the edge to a
     double cotangent_to_b;
     double fixed_stretch;  ///< cotangent times squared length of the edge a b
@@ -60,7 +60,7 @@ struct StarEnergy {
 };
 
 struct NewtonStep {
-    glm::dvec2 place{0};  ///< that it comes to; the centre when no better one was found
+    glm::dvec2 place{0};  ///< that it comes to; the center when no better one was found
     double gain = 0;      ///< by how much of it the energy falls, 0 to 1
 };
 
@@ -77,7 +77,7 @@ class SphericalStar {
 
     const TangentFrame& frame() const { return frame_; }
 
-    /// The square of the longest distance of a neighbour from the centre.
+    /// The square of the longest distance of a neighbor from the center.
     double squared_size() const;
 
     /// Adds the next triangle counter-clockwise.
@@ -87,16 +87,16 @@ class SphericalStar {
     /// Infinite for a place outside the kernel or too near to its edge for double precision.
     double energy(const glm::dvec2& place) const;
 
-    /// At the centre, with its derivatives.
+    /// At the center, with its derivatives.
     StarEnergy energy_at_center() const;
 
     bool has_center_in_kernel() const;
 
     /// The kernel's middle (the mean of its corners) when the kernel has one that doubles can tell from its
-    /// edge. Only the part of the kernel within about 84 degrees of the centre is seen.
+    /// edge. Only the part of the kernel within about 84 degrees of the center is seen.
     std::optional<glm::dvec2> middle_of_kernel() const;
 
-    /// One step of Newton's method from the centre, never uphill and never out of the kernel.
+    /// One step of Newton's method from the center, never uphill and never out of the kernel.
     NewtonStep newton_step() const;
 
   private:

@@ -38,13 +38,13 @@ class Refinement {
     }
 
     SurfaceMesh run() {
-        const std::size_t most_triangles = mesh_.triangle_capacity() + options_.most_added;
+        const std::size_t max_triangles = mesh_.triangle_capacity() + options_.max_added;
         for (Index half_edge = 0; half_edge < 3 * mesh_.triangle_capacity(); ++half_edge)
             changed_.push_back(half_edge);
         flip_all();
         for (Index half_edge = 0; half_edge < 3 * mesh_.triangle_capacity(); ++half_edge)
             note_length(half_edge);
-        while (!long_edges_.empty() && mesh_.triangle_capacity() < most_triangles) {
+        while (!long_edges_.empty() && mesh_.triangle_capacity() < max_triangles) {
             const LongEdge edge = long_edges_.top();
             long_edges_.pop();
             const auto [low, high] =
@@ -113,10 +113,10 @@ class Refinement {
             mesh_.flip(half_edge);
             note_length(half_edge);
             const Index twin = mesh_.twin(half_edge);
-            for (const Index side : {HalfEdgeMesh::next(half_edge), HalfEdgeMesh::previous(half_edge),
+            for (const Index edge : {HalfEdgeMesh::next(half_edge), HalfEdgeMesh::previous(half_edge),
                                      HalfEdgeMesh::next(twin), HalfEdgeMesh::previous(twin)}) {
-                note_length(side);
-                changed_.push_back(side);
+                note_length(edge);
+                changed_.push_back(edge);
             }
         }
     }

@@ -1,7 +1,7 @@
 // A finer mesh of the same surface, for surfaces whose triangles are large or long.
 //
 // A map to the sphere is linear on each triangle, so where a face of the surface is one triangle, or a fan of
-// needles, the map bends the face's neighbourhood to what these can do. On a finer mesh it can keep shapes.
+// needles, the map bends the face's neighborhood to what these can do. On a finer mesh it can keep shapes.
 // Edges inside of flat faces are flipped until they are Delaunay's (Lawson 1977), and the longest edges are
 // halved, in turn. No vertex moves and no crease is flipped, so the surface stays the same set of points.
 #pragma once
@@ -16,7 +16,7 @@ struct RefinementOptions {
     double triangles = 3000;
 
     /// The end, where long creases would take more: so many triangles more than before.
-    std::size_t most_added = 40000;
+    std::size_t max_added = 40000;
 
     /// How far a flip may move a point of the surface, as a fraction of the longest side of its box. It is
     /// what the digits of files leave of flat faces.
@@ -33,7 +33,7 @@ struct TriangleShapes {
 TriangleShapes triangle_shapes(const SurfaceMesh& mesh);
 
 /// \param mesh  clean (clean_up.h)
-/// \return its vertices, in order, then the new ones; without colours
+/// \return its vertices, in order, then the new ones; without colors
 /// \throw Cancelled
 SurfaceMesh refine(const SurfaceMesh& mesh, const RefinementOptions& options, ProgressMeter& meter);
 

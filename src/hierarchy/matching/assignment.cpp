@@ -9,8 +9,9 @@ namespace {
 
 constexpr auto nobody = static_cast<std::size_t>(-1);
 
-/// Rows are taken in one after the other. Prices keep cost - row price - column price from being negative,
-/// and at 0 for whom is assigned; so the partners of the rows so far have the least cost at every time.
+/// Adds rows one after the other. The prices keep cost - row price - column price at 0 for assigned pairs,
+/// and never negative for others. So at every time the partners of the rows added so far have the minimum
+/// cost.
 class Prices {
   public:
     Prices(std::size_t count, std::span<const double> cost)
@@ -25,7 +26,7 @@ class Prices {
 
     void take_in(std::size_t row) {
         std::size_t free = nearest_free_column(row);
-        while (free != nobody) {  // along the path each row hands its column on
+        while (free != nobody) {  // along the path, each row passes its column on
             const std::size_t before = came_from_[free];
             row_of_[free] = before == nobody ? row : row_of_[before];
             free = before;
@@ -39,7 +40,7 @@ class Prices {
     }
 
   private:
-    /// Dijkstra's search from \p row over columns that are taken to the nearest one that is free.
+    /// Dijkstra's search from \p row over assigned columns to the nearest free one.
     std::size_t nearest_free_column(std::size_t row) {
         distance_.assign(count_, std::numeric_limits<double>::infinity());
         done_.assign(count_, false);
@@ -81,7 +82,7 @@ class Prices {
     std::span<const double> cost_;
     std::vector<double> row_price_, column_price_;
     std::vector<std::size_t> row_of_;     ///< by column
-    std::vector<std::size_t> came_from_;  ///< by column, on the shortest path to it
+    std::vector<std::size_t> came_from_;  ///< by column: the previous column on the shortest path to it
     std::vector<double> distance_;
     std::vector<bool> done_;
 };

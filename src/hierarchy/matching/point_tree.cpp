@@ -10,7 +10,7 @@ namespace interleaf {
 
 namespace {
 
-constexpr int most_looks = 200;
+constexpr int max_looks = 200;
 
 }  // namespace
 
@@ -70,7 +70,7 @@ void PointTree::search(std::size_t begin, std::size_t end, Query& query) const {
 }
 
 std::size_t PointTree::take_nearest(const glm::dvec3& at) {
-    Query query{at, std::numeric_limits<double>::infinity(), std::nullopt, most_looks};
+    Query query{at, std::numeric_limits<double>::infinity(), std::nullopt, max_looks};
     search(0, order_.size(), query);
     assert(query.nearest);
     const std::size_t taken = *query.nearest;

@@ -1,4 +1,4 @@
-// Points from which the nearest to a place is taken, one after the other: a k-d tree (Bentley 1975).
+// A k-d tree (Bentley 1975) that returns the nearest point to a query and removes it from the tree.
 #pragma once
 
 #include <cstddef>
@@ -16,23 +16,25 @@ class PointTree {
     /// \param points  must outlive the tree
     explicit PointTree(std::span<const glm::dvec3> points);
 
-    /// The index of the point that is nearest to \p at, of those that are left; of equally near ones any, but
-    /// always the same. It is left no more. Looks at 200 points at most, so where very many are about as far
-    /// away it takes one of the nearest.
-    /// \pre  a point is left
+    /// Removes the remaining point that is nearest to \p at, and returns its index.
+    ///
+    /// If several points are equally near, the choice is arbitrary but deterministic. The search looks at 200
+    /// points at most. So if very many points are about equally near, the result is one of the nearest, not
+    /// necessarily the nearest.
+    /// \pre  a point remains
     std::size_t take_nearest(const glm::dvec3& at);
 
   private:
     struct Query {
         glm::dvec3 at;
         double least;
-        std::optional<std::size_t> nearest;  ///< its place
+        std::optional<std::size_t> nearest;  ///< the place of the nearest point
         int looks;
     };
 
-    // The points of the places from begin to end make a subtree: the one in the middle is its node, those
-    // before it are no greater along the subtree's axis, that of its greatest extent, those behind it no
-    // less.
+    // The points at the places from begin to end form a subtree, whose node is the point in the middle. The
+    // subtree's axis is that of its largest extent. Points before the node are at most as large along that
+    // axis, points behind it at least as large.
     static std::size_t middle(std::size_t begin, std::size_t end) { return begin + (end - begin) / 2; }
     void build(std::size_t begin, std::size_t end);
     int longest_axis(std::size_t begin, std::size_t end) const;
@@ -40,8 +42,9 @@ class PointTree {
 
     std::span<const glm::dvec3> points_;
     std::vector<std::size_t> order_;  ///< the point at each place
-    std::vector<std::size_t> left_;   ///< by the place of its node, how many points of a subtree are left
-    std::vector<std::uint8_t> axis_;  ///< likewise its axis
+    /// By the place of its node: the number of remaining points in the subtree.
+    std::vector<std::size_t> left_;
+    std::vector<std::uint8_t> axis_;  ///< by the place of its node: the subtree's axis
     std::vector<bool> is_taken_;      ///< by place
 };
 

@@ -10,15 +10,14 @@ namespace interleaf {
 namespace {
 
 void find_what_lies_across(const RootComplex& roots, RootGluing& gluing) {
-    const auto neighbours = roots.neighbours();
-    gluing.across.assign(3 * neighbours.size(), no_index);
-    for (Index t = 0; t < neighbours.size(); ++t)
+    const auto neighbors = roots.neighbors();
+    gluing.across.assign(3 * neighbors.size(), no_index);
+    for (Index t = 0; t < neighbors.size(); ++t)
         for (Index k = 0; k < 3; ++k) {
-            const Index n = neighbours[t][k];
+            const Index n = neighbors[t][k];
             if (n == no_index) continue;
-            // Two triangles share at most one edge, so the neighbour knows t once.
-            const auto back =
-                std::find(neighbours[n].begin(), neighbours[n].end(), t) - neighbours[n].begin();
+            // Two triangles share at most one edge, so the neighbor refers to t once.
+            const auto back = std::find(neighbors[n].begin(), neighbors[n].end(), t) - neighbors[n].begin();
             gluing.across[3 * t + k] = 3 * n + static_cast<Index>(back);
         }
 }
@@ -55,7 +54,7 @@ void find_components(RootGluing& gluing) {
     gluing.begins.push_back(count);
 }
 
-/// One number from four: the finaliser of SplitMix64 (Steele, Lea, Flood 2014) over each in turn.
+/// Mixes four numbers into one: the finalizer of SplitMix64 (Steele, Lea, Flood 2014) over each in turn.
 std::uint64_t mixed(const std::array<std::uint64_t, 4>& numbers) {
     std::uint64_t result = 0;
     for (const std::uint64_t number : numbers) {

@@ -12,15 +12,16 @@ namespace interleaf {
 
 namespace {
 
-/// How far signatures look. More would tell apart what differs only farther away; a walk does that as well.
+/// The radius of signatures, in triangles. A larger radius would distinguish sides that differ only farther
+/// away; a walk finds that as well.
 constexpr unsigned signature_radius = 4;
 
-/// Up to this many components of one kind, and this many triangles to visit for it, the best assignment is
-/// found.
-constexpr std::size_t most_assigned = 100;
-constexpr std::size_t most_assignment_steps = std::size_t{1} << 26;
+/// The search finds the best assignment for at most this many components of one kind, and if it takes at most
+/// this many steps, that is, triangles to visit.
+constexpr std::size_t max_assigned = 100;
+constexpr std::size_t max_assignment_steps = std::size_t{1} << 26;
 
-/// Sums of squares that differ by less than this part of them are the same.
+/// Sums of squares count as equal if their relative difference is less than this.
 constexpr double rounding = 1e-9;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -30,8 +31,8 @@ double square(const glm::dvec3& v) {
 }
 
 /// The mean of the vertices of each component.
-std::vector<glm::dvec3> centres_of(const RootGluing& gluing, std::span<const glm::vec3> positions) {
-    std::vector<glm::dvec3> centres;
+std::vector<glm::dvec3> centers_of(const RootGluing& gluing, std::span<const glm::vec3> positions) {
+    std::vector<glm::dvec3> centers;
     std::vector<bool> visited(gluing.surroundings.size());
     for (Index c = 0; c < gluing.component_count(); ++c) {
         glm::dvec3 sum(0);
@@ -43,28 +44,29 @@ std::vector<glm::dvec3> centres_of(const RootGluing& gluing, std::span<const glm
                 sum += glm::dvec3(positions[vertex]);
                 ++count;
             }
-        centres.push_back(sum / count);
+        centers.push_back(sum / count);
     }
-    return centres;
+    return centers;
 }
 
-/// One of the two complexes, and what the search has to know about it.
+/// One of the two complexes, with the data that the search needs.
 struct Searched {
     Searched(const PlacedComplex& complex, bool marked)
         : gluing(gluing_of(complex.roots)),
           positions(complex.positions),
           signature(signatures(gluing, marked, signature_radius)),
-          centres(centres_of(gluing, positions)) {}
+          centers(centers_of(gluing, positions)) {}
 
     RootGluing gluing;
     std::span<const glm::vec3> positions;
     std::vector<std::uint64_t> signature;  ///< by side
-    std::vector<glm::dvec3> centres;       ///< by component
+    std::vector<glm::dvec3> centers;       ///< by component
 
     PlacedRoots placed() const { return {&gluing, positions}; }
 };
 
-/// The triangle of a component at whose side 0 the signature is rarest in it; of several the lowest.
+/// The seed of a component: the triangle whose side 0 has the rarest signature in the component; the lowest
+/// of several.
 Index seed_of(const Searched& searched, Index component) {
     std::vector<std::pair<std::uint64_t, Index>> sides;
     sides.reserve(3 * searched.gluing.component(component).size());
@@ -82,17 +84,17 @@ Index seed_of(const Searched& searched, Index component) {
     return rarest.second / 3;
 }
 
-/// The partner of each of \p centres among as many \p others: each in turn takes the nearest that is left.
-/// Both are seen from their own mean.
-std::vector<std::size_t> nearest_left(const std::vector<glm::dvec3>& centres,
+/// Gives each of \p centers a partner among equally many \p others: each in turn takes the nearest of those
+/// that remain. Both sets are shifted to a common mean.
+std::vector<std::size_t> nearest_left(const std::vector<glm::dvec3>& centers,
                                       const std::vector<glm::dvec3>& others) {
     glm::dvec3 shift(0);
-    for (std::size_t i = 0; i < centres.size(); ++i)
-        shift += (others[i] - centres[i]) / static_cast<double>(centres.size());
+    for (std::size_t i = 0; i < centers.size(); ++i)
+        shift += (others[i] - centers[i]) / static_cast<double>(centers.size());
     PointTree left(others);
     std::vector<std::size_t> partners;
-    partners.reserve(centres.size());
-    for (const glm::dvec3& centre : centres) partners.push_back(left.take_nearest(centre + shift));
+    partners.reserve(centers.size());
+    for (const glm::dvec3& center : centers) partners.push_back(left.take_nearest(center + shift));
     return partners;
 }
 
@@ -120,13 +122,13 @@ class Search {
     }
 
   private:
-    /// The image of the seed of a walk, and how far all of the walk's vertices are from their images, when
-    /// the centres of both components are put together.
+    /// The image of a walk's seed, and the sum of squared distances between the walk's vertices and their
+    /// images when the centers of the two components coincide.
     struct Image {
         Index side;
         double distance;
     };
-    /// Components that are isomorphic, each with a walk from its seed.
+    /// Isomorphic components, each with a walk from its seed.
     struct Kind {
         std::vector<Index> components;  ///< of the reference
         std::vector<RootWalk> walks;
@@ -178,12 +180,13 @@ class Search {
         });
     }
 
-    /// Sorts components that look alike into kinds, and matches those of each kind.
+    /// Sorts components with equal signatures into kinds, and matches the components of each kind.
     bool match_kinds(std::span<const Index> ours, std::span<const Index> theirs) {
         std::vector<Kind> kinds;
         const auto kind_of = [&](const Searched& searched, Index c) {
             return std::find_if(kinds.begin(), kinds.end(), [&](const Kind& kind) {
-                return (ours.size() == 1 && &searched == &key_) ||  // then closest_image() is test enough
+                // then closest_image() is sufficient as a test
+                return (ours.size() == 1 && &searched == &key_) ||
                        image_of(kind.walks.front(), kind.components.front(), searched, c, Wanted::any);
             });
         };
@@ -205,14 +208,14 @@ class Search {
 
     bool match_kind(const Kind& kind) {
         const std::size_t count = kind.components.size();
-        if (count > 1 && count <= most_assigned &&
-            count * count * kind.walks.front().steps.size() <= most_assignment_steps)
+        if (count > 1 && count <= max_assigned &&
+            count * count * kind.walks.front().steps.size() <= max_assignment_steps)
             return assign(kind);
 
-        std::vector<glm::dvec3> centres, key_centres;
-        for (const Index c : kind.components) centres.push_back(reference_.centres[c]);
-        for (const Index c : kind.key_components) key_centres.push_back(key_.centres[c]);
-        const std::vector<std::size_t> partners = nearest_left(centres, key_centres);
+        std::vector<glm::dvec3> centers, key_centers;
+        for (const Index c : kind.components) centers.push_back(reference_.centers[c]);
+        for (const Index c : kind.key_components) key_centers.push_back(key_.centers[c]);
+        const std::vector<std::size_t> partners = nearest_left(centers, key_centers);
         for (std::size_t i = 0; i < count; ++i) {
             const std::optional<Image> image = image_of(kind.walks[i], kind.components[i], key_,
                                                         kind.key_components[partners[i]], Wanted::closest);
@@ -235,22 +238,23 @@ class Search {
                 images.push_back(image->side);
                 costs.push_back(image->distance +
                                 static_cast<double>(kind.walks[i].vertex_count) *
-                                    square(key_.centres[key_component] - reference_.centres[component]));
+                                    square(key_.centers[key_component] - reference_.centers[component]));
             }
         const std::vector<std::size_t> partners = assignment(count, costs);
         for (std::size_t i = 0; i < count; ++i) take(kind.walks[i], images[i * count + partners[i]]);
         return true;
     }
 
-    /// The closest image of \p walk over component \p component of the reference in component \p other of
-    /// \p target, or any image. None if there is none, or none was found in time.
+    /// The closest image of \p walk, or any image, if \p wanted says so. The walk goes over component \p
+    /// component of the reference, its image over component \p other of \p target. None if there is no image,
+    /// or if none was found within the step limit.
     std::optional<Image> image_of(const RootWalk& walk, Index component, const Searched& target, Index other,
                                   Wanted wanted, std::size_t parts = 1) {
         std::uint64_t allowed = allowed_steps(walk.steps.size(), parts);
         std::optional<Image> best;
         ImageRules rules{.marked = options_.marked,
-                         .shift = reference_.centres[component] - target.centres[other],
-                         .greatest_distance = infinity};
+                         .shift = reference_.centers[component] - target.centers[other],
+                         .max_distance = infinity};
         for (const Index side : candidates(walk.steps.front().triangle, target, other, rules.shift)) {
             if (allowed == 0) {
                 undecided_ = undecided_ || !best;
@@ -261,14 +265,14 @@ class Search {
             steps_left_ -= std::min<std::uint64_t>(steps_left_, end.step_count);
             if (end.kind != ImageEnd::Kind::complete) continue;
             keep_better(best, {side, end.distance});
-            rules.greatest_distance = best->distance * (1 + rounding);
+            rules.max_distance = best->distance * (1 + rounding);
             if (wanted == Wanted::any) break;
         }
         return best;
     }
 
-    /// Of the limit, the share of one of \p parts searches in a component of \p size triangles, and what a
-    /// few candidates take in any case; nothing when the whole search has taken many times the limit.
+    /// The share of the step limit for one of \p parts searches in a component of \p size triangles, and at
+    /// least the steps of a few candidates. 0 once the whole search has taken many times the limit.
     std::uint64_t allowed_steps(std::size_t size, std::size_t parts) {
         steps_left_ -= std::min<std::uint64_t>(steps_left_, size);  // for looking at the candidates
         const double share = static_cast<double>(size) / static_cast<double>(match_.roots.size() * parts);
@@ -276,7 +280,7 @@ class Search {
         return std::min(steps_left_, part + 4 * size);
     }
 
-    /// What side 0 of the triangle \p seed may be mapped to in a component, nearest first.
+    /// The possible images of side 0 of the triangle \p seed in a component, nearest first.
     std::vector<Index> candidates(Index seed, const Searched& target, Index component,
                                   const glm::dvec3& shift) const {
         std::vector<std::pair<double, Index>> sides;

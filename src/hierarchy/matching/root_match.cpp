@@ -13,20 +13,20 @@ namespace {
 
 using Kind = RootMismatch::Kind;
 
-/// Steps spent on finding the place where two complexes differ.
-constexpr std::uint64_t most_explaining_steps = std::uint64_t{1} << 24;
+/// The limit of steps for finding the place where two complexes differ.
+constexpr std::uint64_t max_explaining_steps = std::uint64_t{1} << 24;
 
 RootMismatch::Edge ends_of(const RootGluing& gluing, Index side) {
     return {gluing.apex(turned(side, 1)), gluing.apex(turned(side, 2))};
 }
 
-/// How many triangles there are around a vertex: "6 triangles around it, on the boundary".
+/// The triangles around a vertex in words: "6 triangles around it, on the boundary".
 std::string figures_of(Index surroundings) {
     return fmt::format("{} triangles around it{}", surroundings / 2,
                        (surroundings & 1) != 0 ? ", on the boundary" : "");
 }
 
-/// What is wrong at the pair of sides where an image ended.
+/// The mismatch at the pair of sides where an image ended.
 RootMismatch mismatch_at(const ImageEnd& end, const RootGluing& reference, const RootGluing& key) {
     RootMismatch mismatch;
     mismatch.root = end.image_side / 3;
@@ -53,7 +53,7 @@ RootMismatch mismatch_at(const ImageEnd& end, const RootGluing& reference, const
             mismatch.kind = Kind::given;
             break;
         default:
-            mismatch.kind = Kind::neighbour;
+            mismatch.kind = Kind::neighbor;
             break;
     }
     return mismatch;
@@ -65,8 +65,8 @@ std::string figures_of(const RootComplex& roots, const RootGluing& gluing) {
                        gluing.component_count(), gluing.component_count() == 1 ? "" : "s");
 }
 
-/// The first root whose refinement edge corresponds to another edge, by a match that was made without regard
-/// to them.
+/// The first root whose refinement edge corresponds to another edge under \p match, which was found without
+/// regard to refinement edges.
 RootMismatch first_wrong_refinement_edge(const RootMatch& match, const RootGluing& reference,
                                          const RootGluing& key) {
     std::vector<Index> reference_root(match.roots.size());
@@ -87,14 +87,14 @@ RootMismatch first_wrong_refinement_edge(const RootMatch& match, const RootGluin
     return {};
 }
 
-/// The complex with all triangles run round the other way, the refinement edges kept.
+/// The complex with the orientation of all triangles reversed, and with the same refinement edges.
 RootComplex mirrored(const RootComplex& roots) {
     std::vector<Triangle> triangles(roots.triangles().begin(), roots.triangles().end());
     for (Triangle& triangle : triangles) std::swap(triangle[1], triangle[2]);
     return {roots.vertex_count(), std::move(triangles)};
 }
 
-/// Where complexes of the same counts differ in how their triangles hang together.
+/// Finds where two complexes with the same counts are glued differently.
 class Difference {
   public:
     Difference(const PlacedComplex& reference, const PlacedComplex& key, const RootGluing& reference_gluing,
@@ -104,9 +104,9 @@ class Difference {
           images_(reference_gluing.triangles.size()),
           walker_(reference_gluing) {}
 
-    /// For the first component of the reference that the key does not have, the place where its image in the
-    /// key got farthest. It begins where the complexes look the same to as far as possible, so that it
-    /// meets a local difference and little else.
+    /// The mismatch where an image of a component got farthest, for the first component of the reference that
+    /// the key does not have. The image begins where the complexes look the same up to the largest possible
+    /// radius. So the mismatch is a local difference, without many others around it.
     RootMismatch find() {
         const RootGluing& gluing = *reference_.gluing;
         std::vector<bool> is_done(gluing.component_count());
@@ -137,7 +137,7 @@ class Difference {
         std::sort(sides_.begin(), sides_.end());
     }
 
-    /// The key's sides that look like side 0 of \p triangle.
+    /// The key's sides with the same signature as side 0 of \p triangle.
     std::span<const std::pair<std::uint64_t, Index>> alike(Index triangle) const {
         const Index side = 3 * triangle;
         const std::uint64_t signature = signature_[side];
@@ -146,7 +146,8 @@ class Difference {
         return {begin, end};
     }
 
-    /// The triangle of a component that looks like fewest of the key, but at least one; none if none does.
+    /// The triangle of a component whose side 0 has the same signature as the fewest sides of the key, but at
+    /// least one; no_index if there is none.
     Index shared_seed(Index component) const {
         Index seed = no_index;
         std::size_t fewest = sides_.size() + 1;
@@ -176,11 +177,11 @@ class Difference {
     RootImages images_;
     RootWalker walker_;
     std::vector<std::uint64_t> signature_;                ///< of the reference, by side
-    std::vector<std::pair<std::uint64_t, Index>> sides_;  ///< of the key by signature
-    std::uint64_t steps_left_ = most_explaining_steps;
+    std::vector<std::pair<std::uint64_t, Index>> sides_;  ///< of the key, by signature
+    std::uint64_t steps_left_ = max_explaining_steps;
 };
 
-/// Why there is no match between complexes of the same counts.
+/// Why there is no match between complexes with the same counts.
 RootMismatch explanation(const PlacedComplex& reference, const PlacedComplex& key, RootMatchOptions options,
                          const RootGluing& reference_gluing, const RootGluing& key_gluing) {
     const bool needs_marks = options.marked;
@@ -234,8 +235,8 @@ std::string text_of(const RootMismatch& mismatch, std::string_view key, std::str
             return fmt::format("key {}: {} as key {} has", key, mismatch.figures, reference);
         case Kind::mirrored:
             return fmt::format(
-                "key {}: its roots match those of key {} only with their orientation reversed: all its "
-                "triangles run the other way round",
+                "key {}: its roots match those of key {} only after its orientation is reversed: all its "
+                "triangles have the opposite orientation",
                 key, reference);
         case Kind::refinement_edge:
             return fmt::format("{}its refinement edge {} corresponds to {}, which is not its refinement edge",
@@ -246,26 +247,27 @@ std::string text_of(const RootMismatch& mismatch, std::string_view key, std::str
         case Kind::surroundings:
             return fmt::format("{}vertex {} corresponds to vertex {} of key {}; the first {}", at_root,
                                mismatch.vertex, mismatch.reference_vertex, reference, mismatch.figures);
-        case Kind::neighbour:
+        case Kind::neighbor:
             return fmt::format(
-                "{}edge {} corresponds to {}, but the roots across them do not correspond to each other",
-                at_root, edge(mismatch.edge), counterpart);
+                "{}edge {} corresponds to {}, but the roots across these edges do not correspond", at_root,
+                edge(mismatch.edge), counterpart);
         case Kind::given:
             return fmt::format(
-                "{}edge {} corresponds to {} by the given roots, but the roots across them do not", at_root,
-                edge(mismatch.edge), counterpart);
+                "{}edge {} corresponds to {} by the given roots, but the roots across these edges do not",
+                at_root, edge(mismatch.edge), counterpart);
         case Kind::no_counterpart:
             return fmt::format(
-                "key {}: none of its roots has as many triangles around its vertices as the "
-                "roots of a component of key {} have",
+                "key {}: none of its roots has the same numbers of triangles around its vertices as the "
+                "roots of a component of key {}",
                 key, reference);
         case Kind::components:
-            return fmt::format("key {}: its components do not match those of key {} one for one", key,
+            return fmt::format("key {}: its components do not match those of key {} one to one", key,
                                reference);
         case Kind::undecided:
             return fmt::format(
-                "key {}: its roots are so many and so symmetric that no match with those of key {} was found "
-                "in reasonable time; give it as \"roots\" in family.json",
+                "key {}: no match with the roots of key {} was found in reasonable time, because the roots "
+                "are "
+                "too many and too symmetric; specify the match as \"roots\" in family.json",
                 key, reference);
     }
     return {};

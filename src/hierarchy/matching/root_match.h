@@ -1,5 +1,5 @@
-// Matching the roots of a key with those of another (paper, section 3.2, constraints (B), 1 and 2), or saying
-// where they differ. root_isomorphism.h has the search itself.
+// Matches the roots of a key with those of another key (paper, section 3.2, constraints (B), 1 and 2), or
+// says where they differ. The search itself is in root_isomorphism.h.
 #pragma once
 
 #include <array>
@@ -11,20 +11,21 @@
 
 namespace interleaf {
 
-/// Why the roots of a key do not match those of the reference, and where, in the key's own numbering. What is
-/// not at one root, edge or vertex has none.
+/// Why the roots of a key do not match those of the reference, and where, in the key's own numbering. The
+/// indices stay unset if the mismatch is not at one root, edge or vertex.
 struct RootMismatch {
     enum class Kind {
-        counts,           ///< they differ in triangles, vertices, boundary edges or components
-        mirrored,         ///< they match with the orientation reversed
-        refinement_edge,  ///< they match, but for the refinement edge `edge` of `root`, and maybe others
-        boundary,         ///< `edge` or its counterpart is on the boundary, and the other is not
-        surroundings,     ///< `vertex` has other triangles around it than its counterpart
-        neighbour,        ///< across `edge` lies another triangle than across its counterpart
-        given,            ///< the same, by the given permutation
-        no_counterpart,   ///< no root of the reference is like `root`
-        components,       ///< single components match, but not all, one for one
-        undecided,        ///< too large and too symmetric to be searched through
+        counts,    ///< the numbers of triangles, vertices, boundary edges or components differ
+        mirrored,  ///< they match with the orientation reversed
+        /// They match, except for the refinement edge `edge` of `root`, and possibly others.
+        refinement_edge,
+        boundary,        ///< exactly one of `edge` and its counterpart is on the boundary
+        surroundings,    ///< the triangles around `vertex` and around its counterpart differ
+        neighbor,        ///< the triangle across `edge` does not correspond to the one across its counterpart
+        given,           ///< as `neighbor`, by the given permutation
+        no_counterpart,  ///< no root of the reference looks like `root`
+        components,      ///< single components match, but not all of them one to one
+        undecided,       ///< too large and too symmetric for a complete search
     };
     using Edge = std::array<Index, 2>;
 
@@ -35,12 +36,13 @@ struct RootMismatch {
     Index reference_root = no_index;  ///< the counterparts of the three above
     Edge reference_edge = {no_index, no_index};
     Index reference_vertex = no_index;
-    std::string figures;  ///< where they differ in some, in words: the key's, then the reference's
+    std::string figures;  ///< in words, how the two differ: first the key's numbers, then the reference's
 };
 
 /// Matches the roots of \p key with those of \p reference.
-/// \throw InputError if they are more than a third of 2^32
-/// \pre   a given permutation is one, of the reference's roots, if both complexes have as many triangles
+/// \throw InputError if the roots have more than 2^32 sides
+/// \pre  if the complexes have equally many triangles, a given permutation is a permutation of the
+///     reference's roots
 std::variant<RootMatch, RootMismatch> match_roots(const PlacedComplex& reference, const PlacedComplex& key,
                                                   const RootMatchOptions& options = {});
 

@@ -72,19 +72,18 @@ ImageEnd RootImages::spread(const RootWalk& walk, const PlacedRoots& from, const
                 return stop(Kind::boundary, side, image_side);
             if (across == no_index) continue;
 
-            const Index neighbour = across / 3;
-            const Index neighbour_image = turned(image_across, 3 - across % 3);
+            const Index neighbor = across / 3;
+            const Index neighbor_image = turned(image_across, 3 - across % 3);
             if ((step.leads_on >> k & 1) == 0) {
-                if (sides_[neighbour] != neighbour_image) return stop(Kind::neighbour, side, image_side);
+                if (sides_[neighbor] != neighbor_image) return stop(Kind::neighbor, side, image_side);
                 continue;
             }
-            if (!rules.given.empty() && rules.given[neighbour] != neighbour_image / 3)
+            if (!rules.given.empty() && rules.given[neighbor] != neighbor_image / 3)
                 return stop(Kind::given, side, image_side);
-            if (rules.marked && neighbour_image % 3 != 0)
-                return stop(Kind::refinement_edge, side, image_side);
-            sides_[neighbour] = neighbour_image;
+            if (rules.marked && neighbor_image % 3 != 0) return stop(Kind::refinement_edge, side, image_side);
+            sides_[neighbor] = neighbor_image;
         }
-        if (end.distance > rules.greatest_distance) return stop(Kind::too_far, no_index, no_index);
+        if (end.distance > rules.max_distance) return stop(Kind::too_far, no_index, no_index);
     }
     return end;
 }

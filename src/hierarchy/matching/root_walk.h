@@ -1,5 +1,5 @@
-// A walk over one component of a root complex, and its image in another complex: the step by which an
-// isomorphism spreads from the image of one side to a whole component.
+// A walk over one component of a root complex, and its image in another complex. The image of one side
+// determines the image of the whole walk: so an isomorphism spreads from one side to a whole component.
 #pragma once
 
 #include <array>
@@ -14,47 +14,48 @@
 
 namespace interleaf {
 
-/// The triangles of a component, breadth first from \p seed; each is reached across a side of one before.
+/// The triangles of a component, breadth first from a seed. Each is reached across a side of an earlier
+/// triangle.
 struct RootWalk {
     struct Step {
         Index triangle;
-        std::uint8_t leads_on;    ///< bit k: the triangle across side k is reached from here
-        std::uint8_t is_visited;  ///< bit k: vertex k was visited before
+        std::uint8_t leads_on;    ///< bit k: the walk reaches the triangle across side k from here
+        std::uint8_t is_visited;  ///< bit k: an earlier triangle has visited vertex k
     };
     std::vector<Step> steps;
     std::size_t vertex_count = 0;
 };
 
-/// A complex with one position a vertex.
+/// A complex with one position per vertex.
 struct PlacedRoots {
     const RootGluing* gluing;
     std::span<const glm::vec3> positions;
 };
 
-/// What an image must respect besides orientation, and where the walk may stop.
+/// What an image must respect besides orientation, and when the walk may stop.
 struct ImageRules {
-    bool marked = true;                ///< refinement edges are mapped to refinement edges
-    std::span<const Index> given{};    ///< the images of all triangles; empty where they are to be found
-    glm::dvec3 shift{0};               ///< added to the positions of the image before distances are measured
-    double greatest_distance = 1e300;  ///< sum of squares beyond which the image is of no use
+    bool marked = true;              ///< refinement edges are mapped to refinement edges
+    std::span<const Index> given{};  ///< the images of all triangles; empty if they are to be found
+    glm::dvec3 shift{0};             ///< added to the positions of the image before distances are measured
+    double max_distance = 1e300;     ///< the walk stops when the sum of squared distances exceeds this
 };
 
 /// How an image of a walk ended.
 struct ImageEnd {
     enum class Kind {
         complete,
-        too_far,          ///< beyond greatest_distance
-        boundary,         ///< the side is on the boundary in one complex alone
-        surroundings,     ///< the vertex has other triangles around it in the other complex
-        refinement_edge,  ///< the triangle across the side has its refinement edge elsewhere
-        neighbour,        ///< the triangle across the side has another image already
-        given,            ///< the triangle across the side has another given image
+        too_far,          ///< the distance exceeds max_distance
+        boundary,         ///< the side is on the boundary in exactly one of the complexes
+        surroundings,     ///< the vertex has different surroundings in the other complex
+        refinement_edge,  ///< the triangle across the side has a different refinement edge
+        neighbor,         ///< the triangle across the side already has a different image
+        given,            ///< the triangle across the side has a different given image
     };
     Kind kind = Kind::complete;
-    Index side = no_index;        ///< of the walk's complex, where it could not go on
+    Index side = no_index;        ///< the side in the walk's complex where the walk stopped
     Index image_side = no_index;  ///< the image of that side
     std::size_t step_count = 0;
-    double distance = 0;  ///< sum of the squared distances of the vertices and their images so far
+    double distance = 0;  ///< sum of squared distances between the vertices so far and their images
 };
 
 /// The images of walks, by triangle: the side that is the image of the triangle's side 0.
@@ -62,9 +63,9 @@ class RootImages {
   public:
     explicit RootImages(std::size_t triangle_count) : sides_(triangle_count, no_index) {}
 
-    /// Maps side 0 of the first triangle of \p walk to \p image, and spreads that over the walk. A complete
-    /// image is an isomorphism onto a component, if that has no more triangles than the walk. Takes a step a
-    /// triangle.
+    /// Maps side 0 of the first triangle of \p walk to \p image, and extends that map over the walk. A
+    /// complete image is an isomorphism onto a component, if that component has no more triangles than the
+    /// walk. Takes one step per triangle.
     ImageEnd spread(const RootWalk& walk, const PlacedRoots& from, const PlacedRoots& to, Index image,
                     const ImageRules& rules);
 
@@ -74,14 +75,14 @@ class RootImages {
     std::vector<Index> sides_;
 };
 
-/// The walks over components of one complex. Its scratch memory is of the size of the complex, and used
-/// again.
+/// Makes walks over the components of one complex. Reuses its scratch memory, which is as large as the
+/// complex.
 class RootWalker {
   public:
     explicit RootWalker(const RootGluing& gluing)
         : gluing_(&gluing), reached_(gluing.triangles.size()), visited_(gluing.surroundings.size()) {}
 
-    /// \pre  no walk over the component of \p seed was made before
+    /// \pre  there was no walk over the component of \p seed before
     RootWalk walk_from(Index seed);
 
   private:

@@ -17,7 +17,7 @@ namespace interleaf {
 ///                     single .ilh or .obj file, which becomes a family of one key
 /// \param changes      gets a sentence for each key that was renumbered
 /// \throw InputError   naming the file, the place and what was expected; MismatchError if the roots of a key
-///                     do not match the roots of the first key (synchronise_keys.h)
+///                     do not match the roots of the first key (synchronize_keys.h)
 /// \throw MachineError if a file cannot be opened or read
 Family read_family(const std::filesystem::path& path, std::vector<std::string>* changes = nullptr);
 

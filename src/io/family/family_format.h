@@ -15,10 +15,10 @@ inline constexpr std::uint32_t oldest_version = 1;
 /// Written for a family with an origin.
 inline constexpr std::uint32_t version = 2;
 
-inline constexpr std::uint64_t largest_file = 16 << 20;
+inline constexpr std::uint64_t max_file_size = 16 << 20;
 
-/// Limits the time that the check for overlaps takes.
-inline constexpr std::size_t most_domain_triangles = 4096;
+/// The checks of ParameterDomain take about n^1.5 steps for n triangles of similar size, but n^2 at worst.
+inline constexpr std::size_t max_domain_triangles = 4096;
 
 /// Converts paths: family.json holds them as UTF-8, whatever the operating system uses.
 std::filesystem::path path_of(std::string_view utf8);

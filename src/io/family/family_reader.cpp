@@ -9,7 +9,7 @@
 
 #include "family/new_family.h"
 #include "family/origin.h"
-#include "family/synchronise_keys.h"
+#include "family/synchronize_keys.h"
 #include "hierarchy/error.h"
 #include "io/family/family_file.h"
 #include "io/family/family_format.h"
@@ -115,16 +115,16 @@ std::vector<std::vector<Index>> given_roots(const JsonPlace& place, std::span<co
 /// Renumbers all keys so that their roots match the roots of the first key.
 /// \param place_of  says where the key of an index was read from
 template <typename PlaceOf>
-void synchronise_all(std::span<Key> keys, std::span<const std::vector<Index>> given, const PlaceOf& place_of,
+void synchronize_all(std::span<Key> keys, std::span<const std::vector<Index>> given, const PlaceOf& place_of,
                      std::vector<std::string>* changes) {
-    const Synchronisation synchronisation = synchronise(keys, given);
+    const Synchronization synchronization = synchronize(keys, given);
     std::vector<std::string> faults;
-    faults.reserve(synchronisation.mismatches.size());
-    for (const KeyMismatch& mismatch : synchronisation.mismatches)
+    faults.reserve(synchronization.mismatches.size());
+    for (const KeyMismatch& mismatch : synchronization.mismatches)
         faults.push_back(fmt::format("{}: {}", place_of(mismatch.key), mismatch.text));
-    if (!faults.empty()) throw MismatchError(joined(faults, "; "), keys, synchronisation.mismatches.front());
+    if (!faults.empty()) throw MismatchError(joined(faults, "; "), keys, synchronization.mismatches.front());
     if (changes != nullptr)
-        changes->insert(changes->end(), synchronisation.changes.begin(), synchronisation.changes.end());
+        changes->insert(changes->end(), synchronization.changes.begin(), synchronization.changes.end());
 }
 
 /// Finds the index of a key by its name.
@@ -187,9 +187,9 @@ ParameterDomain domain_at(const JsonPlace& place, const KeyNames& names) {
     }
     std::vector<Triangle> domain_triangles;
     const JsonPlace triangles = place.member("triangles");
-    if (triangles.size() == 0 || triangles.size() > family_format::most_domain_triangles)
+    if (triangles.size() == 0 || triangles.size() > family_format::max_domain_triangles)
         triangles.fail(fmt::format("{} triangles, expected 1 to {}", triangles.size(),
-                                   family_format::most_domain_triangles));
+                                   family_format::max_domain_triangles));
     domain_triangles.reserve(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i)
         domain_triangles.push_back(triangle_at(triangles.element(i), domain_vertices.size()));
@@ -201,7 +201,7 @@ ParameterDomain domain_at(const JsonPlace& place, const KeyNames& names) {
 }
 
 nlohmann::json parse_family_json(const fs::path& file) {
-    return parse_json(read_text(file, family_format::largest_file), file.string());
+    return parse_json(read_text(file, family_format::max_file_size), file.string());
 }
 
 fs::path folder_of(const fs::path& file) {
@@ -227,7 +227,7 @@ Family read_family_json(const fs::path& file, std::vector<std::string>* changes)
         const auto place_of = [&](std::size_t key) {
             return fmt::format("{}: keys[{}]", file.string(), key);
         };
-        synchronise_all(family.keys, given_roots(keys, family.keys), place_of, changes);
+        synchronize_all(family.keys, given_roots(keys, family.keys), place_of, changes);
     }
     if (const auto violations = check(family); !violations.empty()) keys.fail(joined(violations, "; "));
 
@@ -310,7 +310,7 @@ Family read_keys(std::span<const fs::path> files, std::vector<std::string>* chan
     if (changes != nullptr) changes->insert(changes->end(), read.remarks.begin(), read.remarks.end());
     for (Hierarchy& hierarchy : read.keys)
         keys.push_back({name_of(files[keys.size()]), std::move(hierarchy)});
-    synchronise_all(
+    synchronize_all(
         keys, {}, [&](std::size_t key) { return files[key].string(); }, changes);
     const std::string name = files.size() == 1
                                  ? name_of(files.front())

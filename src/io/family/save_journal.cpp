@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view journal_name = ".interleaf-save";
-constexpr std::uint64_t largest_journal = 1 << 20;
+constexpr std::uint64_t max_journal_size = 1 << 20;
 
 /// Whether \p name names a key file directly in the family's folder, and fits on one line.
 bool is_key_name(const fs::path& name) {
@@ -31,7 +31,7 @@ bool is_key_name(const fs::path& name) {
 
 /// The files that the journal in \p folder lists. Each line has a checksum, a size and a name.
 std::vector<KeyFileMark> listed_files(const fs::path& folder) {
-    std::istringstream lines(read_text(folder / journal_name, largest_journal));
+    std::istringstream lines(read_text(folder / journal_name, max_journal_size));
     std::vector<KeyFileMark> files;
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
@@ -80,7 +80,7 @@ std::optional<std::set<std::string>> named_key_files(const fs::path& folder) {
     if (!fs::exists(fs::symlink_status(file))) return names;
     try {
         const nlohmann::json document =
-            parse_json(read_text(file, family_format::largest_file), file.string());
+            parse_json(read_text(file, family_format::max_file_size), file.string());
         const JsonPlace keys = JsonPlace(document, file.string()).member("keys");
         for (std::size_t i = 0; i < keys.size(); ++i) {
             const fs::path name =

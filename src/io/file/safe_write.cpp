@@ -41,11 +41,11 @@ void flush_folder(const std::filesystem::path& folder) {
 
 /// The path of \p file with all symbolic links followed, whether the file exists or not.
 std::filesystem::path behind_links(const std::filesystem::path& file) {
-    constexpr int most_links = 40;  // the limit of the system
+    constexpr int max_links = 40;  // the limit of the system
     std::filesystem::path target = file;
     std::error_code error;
     for (int links = 0; std::filesystem::is_symlink(target, error); ++links) {
-        if (links == most_links) {
+        if (links == max_links) {
             errno = ELOOP;
             throw_system_error(file, cannot_write);
         }

@@ -45,8 +45,8 @@ FileDescriptor locked_new_file(const std::filesystem::path& path, unsigned mode)
 }  // namespace
 
 TemporaryFile::TemporaryFile(const std::filesystem::path& folder, unsigned mode) {
-    constexpr int most_writers = 10'000;
-    for (int number = 0; number < most_writers; ++number) {
+    constexpr int max_writers = 10'000;
+    for (int number = 0; number < max_writers; ++number) {
         path_ = folder / fmt::format(".interleaf-{}", number);
         descriptor_ = locked_new_file(path_, mode);
         if (is_open() || errno != EEXIST) return;

@@ -63,17 +63,17 @@ class BitWriter {
 
 /// The edge opposite each vertex of each root.
 inline std::vector<Triangle> root_edges(const RootComplex& roots, Index& edge_count) {
-    const auto neighbours = roots.neighbours();
+    const auto neighbors = roots.neighbors();
     std::vector<Triangle> edges(roots.triangle_count());
     edge_count = 0;
     for (Index t = 0; t < edges.size(); ++t)
         for (unsigned side = 0; side < 3; ++side) {
-            const Index other = neighbours[t][side];
+            const Index other = neighbors[t][side];
             if (other > t) {  // or no_index
                 edges[t][side] = edge_count++;
                 continue;
             }
-            const auto back = std::ranges::find(neighbours[other], t) - neighbours[other].begin();
+            const auto back = std::ranges::find(neighbors[other], t) - neighbors[other].begin();
             edges[t][side] = edges[other][static_cast<std::size_t>(back)];
         }
     return edges;

@@ -43,11 +43,11 @@ struct Preamble {
     std::vector<FieldName> fields;
 };
 
-constexpr std::uint64_t smallest_file = sizeof(Header) + sizeof(Extension) + sizeof(std::uint32_t);
+constexpr std::uint64_t min_file_size = sizeof(Header) + sizeof(Extension) + sizeof(std::uint32_t);
 
 /// The largest plain file, in bytes, that a compressed file of \p size bytes may stand for. So the size of
 /// the file limits the memory that its reader takes.
-constexpr std::uint64_t most_content(std::uint64_t size) {
+constexpr std::uint64_t max_content(std::uint64_t size) {
     return (std::uint64_t{16} << 20) + 64 * size;
 }
 
@@ -82,8 +82,8 @@ void read_labels(const Header& header, hierarchy_format::SummedInput& input, std
 
 Preamble read_preamble(const Header& header, hierarchy_format::SummedInput& input, std::uint64_t size,
                        std::string_view name) {
-    if (size < smallest_file)
-        fail(name, "size", fmt::format("{} bytes, expected at least {}: it is cut off", size, smallest_file));
+    if (size < min_file_size)
+        fail(name, "size", fmt::format("{} bytes, expected at least {}: it is cut off", size, min_file_size));
     Preamble preamble;
     preamble.extension = input.read_value<Extension>();
     read_labels(header, input, size, name, preamble);
@@ -93,20 +93,20 @@ Preamble read_preamble(const Header& header, hierarchy_format::SummedInput& inpu
     hierarchy_format::require_counts(header, name);
 
     const std::uint64_t content = hierarchy_format::plain_size(header, preamble.fields);
-    if (content > most_content(size))
+    if (content > max_content(size))
         fail(name, "counts",
              fmt::format("stand for {} bytes, expected at most {} in a file of {}", content,
-                         most_content(size), size));
+                         max_content(size), size));
     if (!has_countable_edges(header)) fail(name, "counts", "are too large");
     const std::uint64_t nodes = header.root_triangles + 2 * std::uint64_t{header.midpoints};
     if (extension.decisions > nodes)
         fail(name, "decision count",
              fmt::format("is {}, expected at most the {} nodes", extension.decisions, nodes));
-    if (extension.grid_exponent != no_grid && (extension.grid_exponent < CoordinateGrid::smallest_exponent ||
-                                               extension.grid_exponent > CoordinateGrid::largest_exponent))
+    if (extension.grid_exponent != no_grid && (extension.grid_exponent < CoordinateGrid::min_exponent ||
+                                               extension.grid_exponent > CoordinateGrid::max_exponent))
         fail(name, "grid exponent",
              fmt::format("is {}, expected {} to {}, or none", extension.grid_exponent,
-                         CoordinateGrid::smallest_exponent, CoordinateGrid::largest_exponent));
+                         CoordinateGrid::min_exponent, CoordinateGrid::max_exponent));
     return preamble;
 }
 
@@ -247,7 +247,7 @@ std::optional<std::vector<std::byte>> compressed_bytes(const Hierarchy& hierarch
     std::memcpy(bytes.data(), &header, sizeof(Header));
     std::memcpy(bytes.data() + sizeof(Header), &extension, sizeof(Extension));
     hierarchy_format::append_checksum(bytes);
-    if (content > most_content(bytes.size())) return std::nullopt;
+    if (content > max_content(bytes.size())) return std::nullopt;
     return bytes;
 }
 

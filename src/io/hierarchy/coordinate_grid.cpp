@@ -11,14 +11,14 @@ namespace interleaf {
 namespace {
 
 /// The exponent of the lowest set bit of \p coordinate; none for zero.
-std::optional<int> lowest_exponent(float coordinate) {
+std::optional<int> min_exponent(float coordinate) {
     constexpr unsigned fraction_bits = 23;
     const auto image = std::bit_cast<std::uint32_t>(coordinate);
     const std::uint32_t fraction = image & ((1U << fraction_bits) - 1);
     const int exponent = static_cast<int>(image >> fraction_bits & 0xff);
     if (exponent == 0 && fraction == 0) return std::nullopt;
     const std::uint32_t digits = exponent == 0 ? fraction : fraction | 1U << fraction_bits;
-    return CoordinateGrid::smallest_exponent + std::max(exponent, 1) - 1 + std::countr_zero(digits);
+    return CoordinateGrid::min_exponent + std::max(exponent, 1) - 1 + std::countr_zero(digits);
 }
 
 double longest_side(std::span<const glm::vec3> positions) {
@@ -39,12 +39,12 @@ float rounded(float coordinate, double step) {
 
 std::optional<CoordinateGrid> grid_of(std::span<const glm::vec3> positions) {
     constexpr int number_bits = 26;
-    int lowest = CoordinateGrid::largest_exponent;
-    int highest = CoordinateGrid::smallest_exponent;
+    int lowest = CoordinateGrid::max_exponent;
+    int highest = CoordinateGrid::min_exponent;
     for (const glm::vec3& position : positions)
         for (int axis = 0; axis < 3; ++axis) {
             const float coordinate = position[axis];
-            if (const std::optional<int> exponent = lowest_exponent(coordinate)) {
+            if (const std::optional<int> exponent = min_exponent(coordinate)) {
                 lowest = std::min(lowest, *exponent);
                 highest = std::max(highest, std::ilogb(coordinate));
             } else if (std::signbit(coordinate)) {
@@ -59,8 +59,7 @@ Buffer<glm::vec3> rounded_positions(std::span<const glm::vec3> positions, unsign
     Buffer<glm::vec3> result(positions.begin(), positions.end());
     const double side = longest_side(positions);
     if (!(side > 0)) return result;
-    const int exponent =
-        std::max(std::ilogb(side) - static_cast<int>(bits), CoordinateGrid::smallest_exponent);
+    const int exponent = std::max(std::ilogb(side) - static_cast<int>(bits), CoordinateGrid::min_exponent);
     const double step = std::ldexp(1.0, exponent);
     for (glm::vec3& position : result)
         for (int axis = 0; axis < 3; ++axis) position[axis] = rounded(position[axis], step);

@@ -16,8 +16,8 @@ namespace interleaf {
 class CoordinateGrid {
   public:
     /// The smallest and the largest exponent for which the step is a float.
-    static constexpr int smallest_exponent = -149;
-    static constexpr int largest_exponent = 127;
+    static constexpr int min_exponent = -149;
+    static constexpr int max_exponent = 127;
 
     /// The grid with the step 2^\p exponent.
     explicit CoordinateGrid(int exponent)

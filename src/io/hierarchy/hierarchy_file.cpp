@@ -26,7 +26,7 @@ using hierarchy_format::Header;
 using hierarchy_format::SummedInput;
 using Bytes = std::span<const std::byte>;
 
-constexpr std::size_t smallest_plain_file = sizeof(Header) + sizeof(std::uint32_t);
+constexpr std::size_t min_plain_file_size = sizeof(Header) + sizeof(std::uint32_t);
 
 void check_signature(Bytes head, std::string_view name) {
     const Header expected;
@@ -44,9 +44,9 @@ Header read_header(SummedInput& input, std::uint64_t size, std::string_view name
     const auto head = std::span(bytes).first(std::min<std::uint64_t>(size, sizeof(Header)));
     input.read(head);
     check_signature(head, name);
-    if (size < smallest_plain_file)
+    if (size < min_plain_file_size)
         fail(name, "size",
-             fmt::format("{} bytes, expected at least {}: it is cut off", size, smallest_plain_file));
+             fmt::format("{} bytes, expected at least {}: it is cut off", size, min_plain_file_size));
 
     Header header;
     std::memcpy(&header, bytes.data(), sizeof(Header));

@@ -28,7 +28,7 @@ double depth_across(const SweptEdge& edge, const SweptEdge& other) {
 }
 
 bool do_cross(const SweptEdge& a, const SweptEdge& b) {
-    return std::min(depth_across(a, b), depth_across(b, a)) > least_depth;
+    return std::min(depth_across(a, b), depth_across(b, a)) > min_depth;
 }
 
 /// Whether two edges overlap in the same direction along one line, so that their areas overlap.
@@ -36,7 +36,7 @@ bool do_run_together(const SweptEdge& a, const SweptEdge& b) {
     if (a.goes_right != b.goes_right) return false;
     const PlanePoint begin = std::max(a.left, b.left);
     const PlanePoint end = std::min(a.right, b.right);
-    return begin < end && distance(begin, end) > least_depth && orientation(a.left, a.right, b.left) == 0 &&
+    return begin < end && distance(begin, end) > min_depth && orientation(a.left, a.right, b.left) == 0 &&
            orientation(a.left, a.right, b.right) == 0;
 }
 

@@ -165,8 +165,8 @@ bool is_convex(std::span<const PlanePoint> points) {
 
 /// Whether triangles are flipped by more than rounding errors.
 bool are_turned_over(std::span<const Triangle> triangles, std::span<const PlanePoint> points) {
-    constexpr double least_part = 1e-3;  // of the area
-    constexpr double least_area = 1e-8 * static_cast<double>(plane_steps) * static_cast<double>(plane_steps);
+    constexpr double min_part = 1e-3;  // of the area
+    constexpr double min_area = 1e-8 * static_cast<double>(plane_steps) * static_cast<double>(plane_steps);
     double whole = 0;
     double turned_over = 0;
     for (const auto& [a, b, c] : triangles) {
@@ -174,7 +174,7 @@ bool are_turned_over(std::span<const Triangle> triangles, std::span<const PlaneP
         whole += std::abs(area);
         if (area < 0) turned_over -= area;
     }
-    return turned_over > std::max(least_part * whole, least_area);
+    return turned_over > std::max(min_part * whole, min_area);
 }
 
 std::vector<PlaneEdge> edges_of(std::span<const PlanePoint> corners) {
@@ -195,7 +195,7 @@ std::vector<PlaneEdge> edges_of(std::span<const Triangle> triangles, std::span<c
         double longest = 0;
         for (const auto& [from, to] : sides) longest = std::max(longest, distance(from, to));
         const auto area = static_cast<double>(orientation(points[a], points[b], points[c]));
-        if (area > least_depth * longest) edges.insert(edges.end(), sides.begin(), sides.end());
+        if (area > min_depth * longest) edges.insert(edges.end(), sides.begin(), sides.end());
     }
     return edges;
 }

@@ -20,11 +20,11 @@ namespace interleaf {
 
 namespace {
 
-constexpr std::uint64_t largest_obj = std::uint64_t{1} << 30;
+constexpr std::uint64_t max_obj_size = std::uint64_t{1} << 30;
 
 PolygonMesh read_lines(const std::filesystem::path& file, std::vector<std::string>& remarks) {
     const std::string name = file.string();
-    PolygonMesh mesh = read_obj_lines(read_text(file, largest_obj), name);
+    PolygonMesh mesh = read_obj_lines(read_text(file, max_obj_size), name);
     settle(mesh, name);
     for (const std::string& remark : mesh.remarks) remarks.push_back(fmt::format("{}: {}", name, remark));
     return mesh;

@@ -34,7 +34,7 @@ class Reader {
     PolygonMesh read() {
         while (!text_.empty()) read_line();
         if (greatest_ > mesh_.positions.size()) {
-            line_number_ = greatest_line_;
+            line_number_ = max_line_;
             fail(fmt::format("vertex {} does not exist, there are {}", greatest_, mesh_.positions.size()));
         }
         if (mesh_.colors.size() != mesh_.positions.size()) mesh_.colors.clear();
@@ -164,7 +164,7 @@ class Reader {
         const auto counted = static_cast<std::size_t>(number > 0 ? number : before + 1 + number);
         if (counted > greatest_) {
             greatest_ = counted;
-            greatest_line_ = line_number_;
+            max_line_ = line_number_;
         }
         return counted;
     }
@@ -176,7 +176,7 @@ class Reader {
     std::string joined_;           ///< its lines, joined
     std::vector<Index> corners_;
     std::size_t greatest_ = 0;
-    std::size_t greatest_line_ = 0;
+    std::size_t max_line_ = 0;
     PolygonMesh mesh_;
 };
 

@@ -68,14 +68,14 @@ bool ReflexTree::has_inside(const PlanePoint& a, const PlanePoint& b, const Plan
                             Border border) const {
     if (corners_.empty()) return false;
     // A point on a side, up to rounding, counts as inside or outside as border says.
-    const auto least_reach = [&](const PlanePoint& from, const PlanePoint& to) {
+    const auto min_reach = [&](const PlanePoint& from, const PlanePoint& to) {
         constexpr double max_rounding = 4;
         return border == Border::outside ? std::int64_t{1}
                                          : -static_cast<std::int64_t>(max_rounding * distance(from, to));
     };
-    const std::int64_t beside_ab = least_reach(a, b);
-    const std::int64_t beside_bc = least_reach(b, c);
-    const std::int64_t beside_ca = least_reach(c, a);
+    const std::int64_t beside_ab = min_reach(a, b);
+    const std::int64_t beside_bc = min_reach(b, c);
+    const std::int64_t beside_ca = min_reach(c, a);
     const auto is_corner = [&](const PlanePoint& point) { return point == a || point == b || point == c; };
     const auto is_inside = [&](Index corner) {
         if (place_[corner] == corners_.size()) return false;

@@ -20,7 +20,7 @@
 namespace interleaf {
 namespace {
 
-constexpr std::uint64_t largest_surface = std::uint64_t{1} << 30;
+constexpr std::uint64_t max_surface_size = std::uint64_t{1} << 30;
 
 glm::dvec3 as_floats(const glm::dvec3& p) {
     return {rounded_to_float(p.x), rounded_to_float(p.y), rounded_to_float(p.z)};
@@ -73,7 +73,7 @@ SurfaceFile read_surface(const std::filesystem::path& file) {
     if (parse == nullptr)
         throw InputError(
             fmt::format("{}: expected a file that ends in .obj, .ply, .stl or .off", file.string()));
-    SurfaceFile surface = parse(read_text(file, largest_surface), file.string());
+    SurfaceFile surface = parse(read_text(file, max_surface_size), file.string());
     if (std::string lost = lost_digits(surface); !lost.empty()) surface.remarks.push_back(std::move(lost));
     return surface;
 }

@@ -37,7 +37,7 @@ std::string place_of_overflow(std::string_view message, std::string_view text) {
 
 /// An upper bound of the number of values in \p text. Every value but the first follows a comma or begins an
 /// array or object.
-std::size_t most_values_in(std::string_view text) {
+std::size_t max_values_in(std::string_view text) {
     std::size_t count = 1;
     bool in_string = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -97,9 +97,9 @@ void JsonPlace::fail_expecting(std::string_view what) const {
 }
 
 json parse_json(std::string_view text, std::string_view file) {
-    if (most_values_in(text) > most_json_values)
+    if (max_values_in(text) > max_json_values)
         throw InputError(
-            fmt::format("{}: document: has too many values, expected at most {}", file, most_json_values));
+            fmt::format("{}: document: has too many values, expected at most {}", file, max_json_values));
     try {
         return json::parse(text);
     } catch (const json::exception& error) {

@@ -57,10 +57,10 @@ class JsonPlace {
 
 /// The largest number of values in a document, counting arrays and objects. The limit is needed because an
 /// empty object of 3 bytes takes 120 bytes of memory.
-inline constexpr std::size_t most_json_values = 500'000;
+inline constexpr std::size_t max_json_values = 500'000;
 
 /// Parses the document in \p text. Messages call it \p file.
-/// \throw InputError naming \p file and the line, unless \p text is JSON with at most most_json_values values
+/// \throw InputError naming \p file and the line, unless \p text is JSON with at most max_json_values values
 nlohmann::json parse_json(std::string_view text, std::string_view file);
 
 /// The beginning of \p text in quotation marks, as ASCII with all other characters escaped. So it is safe to

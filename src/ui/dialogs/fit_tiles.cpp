@@ -150,7 +150,7 @@ Camera tile_camera() {
     Camera camera;
     camera.look_from(30, 20);
     const glm::vec3 corner(scene_radius);
-    camera.frame({{-corner, corner}, scene_radius}, 1);
+    camera.view_all({{-corner, corner}, scene_radius}, 1);
     return camera;
 }
 

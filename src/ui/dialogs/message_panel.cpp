@@ -11,7 +11,7 @@ namespace interleaf {
 
 namespace {
 
-constexpr std::size_t most_pictures = 2;
+constexpr std::size_t max_pictures = 2;
 
 /// Two pictures and their captions in a panel \p width wide, at most \p height high; none if that is too
 /// little.
@@ -19,7 +19,7 @@ void show_pictures(std::span<const MessagePicture> pictures, float width, float 
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float caption = ImGui::GetTextLineHeightWithSpacing();
     glm::vec2 size = message_picture_size();
-    size *= std::min({1.0F, (width - gap) / (most_pictures * size.x), (height - caption) / size.y});
+    size *= std::min({1.0F, (width - gap) / (max_pictures * size.x), (height - caption) / size.y});
     size = glm::floor(size);
     if (size.y < scaled(60)) return;
     const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
@@ -58,7 +58,7 @@ bool message_panel(const std::string& message, std::span<const MessagePicture> p
     if (!pictures.empty()) {
         const float used =
             ImGui::GetCursorPosY() + ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().WindowPadding.y;
-        show_pictures(pictures.first(std::min(pictures.size(), most_pictures)),
+        show_pictures(pictures.first(std::min(pictures.size(), max_pictures)),
                       ImGui::GetContentRegionAvail().x, area.height - 2 * margin - used);
         ImGui::Spacing();
     }

@@ -15,9 +15,9 @@
 namespace interleaf {
 
 std::string time_left(double part, double seconds) {
-    constexpr double least_seconds = 1;
-    constexpr double least_part = 0.02;
-    if (seconds < least_seconds || part < least_part) return "";
+    constexpr double min_seconds = 1;
+    constexpr double min_part = 0.02;
+    if (seconds < min_seconds || part < min_part) return "";
     const double left = std::ceil(seconds * (1 - part) / part);
     return left < 90 ? fmt::format("about {:.0f} s left", left)
                      : fmt::format("about {:.0f} min left", std::ceil(left / 60));

@@ -57,7 +57,7 @@ void show_figures(const ComparisonShown& shown) {
     };
     next("Hausdorff distance", fmt::format("{:.3g} %", shown.hausdorff));
     next("Root mean square", fmt::format("{:.3g} %", shown.root_mean_square));
-    next("Least angle", fmt::format("{:.3g}\u00b0", shown.least_angle));
+    next("Least angle", fmt::format("{:.3g}\u00b0", shown.min_angle));
     next("Flipped leaves", fmt::format("{}", shown.flipped_leaves));
     ImGui::Dummy({4 * figure_width(), figures_height()});
 }
@@ -96,7 +96,7 @@ float comparison_panel_height(float width) {
                                  : one_row + figures_height() + legend_height() + 3 * spacing;
 }
 
-ComparisonResult comparison_panel(const Rect& rect, const ComparisonShown& shown, bool takes_keys) {
+ComparisonResult comparison_panel(const Rect& rect, const ComparisonShown& shown, bool takes_keyboard) {
     ComparisonResult result{.chosen = shown.chosen, .has_colors = shown.has_colors};
     begin_panel("comparison", rect);
     const float room = ImGui::GetContentRegionAvail().x;
@@ -118,7 +118,7 @@ ComparisonResult comparison_panel(const Rect& rect, const ComparisonShown& shown
         show_legend(shown.scale);
         ImGui::EndGroup();
     }
-    if (takes_keys) read_keys(shown, result.chosen);
+    if (takes_keyboard) read_keys(shown, result.chosen);
     end_panel();
     return result;
 }

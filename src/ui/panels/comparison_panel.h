@@ -1,5 +1,5 @@
 // What stands below a fitted key and its mesh while they are compared: which pair it is, how near they are,
-// and what the colours mean.
+// and what the colors mean.
 #pragma once
 
 #include <cstddef>
@@ -17,9 +17,9 @@ struct ComparisonShown {
     std::size_t chosen = 0;
     double hausdorff = 0;         ///< percent of the box diagonal
     double root_mean_square = 0;  ///< percent of the box diagonal
-    double least_angle = 0;       ///< degrees
+    double min_angle = 0;         ///< degrees
     std::size_t flipped_leaves = 0;
-    bool has_colors = true;  ///< distances as colours, by this scale:
+    bool has_colors = true;  ///< distances as colors, by this scale:
     ColorScale scale;        ///< percent of the box diagonal
 };
 
@@ -32,7 +32,7 @@ struct ComparisonResult {
 /// Height of the panel in a window of \p width.
 float comparison_panel_height(float width);
 
-/// Left and Right choose another pair, unless \p takes_keys is off: then all keys are for something else.
-ComparisonResult comparison_panel(const Rect& rect, const ComparisonShown& shown, bool takes_keys);
+/// Left and Right choose another pair, unless \p takes_keyboard is off: then all keys are for something else.
+ComparisonResult comparison_panel(const Rect& rect, const ComparisonShown& shown, bool takes_keyboard);
 
 }  // namespace interleaf

@@ -85,7 +85,7 @@ void display_panel(Display& display, const Legend& legend) {
     ImGui::Checkbox("Refinement edges", &display.refinement_edges);
     ImGui::Checkbox("Root edges", &display.root_edges);
     section_gap();
-    heading("Colour");
+    heading("Color");
     choice("color", display.coloring,
            {{"Plain", Coloring::plain}, {"Level", Coloring::level}, {"Origin", Coloring::origin}});
     if (legend.fields.empty())

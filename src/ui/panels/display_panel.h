@@ -1,4 +1,4 @@
-// What the picture shows: shading, lines, colouring with its legend.
+// What the picture shows: shading, lines, coloring with its legend.
 #pragma once
 
 #include <optional>

@@ -30,7 +30,7 @@ void choose_field(Display& display, std::span<const FamilyField> fields) {
     ImGui::EndCombo();
 }
 
-/// Each map with its colours beside its name.
+/// Each map with its colors beside its name.
 void choose_map(ColorMap& map) {
     ImGui::SetNextItemWidth(-1);
     if (!ImGui::BeginCombo("##map", std::string(name_of(map)).c_str())) return;

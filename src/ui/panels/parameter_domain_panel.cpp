@@ -18,7 +18,7 @@ namespace interleaf {
 
 namespace {
 
-/// ImDrawList has no triangle with a colour a vertex, but its vertices carry one and are interpolated.
+/// ImDrawList has no triangle with a color a vertex, but its vertices carry one and are interpolated.
 void fill_triangle(ImDrawList& list, const std::array<glm::vec2, 3>& corners,
                    const std::array<ImU32, 3>& fills) {
     const ImVec2 white = ImGui::GetFontTexUvWhitePixel();

@@ -1,4 +1,4 @@
-// The parameter domain (paper, figure 8): its triangles coloured by barycentric weight, and the point to
+// The parameter domain (paper, figure 8): its triangles colored by barycentric weight, and the point to
 // drag. Keys are dropped on it from their list; the right mouse button has what can be done to a vertex.
 #pragma once
 

@@ -116,7 +116,7 @@ double readable_time(const TimeScale& scale, float pointer) {
     return rounded_to_power(scale.begin + span * part, readable_exponent(scale));
 }
 
-/// The time under the pointer for the key at \p place, which stays between its neighbours.
+/// The time under the pointer for the key at \p place, which stays between its neighbors.
 double dragged_time(const Timeline& timeline, std::size_t place, const TimeScale& scale, float pointer) {
     const auto keys = timeline.keys();
     const int exponent = readable_exponent(scale);

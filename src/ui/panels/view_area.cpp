@@ -28,7 +28,7 @@ ViewInput view_area(const Rect& rect, const char* name) {
         input.pointed_at = ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown();
         if (ImGui::IsItemHovered()) {
             input.zoom = std::pow(1.12F, io.MouseWheel);
-            input.frame = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+            input.view_all = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
         }
     }
     end_panel();

@@ -12,11 +12,12 @@ struct ViewInput {
     glm::vec2 pan{0};         ///< the same
     float zoom = 1;           ///< factor, above 1 nearer
     glm::vec2 pointer{0};     ///< window coordinates
-    bool frame = false;       ///< see the whole model
+    bool view_all = false;    ///< see the whole model
     bool pointed_at = false;  ///< the pointer rests or moves over the area, and drags nothing
 };
 
-/// Left drag orbits; right, middle and Shift + left drag pan; the wheel zooms; a double click frames.
+/// Left drag orbits; right, middle and Shift + left drag pan; the wheel zooms; a double click views the whole
+/// model.
 /// \param name  unique in the frame
 ViewInput view_area(const Rect& rect, const char* name = "view");
 

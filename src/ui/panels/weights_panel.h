@@ -1,4 +1,4 @@
-// The weights of all keys, as numbers and as bars in the keys' colours.
+// The weights of all keys, as numbers and as bars in the keys' colors.
 #pragma once
 
 #include "family/family.h"

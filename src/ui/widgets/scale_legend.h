@@ -1,4 +1,4 @@
-// What the colours of a scale mean: a bar of them with numbers below.
+// What the colors of a scale mean: a bar of them with numbers below.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -10,7 +10,7 @@ namespace interleaf {
 /// The bar, as wide as the present panel.
 void scale_legend(const ColorScale& scale);
 
-/// The colours of \p scale alone, over its range, from \p corner on.
+/// The colors of \p scale alone, over its range, from \p corner on.
 void draw_scale_colors(glm::vec2 corner, glm::vec2 size, const ColorScale& scale);
 
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-// How the user interface looks: colours, spacing, the two sizes of its typeface, and the few pieces all
+// How the user interface looks: colors, spacing, the two sizes of its typeface, and the few pieces all
 // panels are made of.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace interleaf {
 
-/// What is drawn by hand takes its colours from here.
+/// What is drawn by hand takes its colors from here.
 namespace colors {
 inline constexpr ImU32 text = IM_COL32(222, 226, 232, 255);
 inline constexpr ImU32 dim_text = IM_COL32(146, 154, 168, 255);

@@ -39,7 +39,7 @@ TEST_CASE("distances are in percent of the box diagonal, from the mesh to the ke
         CHECK(distance == doctest::Approx(100 * 0.1 / diagonal));
     for (const float distance : comparison.key_distances)
         CHECK(distance == doctest::Approx(100 * 0.1 / std::sqrt(3.0) / diagonal));
-    CHECK(largest_distance(comparison) == comparison.mesh_distances.front());
+    CHECK(max_distance(comparison) == comparison.mesh_distances.front());
 }
 
 TEST_CASE("a key whose vertices lie on its mesh is measured between them, too") {
@@ -82,7 +82,7 @@ TEST_CASE("a comparison goes with the hierarchy, whatever its key is called and 
 TEST_CASE("the quality of a fit is said in a sentence") {
     FitQuality quality;
     quality.hausdorff = 0.001234;
-    quality.least_angle = 11.234;
+    quality.min_angle = 11.234;
     CHECK(in_words(quality) ==
           "at most 0.123 % of the box diagonal from the mesh, least angle 11.2 degrees, no flipped leaves");
     quality.flipped_leaves = 1;

@@ -18,31 +18,31 @@ const std::vector<FamilyField> fields = {
 
 TEST_CASE("a display without a field names the first, one with a field keeps it") {
     Display display;
-    fit_display(display, fields);
+    adapt_display(display, fields);
     CHECK(display.field == "color");
     CHECK(shown_field(display, fields) == nullptr);
     display.coloring = Coloring::field;
     CHECK(shown_field(display, fields) == &fields[0]);
     display.field = std::string("p");
-    fit_display(display, fields);
+    adapt_display(display, fields);
     CHECK(shown_field(display, fields) == &fields[2]);
     CHECK(display.scale.range == ValueRange{1, 3});
     display.field = std::string("of another family");
-    fit_display(display, fields);
+    adapt_display(display, fields);
     CHECK(display.field == "color");
 }
 
 TEST_CASE("a locked range stays, another follows the field") {
     Display display;
     display.field = std::string("T");
-    fit_display(display, fields);
+    adapt_display(display, fields);
     CHECK(display.scale.range == ValueRange{-2, 7});
     display.range_locked = true;
     display.field = std::string("p");
-    fit_display(display, fields);
+    adapt_display(display, fields);
     CHECK(display.scale.range == ValueRange{-2, 7});
     display.range_locked = false;
-    fit_display(display, fields);
+    adapt_display(display, fields);
     CHECK(display.scale.range == ValueRange{1, 3});
 }
 
@@ -50,11 +50,11 @@ TEST_CASE("where keys have no fields the surface is plain") {
     Display display;
     display.coloring = Coloring::field;
     display.field = std::string("T");
-    fit_display(display, {});
+    adapt_display(display, {});
     CHECK(display.coloring == Coloring::plain);
     CHECK(display.field.empty());
     display.coloring = Coloring::checker;
-    fit_display(display, {});
+    adapt_display(display, {});
     CHECK(display.coloring == Coloring::checker);
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("without a file the settings are the defaults, silently") {
 TEST_CASE("what is remembered comes first, once, and the oldest goes") {
     std::vector<fs::path> recent;
     for (int i = 0; i < 20; ++i) remember(recent, "/file" + std::to_string(i));
-    REQUIRE(recent.size() == most_recent_paths);
+    REQUIRE(recent.size() == max_recent_paths);
     CHECK(recent.front() == "/file19");
     CHECK(recent.back() == "/file8");
     remember(recent, "/x/../file10/");
@@ -69,7 +69,7 @@ TEST_CASE("what is remembered comes first, once, and the oldest goes") {
     CHECK(std::ranges::count(recent, fs::path("/file10")) == 1);
     // An element of the list itself.
     remember(recent, recent.back());
-    CHECK(recent.size() == most_recent_paths);
+    CHECK(recent.size() == max_recent_paths);
 }
 
 TEST_CASE("however its path is written, a document is remembered once, as it was written last") {
@@ -107,7 +107,7 @@ TEST_CASE("members that are not known are passed over, lists are cut and made un
     std::string files;
     for (int i = 0; i < 30; ++i) files += R"("/same", "/f)" + std::to_string(i) + "\", ";
     const Settings settings = parse_settings("{\"recent files\": [" + files + "\"/end\"]}", "FILE");
-    REQUIRE(settings.recent_files.size() == most_recent_paths);
+    REQUIRE(settings.recent_files.size() == max_recent_paths);
     CHECK(settings.recent_files[0] == "/same");
     CHECK(settings.recent_files[2] == "/f1");
 }

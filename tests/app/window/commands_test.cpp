@@ -50,9 +50,9 @@ TEST_CASE("every command can be found in a menu and in the help, and by its keys
         const bool acts = command.run != nullptr;
         CHECK(acts);
         CHECK(names.insert(command.name).second);
-        CHECK(command.shortcuts[0].key != 0);
+        CHECK(command.shortcuts[0].keyboard_key != 0);
         for (const Shortcut shortcut : command.shortcuts) {
-            if (shortcut.key != 0) CHECK(find_command(shortcut) == &command);
+            if (shortcut.keyboard_key != 0) CHECK(find_command(shortcut) == &command);
         }
     }
 }
@@ -112,7 +112,7 @@ TEST_CASE("each line key switches its own lines") {
     CHECK(state.session.display == expected);
 }
 
-TEST_CASE("colourings come round, that by a field where there is one") {
+TEST_CASE("colorings come round, that by a field where there is one") {
     for (const std::size_t count : {4u, 5u}) {
         ViewerState state = sample_state();
         if (count == 5) state.session.display.field = "height";
@@ -166,11 +166,11 @@ TEST_CASE("Escape closes a message before it closes the help") {
     CHECK(state.file_wish == FileWish::none);
 }
 
-TEST_CASE("quitting, framing and reloading are wishes") {
+TEST_CASE("quitting, viewing all and reloading are wishes") {
     ViewerState state = sample_state();
-    state.framing = Framing::none;
+    state.view_target = ViewTarget::none;
     press(state, {GLFW_KEY_F});
-    CHECK(state.framing == Framing::surface);
+    CHECK(state.view_target == ViewTarget::surface);
     press(state, {GLFW_KEY_F5});
     CHECK(state.reload_wanted);
     press(state, {GLFW_KEY_Q, GLFW_MOD_CONTROL});
@@ -202,7 +202,7 @@ TEST_CASE(
         CHECK(is_enabled(command_named(name), state));
 
     const Coloring before = state.session.display.coloring;
-    run_command(command_named("Next colouring"), state, 0);
+    run_command(command_named("Next coloring"), state, 0);
     CHECK_FALSE(state.compares_colors);
     CHECK(state.session.display.coloring == before);
 

@@ -363,7 +363,7 @@ TEST_CASE("what cannot be repaired is refused with a plain reason") {
     has(mesh, "triangle 5 names vertex 42, but there are 42");
     mesh = icosphere(1);
     mesh.colors.resize(3);
-    has(mesh, "3 colours for 42 vertices");
+    has(mesh, "3 colors for 42 vertices");
 
     // A Moebius strip: a band of squares, closed with a half turn.
     SurfaceMesh strip;

@@ -81,3 +81,20 @@ TEST_CASE("a vertex of 60,000 edges does not make the collapses quadratic") {
     CHECK(decimate(mesh, surface.positions, meter, 1).size() == surface.positions.size() - 4);
     CHECK(is_closed_manifold(triangles_of(mesh)));
 }
+
+TEST_CASE("half-edge 3 t + k begins at corner k, and the half-edge on side k is opposite corner k") {
+    for (const auto& [name, surface] : small_meshes()) {
+        CAPTURE(name);
+        const HalfEdgeMesh mesh(static_cast<Index>(surface.positions.size()), surface.triangles);
+        for (Index t = 0; t < surface.triangles.size(); ++t)
+            for (Index k = 0; k < 3; ++k) {
+                const Triangle& corners = surface.triangles[t];
+                REQUIRE(mesh.origin(3 * t + k) == corners[k]);
+                REQUIRE(mesh.target(3 * t + k) == corners[(k + 1) % 3]);
+                const Index on_side = HalfEdgeMesh::on_side(t, k);
+                REQUIRE(on_side / 3 == t);
+                REQUIRE(mesh.origin(on_side) == corners[(k + 1) % 3]);
+                REQUIRE(mesh.target(on_side) == corners[(k + 2) % 3]);
+            }
+    }
+}

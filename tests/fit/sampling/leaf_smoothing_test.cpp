@@ -65,7 +65,7 @@ TEST_CASE("smoothing makes no measure of a key worse") {
             CAPTURE(leaves);
             const FitQuality before = smoothed.quality(smoothed.before);
             const FitQuality after = smoothed.quality(smoothed.after);
-            CHECK(after.least_angle >= before.least_angle - 1e-3);
+            CHECK(after.min_angle >= before.min_angle - 1e-3);
             CHECK(after.flipped_leaves <= before.flipped_leaves);
             CHECK(after.hausdorff <= 1.02 * before.hausdorff);
             CHECK(after.euler == 2);
@@ -77,8 +77,8 @@ TEST_CASE("smoothing makes no measure of a key worse") {
 TEST_CASE("smoothing makes the least angle of a body with arms larger") {
     const Smoothed smoothed(six_arms(5), 3000);
     const FitQuality before = smoothed.quality(smoothed.before);
-    REQUIRE(before.least_angle < 15);
-    CHECK(smoothed.quality(smoothed.after).least_angle > before.least_angle + 1);
+    REQUIRE(before.min_angle < 15);
+    CHECK(smoothed.quality(smoothed.after).min_angle > before.min_angle + 1);
 }
 
 TEST_CASE(

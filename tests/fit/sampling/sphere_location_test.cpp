@@ -62,7 +62,7 @@ TEST_CASE("every direction is found, on edges and vertices as well, from any gue
     }
 }
 
-TEST_CASE("from a neighbour, the walk crosses the edge between") {
+TEST_CASE("from a neighbor, the walk crosses the edge between") {
     // A vertex lies in all triangles around it, and a search without a guess has the same one of them always.
     const SurfaceMesh mesh = icosphere(3);
     const std::vector<glm::dvec3> points = on_sphere(mesh);

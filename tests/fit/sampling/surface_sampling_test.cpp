@@ -31,7 +31,7 @@ SampledSurface sampled(const MappedMesh& mapped, const SamplingOptions& options,
     return sample_surface(MappedSurface(mapped.mesh, mapped.points), roots, options, {});
 }
 
-/// Sampling as it is defined, without levelling: every leaf's places are located, and the vertices of the
+/// Sampling as it is defined, without leveling: every leaf's places are located, and the vertices of the
 /// surface in it looked for, from nothing.
 std::vector<Triangle> literally_sampled(const MappedMesh& mapped, const SphereRoots& roots, Index leaves) {
     const SphereLocation location(mapped.mesh.triangles, mapped.points);
@@ -118,7 +118,7 @@ TEST_CASE("what leaves keep for their children is what the children would find")
         MappedMesh mapped = bumpy_ellipsoid(3);
         // Turned, so that no vertex of the surface lies on an edge between leaves.
         rotate(mapped.points, glm::dmat3(glm::rotate(glm::dmat4(1), 0.7, glm::dvec3(1, 2, 3))));
-        const SampledSurface surface = sampled(mapped, {.leaves = 1500, .most_levelling = 0}, roots);
+        const SampledSurface surface = sampled(mapped, {.leaves = 1500, .max_leveling = 0}, roots);
         std::vector<Triangle> triangles;
         for (const Leaf& leaf : surface.leaves) triangles.push_back(leaf.vertices);
         CHECK(triangles == literally_sampled(mapped, roots, 1500));
@@ -163,12 +163,12 @@ TEST_CASE("all vertices of the surface are near the key when it is sampled withi
     }
 }
 
-TEST_CASE("levelling brings the farthest places nearer with as many leaves") {
+TEST_CASE("leveling brings the farthest places nearer with as many leaves") {
     for (const MappedMesh& mapped : meshes_to_level()) {
         CAPTURE(mapped.points.size());
         const MappedSurface located(mapped.mesh, mapped.points);
         const SampledSurface levelled = sampled(mapped, {.leaves = 5000});
-        const SampledSurface not_levelled = sampled(mapped, {.leaves = 5000, .most_levelling = 0});
+        const SampledSurface not_levelled = sampled(mapped, {.leaves = 5000, .max_leveling = 0});
         CHECK(levelled.leaves.size() <= 5000);
         CHECK(not_levelled.leaves.size() > 4990);
         CHECK(measure_quality(located, levelled, {}).hausdorff <

@@ -26,7 +26,7 @@ double spherical_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
 }
 
 /// The least ratio of a triangle's share of the sphere to its share of the surface.
-double least_share(const SurfaceMesh& mesh, std::span<const glm::dvec3> points) {
+double min_share(const SurfaceMesh& mesh, std::span<const glm::dvec3> points) {
     std::vector<double> areas;
     double whole = 0;
     for (const auto& [a, b, c] : mesh.triangles) {
@@ -80,7 +80,7 @@ TEST_CASE("thin parts keep a share of the sphere that bisection can find") {
         if (name != "spiky sphere" && name != "rod, 40 times as long as thick" && name != "bent bone")
             continue;
         CAPTURE(name);
-        CHECK(least_share(mesh, map_to_sphere(mesh, {}).points) > 1e-6);
+        CHECK(min_share(mesh, map_to_sphere(mesh, {}).points) > 1e-6);
     }
 }
 
@@ -238,7 +238,7 @@ TEST_CASE("points that are missing, not unit or not finite are a fault") {
 }
 
 TEST_CASE(
-    "centring brings the surface's centre of mass to the sphere's centre and keeps the map one to one") {
+    "centering brings the surface's center of mass to the sphere's center and keeps the map one to one") {
     for (const auto& [name, mesh] : closed_meshes()) {
         if (mesh.positions.size() < 100 || name.starts_with("all")) continue;
         CAPTURE(name);
@@ -251,7 +251,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("centring undoes a Moebius map, up to a rotation") {
+TEST_CASE("centering undoes a Moebius map, up to a rotation") {
     const SurfaceMesh mesh = icosphere(4);
     std::vector<glm::dvec3> points = on_sphere(mesh);
     const glm::dvec3 c = {0.3, -0.5, 0.4};

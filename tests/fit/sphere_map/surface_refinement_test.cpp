@@ -78,7 +78,7 @@ TEST_CASE("triangles of a refined mesh are well shaped on flat faces, however th
 
 TEST_CASE("a refined mesh has no more triangles than are allowed, and does not fold where the surface does") {
     const SurfaceMesh mesh = cylinder(64, 20, Cap::corner_fan);
-    const SurfaceMesh fine = refined(mesh, {.triangles = 1e6, .most_added = 1000});
+    const SurfaceMesh fine = refined(mesh, {.triangles = 1e6, .max_added = 1000});
     CHECK(fine.triangles.size() <= mesh.triangles.size() + 1002);
     const SurfaceMesh plate = moved(cylinder(4, 2, Cap::corner_fan), [](const glm::dvec3& p) {
         return p * glm::dvec3(1, 1, 1e-4);  // its sides are nearer than the flatness asks for
@@ -133,7 +133,7 @@ TEST_CASE(
         CHECK(key.report.mesh_triangles == key.mesh.triangles.size());
         CHECK(key.report.quality.hausdorff < 0.001);
         CHECK(key.report.quality.flipped_leaves < 10);
-        CHECK(key.report.quality.least_angle > 8);
+        CHECK(key.report.quality.min_angle > 8);
     }
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("a mesh of many well-shaped triangles is mapped as it is") {
     CHECK(fit(mesh, {}).hierarchy.positions == mapped.hierarchy.positions);
 }
 
-TEST_CASE("colours between the vertices of a refined mesh are those of the mesh") {
+TEST_CASE("colors between the vertices of a refined mesh are those of the mesh") {
     SurfaceMesh mesh = cylinder(48, 2, Cap::corner_fan);
     const auto color = [](const glm::dvec3& p) {
         return glm::vec3(0.5 + 0.3 * p.x, 0.5 - 0.3 * p.y, 0.25 * p.z);

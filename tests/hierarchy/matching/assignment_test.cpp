@@ -17,7 +17,7 @@ TEST_CASE("an assignment is a permutation, and none of all permutations costs le
         Random random(seed);
         const std::size_t count = 1 + random.below(7);
         std::vector<double> cost(count * count);
-        // Whole numbers make ties, and negative ones are allowed.
+        // Whole numbers cause ties, and negative numbers are allowed.
         for (double& c : cost)
             c = seed % 2 == 0 ? static_cast<double>(random.below(4)) - 2 : random.unit() * 100 - 50;
         const auto total = [&](const std::vector<std::size_t>& partners) {

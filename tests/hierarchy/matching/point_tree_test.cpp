@@ -10,7 +10,7 @@
 using namespace interleaf;
 using interleaf::testing::Random;
 
-TEST_CASE("the nearest point that is left is taken, until none is") {
+TEST_CASE("the tree returns the nearest remaining point until none remains") {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -34,7 +34,7 @@ TEST_CASE("the nearest point that is left is taken, until none is") {
     }
 }
 
-TEST_CASE("points in one place are taken one after the other, each once") {
+TEST_CASE("each of several points at one place is taken once") {
     const std::vector<glm::dvec3> points(5000);
     PointTree tree(points);
     std::vector<std::size_t> taken;

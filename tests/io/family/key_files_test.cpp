@@ -62,8 +62,7 @@ TEST_CASE("keys are renumbered to match the roots of the first key, and are writ
             std::vector<std::string> changes;
             const Family family =
                 is_family ? read_family(folder.path(), &changes) : read_keys(files, &changes);
-            REQUIRE(changes ==
-                    std::vector<std::string>{"key b: its roots were renumbered as key a has them"});
+            REQUIRE(changes == std::vector<std::string>{"key b: its roots were renumbered to match key a"});
             REQUIRE(is_same(*family.keys[0].hierarchy, keys.first));
             REQUIRE(is_same(*family.keys[1].hierarchy, keys.second));
 
@@ -85,9 +84,8 @@ TEST_CASE("root r of the family is the root of the key's file that the permutati
         put(folder / "family.json", family_json("", R"(, "roots": )" + nlohmann::json(roots).dump()));
         std::vector<std::string> changes;
         const Family family = read_family(folder.path(), &changes);
-        REQUIRE(changes ==
-                std::vector<std::string>{
-                    "key b: its roots were renumbered as key a has them, by the given permutation"});
+        REQUIRE(changes == std::vector<std::string>{
+                               "key b: its roots were renumbered to match key a, by the given permutation"});
         REQUIRE(is_same(*family.keys[1].hierarchy, keys.second));
 
         // A wrong permutation is rejected where it does not fit.
@@ -209,8 +207,7 @@ TEST_CASE("meshes far from 0 share the origin of the first mesh, and files keep 
     const Family family = read_keys(files, &changes);
     const glm::dvec3 origin(500'000, 5'400'005, 255);
     CHECK(family.origin == origin);
-    CHECK(
-        mentions(changes, "Far from 0: positions count from (500000, 5400005, 255), which was subtracted."));
+    CHECK(mentions(changes, "Far from 0: (500000, 5400005, 255) was subtracted from all positions."));
 
     write_family(family, folder / "f");
     const Family again = read_family(folder / "f");
@@ -264,7 +261,7 @@ TEST_CASE("a mesh among keys is a key without bisections and takes the marking o
     std::vector<std::string> changes;
     const Family family = read_keys(files, &changes);
     CHECK(changes.size() == 2);
-    CHECK(changes[0] == "key base: nothing is bisected, so its roots took the refinement edges of key a's");
+    CHECK(changes[0] == "key base: it has no bisections, so its roots took the refinement edges of key a");
     CHECK(family.keys[0].hierarchy->roots == keys.first.roots);
     CHECK(is_same(*family.keys[1].hierarchy, keys.first));
     CHECK(is_same(*family.keys[2].hierarchy, keys.second));

@@ -16,7 +16,7 @@ const std::vector<DomainVertex> wide{{{10, 2}, 0}, {{14, 2}, 1}, {{12, 3}, 2}};
 
 }  // namespace
 
-TEST_CASE("the bounding box is fitted into the area, centred, with v up") {
+TEST_CASE("the bounding box is fitted into the area, centerd, with v up") {
     const PlotFrame frame(square, {100, 50, 200, 300});
     CHECK(frame.rect() == Rect{100, 100, 200, 200});
     CHECK(frame.pixel({-1, 1}) == glm::vec2(100, 100));

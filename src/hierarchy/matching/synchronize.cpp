@@ -1,4 +1,4 @@
-#include "hierarchy/matching/synchronise.h"
+#include "hierarchy/matching/synchronize.h"
 
 #include <algorithm>
 #include <cassert>
@@ -16,14 +16,14 @@ struct TreeBegin {
     std::size_t midpoint;
 };
 
-/// One a root, and where the last tree ends.
+/// One entry per root, and one for the end of the last tree.
 std::vector<TreeBegin> tree_begins(const Hierarchy& key) {
     std::vector<TreeBegin> begins;
     begins.reserve(key.roots.triangle_count() + std::size_t{1});
     TreeBegin at{0, 0};
     for (Index root = 0; root < key.roots.triangle_count(); ++root) {
         begins.push_back(at);
-        for (std::size_t open = 1; open > 0;) {  // nodes of the tree that are still to come
+        for (std::size_t open = 1; open > 0;) {  // number of nodes of the tree that are still to come
             const bool is_bisected = key.is_bisected(at.node++);
             at.midpoint += is_bisected ? 1 : 0;
             open = is_bisected ? open + 1 : open - 1;
@@ -33,7 +33,7 @@ std::vector<TreeBegin> tree_begins(const Hierarchy& key) {
     return begins;
 }
 
-/// Writes the trees of \p key in the order of \p roots, midpoints in the key's numbers.
+/// Writes the trees of \p key in the order of \p roots. Midpoints keep the key's numbers.
 void copy_trees(const Hierarchy& key, std::span<const Index> roots, Hierarchy& result) {
     const std::vector<TreeBegin> begins = tree_begins(key);
     result.bits.assign(key.bits.size(), 0);
@@ -52,7 +52,7 @@ void copy_trees(const Hierarchy& key, std::span<const Index> roots, Hierarchy& r
 }
 
 /// Numbers midpoints by their first visit, after the root vertices.
-/// \return by new number the vertex of the key
+/// \return the key's number of each vertex, by new number
 std::vector<Index> renumber_vertices(const std::vector<Index>& root_vertices, std::size_t vertex_count,
                                      Buffer<Index>& midpoints) {
     std::vector<Index> sources = root_vertices;
@@ -69,7 +69,7 @@ std::vector<Index> renumber_vertices(const std::vector<Index>& root_vertices, st
     return sources;
 }
 
-/// What each vertex has in \p values, in the order of \p sources.
+/// The elements of \p values at the indices \p sources, in that order.
 template <typename Values>
 Values reordered(const Values& values, std::span<const Index> sources) {
     Values result;

@@ -1,4 +1,4 @@
-#include "hierarchy/matching/synchronise.h"
+#include "hierarchy/matching/synchronize.h"
 
 #include <algorithm>
 #include <array>
@@ -64,7 +64,7 @@ std::multiset<std::array<Corner, 3>> union_triangles(const Hierarchy& a, const H
     return result;
 }
 
-/// \p key with its root vertices near those of \p reference, so that no other match is as close.
+/// Moves the root vertices of \p key near those of \p reference, so that no other match is as close.
 void move_near(Hierarchy& key, const Hierarchy& reference, Random& random) {
     for (Index v = 0; v < reference.roots.vertex_count(); ++v)
         key.positions[v] = reference.positions[v] + 0.001F * random.point();
@@ -84,8 +84,9 @@ double distance_of(const RootMatch& match, const Hierarchy& reference, const Hie
     return sum;
 }
 
-/// The literal search over connected complexes: the image of root 0 is tried, and directed edges carry it
-/// on. The least sum of squared distances; none if there is no isomorphism.
+/// The literal search over connected complexes: it tries each image of root 0, and extends it along directed
+/// edges.
+/// \return the minimum sum of squared distances; none if there is no isomorphism
 std::optional<double> literal_least_distance(const Hierarchy& reference, const Hierarchy& key, bool marked) {
     const auto apexes = [](const RootComplex& roots) {
         std::map<std::array<Index, 2>, Index> result;
@@ -134,7 +135,7 @@ std::optional<double> literal_least_distance(const Hierarchy& reference, const H
     return least;
 }
 
-/// Unbisected, at random places.
+/// Unrefined, with random positions.
 Hierarchy scattered(const RootComplex& roots, Random& random) {
     return unrefined(roots, random_points(random, roots.vertex_count()));
 }
@@ -146,9 +147,8 @@ RootComplex tetrahedron() {
 }  // namespace
 
 TEST_CASE(
-    "1,000 random surfaces of genus 0 to 3, open and closed: a shuffled key, synchronised, has the union "
-    "with "
-    "the reference that it had before") {
+    "synchronizing a renumbered key restores its union with the reference, 1,000 random surfaces of genus 0 "
+    "to 3, open and closed") {
     std::map<int, unsigned> closed_seen, open_seen;
     for (std::uint64_t seed = 1; seed <= trials(1000); ++seed) {
         CAPTURE(seed);
@@ -167,11 +167,11 @@ TEST_CASE(
         REQUIRE(check(shuffled) == std::vector<std::string>{});
         const std::optional<RootMatch> match = match_of(reference, shuffled);
         REQUIRE(match);
-        const Hierarchy synchronised = with_roots_of(reference.roots, shuffled, *match);
-        REQUIRE(check(synchronised) == std::vector<std::string>{});
-        REQUIRE(synchronised.roots == reference.roots);
-        REQUIRE(union_triangles(reference, synchronised) == union_triangles(reference, key));
-        REQUIRE(is_same(synchronised, key));
+        const Hierarchy synchronized = with_roots_of(reference.roots, shuffled, *match);
+        REQUIRE(check(synchronized) == std::vector<std::string>{});
+        REQUIRE(synchronized.roots == reference.roots);
+        REQUIRE(union_triangles(reference, synchronized) == union_triangles(reference, key));
+        REQUIRE(is_same(synchronized, key));
     }
     for (int genus = 0; genus < 4; ++genus) {
         CHECK(closed_seen[genus] >= trials(125));
@@ -180,7 +180,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "of all isomorphisms the closest is found, as in the literal search, symmetric complexes included") {
+    "the search finds the closest of all isomorphisms, like the literal search, even of symmetric "
+    "complexes") {
     std::size_t symmetric = 0;
     for (std::uint64_t seed = 1; seed <= trials(600); ++seed) {
         CAPTURE(seed);
@@ -207,7 +208,7 @@ TEST_CASE(
     CHECK(symmetric > trials(100));
 }
 
-TEST_CASE("a random surface and another are matched exactly when the literal search finds an isomorphism") {
+TEST_CASE("two random surfaces match exactly if the literal search finds an isomorphism") {
     std::size_t matches = 0;
     for (std::uint64_t seed = 1; seed <= trials(1000); ++seed) {
         CAPTURE(seed);
@@ -243,7 +244,7 @@ TEST_CASE("a random surface and another are matched exactly when the literal sea
     CHECK(matches < 800);
 }
 
-TEST_CASE("a key moved as a whole is matched as if it had not been") {
+TEST_CASE("moving a key as a whole does not change its match") {
     Random random(7);
     const Hierarchy reference = scattered(torus(4, 4), random);
     Hierarchy key = reference;
@@ -255,8 +256,8 @@ TEST_CASE("a key moved as a whole is matched as if it had not been") {
     CHECK(match->vertices == renumbering.vertices);
 }
 
-TEST_CASE("of matches that are equally close the one that maps the seed to the lowest root is taken") {
-    // All vertices at one place: every symmetry is equally close.
+TEST_CASE("among equally close matches the one that maps the seed to the lowest root wins") {
+    // All vertices have the same position, so every symmetry is equally close.
     const Hierarchy key = unrefined(octahedron(), Points(6));
     const std::optional<RootMatch> match = match_of(key, key, {.marked = false});
     REQUIRE(match);
@@ -264,7 +265,7 @@ TEST_CASE("of matches that are equally close the one that maps the seed to the l
     CHECK(match->vertices[0] == 0);
 }
 
-TEST_CASE("equal components are assigned at the least sum of squared distances of all permutations") {
+TEST_CASE("equal components are assigned at the minimum sum of squared distances over all permutations") {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -305,7 +306,7 @@ TEST_CASE("equal components are assigned at the least sum of squared distances o
     }
 }
 
-TEST_CASE("each of very many equal components takes the nearest one, seen from the centre of all") {
+TEST_CASE("each of very many equal components takes the nearest one, relative to the center of all") {
     Random random(3);
     std::vector<Triangle> triangles;
     Points positions;
@@ -326,7 +327,7 @@ TEST_CASE("each of very many equal components takes the nearest one, seen from t
     CHECK(match->vertices == renumbering.vertices);
 }
 
-TEST_CASE("a key that is not bisected takes the marking of the roots it is put over") {
+TEST_CASE("a key without bisections takes the marking of the roots it is put over") {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         CAPTURE(seed);
         Random random(seed);
@@ -337,12 +338,12 @@ TEST_CASE("a key that is not bisected takes the marking of the roots it is put o
         const Hierarchy shuffled = renumbered(key, random_renumbering(roots, random));
         const std::optional<RootMatch> match = match_of(reference, shuffled, {.marked = false});
         REQUIRE(match);
-        const Hierarchy synchronised = with_roots_of(roots, shuffled, *match);
-        REQUIRE(synchronised.roots == roots);
-        REQUIRE(synchronised.positions == key.positions);
-        REQUIRE(check(synchronised) == std::vector<std::string>{});
+        const Hierarchy synchronized = with_roots_of(roots, shuffled, *match);
+        REQUIRE(synchronized.roots == roots);
+        REQUIRE(synchronized.positions == key.positions);
+        REQUIRE(check(synchronized) == std::vector<std::string>{});
 
-        // And the other way round: the marking of the roots gives way.
+        // In the other direction, the marking of the roots changes.
         const std::optional<RootMatch> back = match_of(shuffled, reference, {.marked = false});
         REQUIRE(back);
         const RootComplex remarked = with_marking_of(shuffled.roots, roots, *back);
@@ -353,7 +354,7 @@ TEST_CASE("a key that is not bisected takes the marking of the roots it is put o
     }
 }
 
-TEST_CASE("other refinement edges are named") {
+TEST_CASE("the mismatch names different refinement edges") {
     Random random(5);
     const RootComplex roots = flipped_at_random(plate(1), 60, random);
     std::vector<Triangle> triangles(roots.triangles().begin(), roots.triangles().end());
@@ -377,7 +378,7 @@ TEST_CASE("other refinement edges are named") {
     CHECK(mismatch_of(reference, renumbered(key, renumbering)).root == renumbering.roots[12]);
 }
 
-TEST_CASE("a mirrored complex does not match, and is recognised; one that is its own mirror image matches") {
+TEST_CASE("a mirrored complex is recognized as a mismatch; one that is its own mirror image matches") {
     std::size_t chiral = 0;
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         CAPTURE(seed);
@@ -399,7 +400,7 @@ TEST_CASE("a mirrored complex does not match, and is recognised; one that is its
               .starts_with("key star: "));
 }
 
-TEST_CASE("what differs is named where it differs") {
+TEST_CASE("the mismatch names the difference and its place") {
     Random random(11);
     const Hierarchy reference = scattered(flipped_at_random(torus(12, 12), 500, random), random);
     const auto with_roots = [&](RootComplex roots) { return scattered(roots, random); };
@@ -408,7 +409,7 @@ TEST_CASE("what differs is named where it differs") {
           "key star: 8 root triangles, 6 root vertices, 0 boundary edges, 1 component, expected 288 root "
           "triangles, 144 root vertices, 0 boundary edges, 1 component as key sphere has");
 
-    // One flipped edge: the place is one of the four vertices around it.
+    // One flipped edge: the mismatch is at one of the four vertices around it.
     std::vector<Triangle> triangles(reference.roots.triangles().begin(), reference.roots.triangles().end());
     RootComplex flipped;
     for (std::uint64_t seed = 1; flipped.triangle_count() == 0 || flipped == reference.roots; ++seed) {
@@ -425,7 +426,7 @@ TEST_CASE("what differs is named where it differs") {
     CHECK(around.contains(mismatch.reference_vertex));
     CHECK(text_of(mismatch).find(" triangles around it, the second has ") != std::string::npos);
 
-    // Components of the same sizes and numbers, but other ones.
+    // Components of the same sizes and in the same numbers, but with different connectivity.
     const RootComplex sphere = octahedron();
     const RootComplex ours =
         side_by_side(side_by_side(tetrahedron(), sphere), side_by_side(tetrahedron(), sphere));
@@ -436,14 +437,14 @@ TEST_CASE("what differs is named where it differs") {
     CHECK(mismatch_of(with_roots(theirs), with_roots(ours)).kind == Kind::no_counterpart);
 }
 
-TEST_CASE("given roots are obeyed, and a wrong one is named") {
+TEST_CASE("the search follows given roots, and the mismatch names a wrong one") {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         CAPTURE(seed);
         Random random(seed);
         RootComplex roots = random_surface(static_cast<unsigned>(seed % 4), random.chance(0.5), random);
         if (random.chance(0.3)) roots = side_by_side(roots, octahedron());
         const Hierarchy reference = bisected_key(roots, random);
-        const Hierarchy key = bisected_key(roots, random);  // nowhere near the reference
+        const Hierarchy key = bisected_key(roots, random);  // far from the reference
         const Renumbering renumbering = random_renumbering(roots, random);
         const Hierarchy shuffled = renumbered(key, renumbering);
         std::vector<Index> given = renumbering.roots;
@@ -480,7 +481,7 @@ TEST_CASE("given roots may be any symmetry, not only the closest") {
     CHECK(match->vertices == std::vector<Index>{2, 3, 1, 0, 4, 5});
 }
 
-TEST_CASE("a torus of 20,000 roots that all look alike is matched by its closest symmetry") {
+TEST_CASE("a torus of 20,000 roots that all look the same is matched by its closest symmetry") {
     Random random(13);
     const RootComplex roots = torus(100, 100);
     const Hierarchy reference = scattered(roots, random);
@@ -503,10 +504,11 @@ TEST_CASE("the search ends at its limit: with a match if there is one, undecided
                       return points;
                   }())));
 
-    // Another torus of as many roots, each of which looks like each of the first for a long way.
+    // Another torus with as many roots. Up to a large radius, each of its roots looks like each root of the
+    // first.
     const Hierarchy other = scattered(torus(30, 20), random);
     CHECK(mismatch_of(reference, other, {.step_limit = 1}).kind == Kind::undecided);
-    CHECK(mismatch_of(reference, other).kind == Kind::neighbour);
+    CHECK(mismatch_of(reference, other).kind == Kind::neighbor);
     CHECK(text_of(mismatch_of(reference, other, {.step_limit = 1})).find("so symmetric") !=
           std::string::npos);
 }

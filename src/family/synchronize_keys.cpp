@@ -1,4 +1,4 @@
-#include "family/synchronise_keys.h"
+#include "family/synchronize_keys.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "hierarchy/matching/synchronise.h"
+#include "hierarchy/matching/synchronize.h"
 
 namespace interleaf {
 
@@ -16,14 +16,14 @@ bool is_bisected(const Key& key) {
     return !key.hierarchy->midpoints.empty();
 }
 
-class Synchroniser {
+class Synchronizer {
   public:
-    Synchroniser(std::span<Key> keys, std::span<const std::vector<Index>> given)
+    Synchronizer(std::span<Key> keys, std::span<const std::vector<Index>> given)
         : keys_(keys), given_(given) {}
 
-    Synchronisation run() {
+    Synchronization run() {
         mark_first();
-        for (std::size_t key = 1; key < keys_.size(); ++key) synchronise(key);
+        for (std::size_t key = 1; key < keys_.size(); ++key) synchronize(key);
         return std::move(result_);
     }
 
@@ -39,8 +39,7 @@ class Synchroniser {
                            {.marked = marked, .given = given(key)});
     }
 
-    /// Gives the first key, if nothing is bisected in it, the refinement edges of the first key with
-    /// bisections.
+    /// If the first key has no bisections, gives it the refinement edges of the first key with bisections.
     void mark_first() {
         if (is_bisected(keys_.front())) return;
         const auto marking = std::find_if(keys_.begin(), keys_.end(), is_bisected);
@@ -49,7 +48,7 @@ class Synchroniser {
         if (marking->hierarchy->roots == first().roots && given(key).empty()) return;
         const auto found = match(key, false);
         const auto* const correspondence = std::get_if<RootMatch>(&found);
-        if (correspondence == nullptr) return;  // synchronise() will say why
+        if (correspondence == nullptr) return;  // synchronize() will report why
         const RootComplex roots = with_marking_of(first().roots, marking->hierarchy->roots, *correspondence);
         if (roots == first().roots) return;
         Hierarchy marked = first();
@@ -57,11 +56,11 @@ class Synchroniser {
         keys_.front().hierarchy = std::move(marked);
         marked_as_ = marking->name;
         result_.changes.push_back(
-            fmt::format("key {}: nothing is bisected, so its roots took the refinement edges of key {}'s",
+            fmt::format("key {}: it has no bisections, so its roots took the refinement edges of key {}",
                         keys_.front().name, marking->name));
     }
 
-    void synchronise(std::size_t key) {
+    void synchronize(std::size_t key) {
         if (keys_[key].hierarchy->roots == first().roots && given(key).empty()) return;
         const auto found = match(key, is_bisected(keys_[key]));
         if (const auto* const mismatch = std::get_if<RootMismatch>(&found)) {
@@ -83,29 +82,28 @@ class Synchroniser {
             if (match.vertices[first().roots.triangles()[r][0]] != triangles[match.roots[r]][0]) ++remarked;
         std::string change;
         if (is_renumbered)
-            change = fmt::format("its roots were renumbered as key {} has them{}", keys_.front().name,
+            change = fmt::format("its roots were renumbered to match key {}{}", keys_.front().name,
                                  given(key).empty() ? "" : ", by the given permutation");
         if (remarked > 0)
-            change +=
-                fmt::format("{}nothing is bisected in it, so {} of its {} roots took other refinement edges",
-                            is_renumbered ? "; " : "", remarked, triangles.size());
+            change += fmt::format("{}it has no bisections, so {} of its {} roots took other refinement edges",
+                                  is_renumbered ? "; " : "", remarked, triangles.size());
         return change.empty() ? change : fmt::format("key {}: {}", keys_[key].name, change);
     }
 
     std::string text(std::size_t key, const RootMismatch& mismatch) const {
         std::string text = text_of(mismatch, keys_[key].name, keys_.front().name);
         if (mismatch.kind != RootMismatch::Kind::refinement_edge) return text;
-        // Here the key is bisected: it would have been marked anew otherwise.
-        return text + (marked_as_.empty() ? "; both keys are bisected, so neither can be marked anew"
+        // This key has bisections: otherwise it would have been marked anew.
+        return text + (marked_as_.empty() ? "; both keys have bisections, so neither can be marked anew"
                                           : fmt::format("; its roots are marked as those of key {}, and both "
-                                                        "are bisected, so neither can be marked anew",
+                                                        "have bisections, so neither can be marked anew",
                                                         marked_as_));
     }
 
     std::span<Key> keys_;
     std::span<const std::vector<Index>> given_;
-    std::string marked_as_;  ///< the key whose refinement edges the first took
-    Synchronisation result_;
+    std::string marked_as_;  ///< the key whose refinement edges the first key took
+    Synchronization result_;
 };
 
 }  // namespace
@@ -116,8 +114,8 @@ MismatchError::MismatchError(const std::string& text, std::span<const Key> famil
       keys(std::make_shared<const MismatchedKeys>(
           MismatchedKeys{family[mismatch.key], family.front(), mismatch.mismatch})) {}
 
-Synchronisation synchronise(std::span<Key> keys, std::span<const std::vector<Index>> given) {
-    return Synchroniser(keys, given).run();
+Synchronization synchronize(std::span<Key> keys, std::span<const std::vector<Index>> given) {
+    return Synchronizer(keys, given).run();
 }
 
 }  // namespace interleaf

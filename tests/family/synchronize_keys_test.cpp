@@ -1,4 +1,4 @@
-#include "family/synchronise_keys.h"
+#include "family/synchronize_keys.h"
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ using namespace interleaf::testing;
 
 namespace {
 
-/// Keys over one random surface that are shuffled, each its own way; the first is not bisected if \p flat.
+/// Keys over one random surface, each renumbered at random; the first has no bisections if \p flat.
 struct Shuffled {
     std::vector<Key> originals;
     std::vector<Key> keys;
@@ -46,7 +46,7 @@ Hierarchy with_roots(const RootComplex& roots) {
     return unrefined(roots, std::vector<glm::vec3>(roots.vertex_count()));
 }
 
-/// \p key with root \p root bisected.
+/// The unrefined roots with root \p root bisected.
 Hierarchy bisected(const RootComplex& roots, Index root) {
     AdaptiveMesh mesh(roots, std::vector<glm::vec3>(roots.vertex_count()));
     mesh.refine({{root}});
@@ -62,13 +62,14 @@ RootComplex marked_otherwise(const RootComplex& roots, Index root) {
 
 }  // namespace
 
-TEST_CASE("keys are put over the roots of the first, found or given, and then share their memory") {
+TEST_CASE(
+    "keys are put over the roots of the first key, by a found or a given match, and share their memory") {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         CAPTURE(seed);
         const Shuffled shuffled = shuffled_keys(seed, seed % 2 == 0);
         for (const bool is_given : {false, true}) {
             std::vector<Key> keys = shuffled.keys;
-            const Synchronisation result = synchronise(
+            const Synchronization result = synchronize(
                 keys, is_given ? std::span(shuffled.given) : std::span<const std::vector<Index>>());
             REQUIRE(result.mismatches.empty());
             for (std::size_t n = 0; n < keys.size(); ++n) {
@@ -77,29 +78,29 @@ TEST_CASE("keys are put over the roots of the first, found or given, and then sh
                         keys[0].hierarchy->roots.triangles().data());
             }
             std::vector<Key> again = keys;
-            const Synchronisation nothing = synchronise(again);
+            const Synchronization nothing = synchronize(again);
             REQUIRE(nothing.changes.empty());
             REQUIRE(nothing.mismatches.empty());
         }
     }
 }
 
-TEST_CASE("what was changed is said") {
+TEST_CASE("the result has a sentence for each change") {
     Random random(1);
     const RootComplex roots = flipped_at_random(plate(1), 60, random);
     std::vector<Key> keys{{"sphere", bisected(roots, 0)},
                           {"star", renumbered(bisected(roots, 1), random_renumbering(roots, random))},
                           {"same", bisected(roots, 2)},
                           {"flat", with_roots(marked_otherwise(roots, 5))}};
-    const Synchronisation result = synchronise(keys);
+    const Synchronization result = synchronize(keys);
     REQUIRE(result.changes.size() == 2);
-    CHECK(result.changes[0] == "key star: its roots were renumbered as key sphere has them");
+    CHECK(result.changes[0] == "key star: its roots were renumbered to match key sphere");
     CHECK(result.changes[1] ==
-          "key flat: nothing is bisected in it, so 1 of its 64 roots took other refinement edges");
+          "key flat: it has no bisections, so 1 of its 64 roots took other refinement edges");
     for (const Key& key : keys) CHECK(key.hierarchy->roots == roots);
 }
 
-TEST_CASE("the first key, if nothing is bisected in it, is marked as the first one with bisections") {
+TEST_CASE("a first key without bisections gets the marking of the first key with bisections") {
     Random random(2);
     const RootComplex roots = flipped_at_random(plate(1), 60, random);
     const RootComplex marked = marked_otherwise(roots, 3);
@@ -107,7 +108,7 @@ TEST_CASE("the first key, if nothing is bisected in it, is marked as the first o
                           {"flat too", with_roots(marked_otherwise(roots, 9))},
                           {"star", renumbered(bisected(marked, 7), random_renumbering(roots, random))},
                           {"bone", bisected(marked_otherwise(marked, 12), 0)}};
-    const Synchronisation result = synchronise(keys);
+    const Synchronization result = synchronize(keys);
     for (const std::size_t n : {0U, 1U, 2U}) {
         CHECK(keys[n].hierarchy->roots == marked);
         CHECK(check(*keys[n].hierarchy).empty());
@@ -120,18 +121,19 @@ TEST_CASE("the first key, if nothing is bisected in it, is marked as the first o
     CHECK(contains(result.mismatches[0].text, "marked as those of key star"));
 }
 
-TEST_CASE("two bisected keys with other refinement edges stay as they are, and the edge is named") {
+TEST_CASE(
+    "two bisected keys with different refinement edges stay unchanged, and the mismatch names the edge") {
     Random random(3);
     const RootComplex roots = flipped_at_random(plate(1), 60, random);
     std::vector<Key> keys{{"sphere", bisected(roots, 0)}, {"star", bisected(marked_otherwise(roots, 4), 0)}};
     const Hierarchy before = *keys[1].hierarchy;
-    const Synchronisation result = synchronise(keys);
+    const Synchronization result = synchronize(keys);
     CHECK(result.changes.empty());
     REQUIRE(result.mismatches.size() == 1);
     CHECK(contains(result.mismatches[0].text, "key star: root 4: its refinement edge ("));
     CHECK(contains(result.mismatches[0].text,
                    " of key sphere's root 4, which is not its refinement edge; both "
-                   "keys are bisected, so neither can be marked anew"));
+                   "keys have bisections, so neither can be marked anew"));
     CHECK(is_same(*keys[1].hierarchy, before));
 
     const MismatchError error("what is wrong", keys, result.mismatches[0]);
