@@ -333,7 +333,7 @@ TEST_CASE("a time is asked for without digits of rounding, and answered as it wa
     ask_for_new_time(state);
     CHECK(state.question->entry == "11.1");
     add_time(state, 3, 139 * 0.01, 0);
-    CHECK(state.message.text.starts_with("at 1.39 s there is"));
+    CHECK(state.message.text.starts_with("the time 1.39 s is already taken"));
 }
 
 TEST_CASE("time, point, shown key and display are no steps") {
