@@ -7,25 +7,26 @@
 #include <vector>
 
 #include "family/family.h"
+#include "io/file/file_keys.h"
 #include "io/hierarchy/hierarchy_file.h"
 
 namespace interleaf {
 
-/// Reads a family from a family.json, from the folder that holds one, or, as a family of one key, from a
-/// single .ilh or .obj file. Key files must lie inside the family's folder. Keys whose roots are numbered
-/// otherwise than those of the first are put over these. What was read has passed check().
-/// \param  changes     gets a sentence for each key that was changed for that
+/// Reads a family from a family.json, or from the folder that holds one. Key files must lie inside the
+/// family's folder. Keys whose roots are numbered differently than those of the first are put over these. The
+/// family has passed check(). \param  changes     gets a sentence for each key that was changed for that
 /// \throw InputError   naming the file, the place and what was expected; MismatchError where keys have other
 ///                     roots than the first (synchronise_keys.h)
 /// \throw MachineError when a file cannot be opened or read
 Family read_family(const std::filesystem::path& path, std::vector<std::string>* changes = nullptr);
 
-/// A new family from key files: .ilh, whose roots are put over those of the first, or .obj. If all are .obj,
-/// they must have the same faces; an .obj among .ilh is a key without bisections. Keys are called as their
+/// A new family of the keys that were read from \p files, put over the roots of the first and named as their
 /// files. Timeline and domain are those of family_of_keys().
-/// \param  changes, \throw as read_family()
-/// \pre    there is a file
-Family read_keys(std::span<const std::filesystem::path> files, std::vector<std::string>* changes = nullptr);
+/// \param  changes        gets the remarks on the files, then a sentence for each key that was changed
+/// \throw  MismatchError  naming the file, where keys have other roots than the first
+/// \pre    there is a file, and one key per file
+Family family_of_files(std::span<const std::filesystem::path> files, FileKeys read,
+                       std::vector<std::string>* changes = nullptr);
 
 /// The files of the keys that read_family() finds at \p path, in the keys' order.
 /// \throw InputError, MachineError as read_family(), for what names them

@@ -17,6 +17,7 @@
 #include "hierarchy/error.h"
 #include "io/mesh/mesh_file.h"
 #include "io/polygons.h"
+#include "io/read_files.h"
 #include "io/scratch_folder.h"
 
 namespace interleaf {
