@@ -57,8 +57,8 @@ Family rich_family() {
     std::mt19937 random(7);
     Hierarchy key = random_hierarchy(random, false, 3);
     const std::size_t count = key.positions.size();
-    key.fields.push_back({"color", FieldKind::color, std::vector<float>(3 * count, 0.5F)});
-    key.fields.push_back({"height", FieldKind::scalar, std::vector<float>(count, 2)});
+    key.fields.push_back({"color", FieldKind::color, Buffer<float>(3 * count, 0.5F)});
+    key.fields.push_back({"height", FieldKind::scalar, Buffer<float>(count, 2)});
     std::vector<Key> keys;
     keys.push_back({"key", std::move(key)});
     Family family = family_of_keys("rich", std::move(keys));

@@ -31,8 +31,7 @@ Family family_with_field() {
     Family family = sample_family(random);
     for (Key& key : family.keys) {
         Hierarchy hierarchy = *key.hierarchy;
-        hierarchy.fields = {
-            {"height", FieldKind::scalar, std::vector<float>(hierarchy.positions.size(), 1e30F)}};
+        hierarchy.fields = {{"height", FieldKind::scalar, Buffer<float>(hierarchy.positions.size(), 1e30F)}};
         key.hierarchy = std::move(hierarchy);
     }
     return family;
