@@ -99,7 +99,7 @@ void add_form(CLI::App& command, HierarchyFileOptions& form) {
 }
 
 void add_display(CLI::App& command, Display& display) {
-    add_text_option(command, "--show", "Edges shown: wireframe, refinement-edges, root-edges",
+    add_text_option(command, "--show", "Edges shown: " + shown_edges_in_words(),
                     [&display](const std::string& text) { parse_shown_edges(text, display); })
         ->type_name("NAME,...");
     add_text_option(command, "--shading", "How the surface is shaded: smooth or flat",
@@ -112,7 +112,7 @@ void add_display(CLI::App& command, Display& display) {
                         "(over the roots), or a field of the keys",
                         [&display](const std::string& text) { parse_coloring(text, display); });
     color->type_name("NAME")->default_str("plain");
-    add_text_option(command, "--color-map", "Colors of a scalar field: viridis, magma or coolwarm",
+    add_text_option(command, "--color-map", "Colors of a scalar field: " + color_maps_in_words(),
                     [&display](const std::string& text) { display.scale.map = parse_color_map(text); })
         ->type_name("NAME")
         ->default_str("viridis")
