@@ -3,6 +3,8 @@
 #include "cli/temporary_folder.h"
 #include <doctest/doctest.h>
 
+#include "io/formats.h"
+
 namespace interleaf {
 namespace {
 
@@ -26,6 +28,20 @@ TEST_CASE("--help names every command, and every command has its own help with a
         CHECK(own.errors.empty());
         CHECK(contains(own.output, "Usage: interleaf " + command));
         CHECK(contains(own.output, "Example"));
+    }
+}
+
+TEST_CASE("help lists the extensions of the table of formats") {
+    const auto help = [](const char* command) { return run_interleaf({command, "--help"}).output; };
+    const std::string view = help("view");
+    const std::string exported = help("export");
+    const std::string fit = help("fit");
+    for (const Format& format : formats()) {
+        const std::string extension(format.extension);
+        CAPTURE(extension);
+        CHECK(contains(view, extension));
+        CHECK(contains(exported, "OUT" + extension) == format.is_exported());
+        if (format.holds_mesh()) CHECK(contains(fit, extension));
     }
 }
 

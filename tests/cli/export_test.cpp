@@ -120,6 +120,19 @@ TEST_CASE("a key exported compressed is the key exported plain") {
     CHECK(outcome.output == content_of(folder / "compressed.ilh"));
 }
 
+TEST_CASE("an export names the formats that it knows, and those that hold a key") {
+    const TemporaryFolder folder;
+    const Outcome unknown = export_to(folder / "u.stl", {});
+    CHECK(unknown.status == 2);
+    CHECK(contains(unknown.errors, "u.stl: expected the format ilh, obj, ply"));
+    const Outcome mesh = export_to(folder / "u.obj", {"--compress"});
+    CHECK(mesh.status == 2);
+    CHECK(contains(mesh.errors, "--compress: expected the format ilh, got 'obj'"));
+    const Outcome family = export_to(folder / "family.json", {});
+    CHECK(family.status == 2);
+    CHECK_FALSE(std::filesystem::exists(folder / "family.json"));
+}
+
 TEST_CASE("points and times outside are clamped, and time 0 is where nothing is said") {
     const auto exported = [](std::vector<std::string> choice) {
         choice.insert(choice.end(), {"--format", "obj"});

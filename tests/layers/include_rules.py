@@ -37,7 +37,9 @@ ROOMS = {
         "file": {"text"},
         "hierarchy": {"text", "file"},
         "mesh": {"text", "file"},
-        "family": {"text", "file", "hierarchy", "mesh"},
+        "family": {"text", "file", "hierarchy"},
+        "export": {"text", "file", "hierarchy", "mesh"},
+        "": {"text", "file", "hierarchy", "mesh", "family", "export"},
     },
     "ui": {
         "widgets": set(),

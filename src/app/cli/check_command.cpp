@@ -4,6 +4,8 @@
 #include <new>
 #include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/core.h>
@@ -11,8 +13,7 @@
 #include "app/cli/error_message.h"
 #include "app/cli/mesh_figures.h"
 #include "app/cli/shown_text.h"
-#include "app/document/open_family.h"
-#include "app/fitting/fit_files.h"
+#include "app/document/opening.h"
 #include "hierarchy/error.h"
 
 namespace interleaf {
@@ -27,12 +28,21 @@ CheckResult check_mesh(const std::filesystem::path& file) {
     return CheckResult::sound;
 }
 
+CheckResult check_meshes(std::span<const std::filesystem::path> files) {
+    CheckResult result = CheckResult::sound;
+    for (const std::filesystem::path& file : files) result = std::max(result, check_mesh(file));
+    return result;
+}
+
 // Readers check every invariant of what they read, so a file that can be read is sound.
 CheckResult check(const std::filesystem::path& file) {
     try {
-        if (is_surface_file(file)) return check_mesh(file);
+        Opening opened = open_files(std::span(&file, 1));
+        if (const auto* meshes = std::get_if<MeshesToFit>(&opened);
+            meshes != nullptr && meshes->reason.empty())
+            return check_meshes(meshes->files);
         std::vector<std::string> changes;
-        const Family family = open_family(std::span(&file, 1), &changes);
+        const Family family = family_of(std::move(opened), &changes);
         fmt::print("{}: sound, {}\n", shown_text(file.string()),
                    family.keys.size() == 1 ? "1 key" : fmt::format("{} keys", family.keys.size()));
         for (const std::string& change : changes) fmt::print("{}: {}\n", shown_text(file.string()), change);

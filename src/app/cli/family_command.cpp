@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/cli/error_message.h"
-#include "app/document/open_family.h"
+#include "app/document/opening.h"
 #include "io/family/family_file.h"
 
 namespace interleaf {

@@ -1,6 +1,5 @@
 #include "app/cli/fit_command.h"
 
-#include <array>
 #include <utility>
 
 #include <fmt/core.h>
@@ -16,15 +15,13 @@
 #include "fit/fit.h"
 #include "hierarchy/error.h"
 #include "io/family/family_file.h"
-#include "io/file/file_pattern.h"
+#include "io/formats.h"
 #include "io/mesh/mesh_file.h"
 
 namespace interleaf {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::array<std::string_view, 1> fit_formats = {"ilh"};
 
 void check_options(const FitCommandOptions& options) {
     if (options.json && options.output == "-")
@@ -37,7 +34,7 @@ void check_options(const FitCommandOptions& options) {
         throw UsageError(fmt::format("fit: --up {} times for {} meshes, expected one for each, y for none",
                                      options.ups.size(), options.meshes.size()));
     if (options.meshes.size() == 1) {
-        format_of({options.output, options.output == "-" ? "ilh" : ""}, fit_formats);
+        key_target_of(options.output);
     } else if (options.output == "-") {
         throw UsageError("fit: -o must name a folder for several meshes");
     }
@@ -46,9 +43,10 @@ void check_options(const FitCommandOptions& options) {
 SphereRoots roots_named(const std::string& name) {
     if (const NamedRoots* const named = find_roots(name)) return named->roots;
     const std::filesystem::path file = name;
-    if (lower_case_extension(file) != ".obj")
+    if (!is_called(file, &Format::holds_mesh_as_key))
         throw UsageError(
-            fmt::format("--roots: expected cube, icosahedron, octahedron or an .obj file, got '{}'", name));
+            fmt::format("--roots: expected cube, icosahedron, octahedron or an {} file, got '{}'",
+                        extensions_in_words(&Format::holds_mesh_as_key), name));
     const Hierarchy roots = read_obj(file);
     try {
         return project_to_sphere(roots);
@@ -187,7 +185,7 @@ void run_fit(const FitCommandOptions& options) {
         return;  // the interrupt that is held ends the program now
     }
     if (fitted.meshes.size() == 1)
-        write_output({options.output, "ilh"},
+        write_output(key_target_of(options.output),
                      serialize_hierarchy(fitted.meshes[0].key.hierarchy, options.form));
     else
         write_family(family_of(options, fitted), options.output, options.form);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/core.h>
@@ -12,12 +14,11 @@
 #include "app/cli/figures.h"
 #include "app/cli/mesh_figures.h"
 #include "app/cli/shown_text.h"
-#include "app/document/open_family.h"
-#include "app/fitting/fit_files.h"
+#include "app/document/opening.h"
 #include "family/family_fields.h"
 #include "hierarchy/error.h"
 #include "io/family/family_file.h"
-#include "io/file/file_pattern.h"
+#include "io/formats.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "io/mesh/mesh_file.h"
 #include "ui/widgets/number_text.h"
@@ -34,14 +35,8 @@ std::string_view name_of(Kind kind) {
     return names[static_cast<std::size_t>(kind)];
 }
 
-Kind kind_of(const std::filesystem::path& file) {
-    const std::string extension = lower_case_extension(file);
-    if (extension == ".ilh") return Kind::hierarchy;
-    return extension == ".obj" ? Kind::mesh : Kind::family;
-}
-
 std::string_view form_of(const std::filesystem::path& file) {
-    if (kind_of(file) != Kind::hierarchy) return {};
+    if (!is_called(file, &Format::holds_key_alone)) return {};
     return is_compressed_hierarchy(file) ? "compressed" : "plain";
 }
 
@@ -63,9 +58,8 @@ Figures figures_of_keys(std::span<const Figures> keys) {
     return whole;
 }
 
-/// The figures of all that was read: a mesh or a key, or keys and what names them.
-Figures figures_of_whole(const std::filesystem::path& file, std::span<const Figures> keys) {
-    if (kind_of(file) != Kind::family) return total(keys);
+/// The figures of keys and the family file that names them.
+Figures figures_of_family(const std::filesystem::path& file, std::span<const Figures> keys) {
     Figures whole = figures_of_keys(keys);
     const bool is_folder = std::filesystem::is_directory(file);
     whole.file += std::filesystem::file_size(is_folder ? file / "family.json" : file);
@@ -258,7 +252,7 @@ void print_text(Kind kind, const Family& family, std::span<const Figures> keys, 
 
 /// A mesh is a key, too, where its faces can be roots; then there are the figures of a key as well.
 std::optional<Figures> figures_as_key(const std::filesystem::path& file) {
-    if (lower_case_extension(file) != ".obj") return std::nullopt;
+    if (!is_called(file, &Format::holds_key)) return std::nullopt;
     try {
         return figures_of(read_obj(file), std::filesystem::file_size(file));
     } catch (const InputError&) {
@@ -305,14 +299,20 @@ void print_mesh(const std::filesystem::path& file, bool as_json) {
 
 void run_info(const InfoOptions& options) {
     const std::vector<std::filesystem::path> files = files_of(std::span(&options.file, 1));
-    if (files.size() == 1 && is_mesh_file(files.front())) return print_mesh(files.front(), options.json);
-    const Family family = open_family(files);
-    // Several files are the keys of a family that has no file of its own.
-    const bool is_one = files.size() == 1;
-    const Kind kind = is_one ? kind_of(files.front()) : Kind::family;
-    const std::vector<Figures> keys = figures_of(family, is_one ? key_files(files.front()) : files);
-    const Figures whole = is_one ? figures_of_whole(files.front(), keys) : figures_of_keys(keys);
-    (options.json ? print_json : print_text)(kind, family, keys, whole);
+    const std::filesystem::path& first = files.front();
+    if (files.size() == 1 && is_called(first, &Format::holds_mesh)) return print_mesh(first, options.json);
+
+    Opening opened = open_files(files);
+    const bool is_family = std::holds_alternative<OpenedFamily>(opened);
+    const Family family = family_of(std::move(opened));
+    const std::vector<Figures> keys = figures_of(family, is_family ? key_files(first) : files);
+    const auto print = options.json ? print_json : print_text;
+    if (is_family)
+        print(Kind::family, family, keys, figures_of_family(first, keys));
+    else if (files.size() == 1)
+        print(Kind::hierarchy, family, keys, total(keys));
+    else  // keys of a family that has no file of its own
+        print(Kind::family, family, keys, figures_of_keys(keys));
 }
 
 }  // namespace interleaf

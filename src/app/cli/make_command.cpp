@@ -1,7 +1,5 @@
 #include "app/cli/make_command.h"
 
-#include <array>
-
 #include <fmt/core.h>
 
 #include "app/document/builtin_family.h"
@@ -12,7 +10,6 @@ namespace interleaf {
 namespace {
 
 constexpr std::string_view family_name = "five-keys";
-constexpr std::array<std::string_view, 1> make_formats = {"ilh"};
 
 void make_family(const MakeOptions& options) {
     if (options.budget.leaves || options.budget.tolerance) {
@@ -33,9 +30,8 @@ void run_make(const MakeOptions& options) {
         throw UsageError(
             fmt::format("make: there is no shape '{}'; `interleaf make --list` shows them", options.name));
     }
-    const Output output{options.output, options.output == "-" ? "ilh" : ""};
-    format_of(output, make_formats);
-    write_output(output, serialize_hierarchy(make_key(*shape, options.budget), options.form));
+    write_output(key_target_of(options.output),
+                 serialize_hierarchy(make_key(*shape, options.budget), options.form));
 }
 
 void list_shapes() {

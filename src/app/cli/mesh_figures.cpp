@@ -10,7 +10,7 @@
 #include "fit/clean_up/clean_up.h"
 #include "hierarchy/error.h"
 #include "hierarchy/measure.h"
-#include "io/mesh/surface_file.h"
+#include "io/read_files.h"
 
 namespace interleaf {
 

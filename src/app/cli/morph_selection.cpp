@@ -1,8 +1,12 @@
 #include "app/cli/morph_selection.h"
 
+#include <optional>
+#include <utility>
+
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
+#include "io/export/export.h"
 
 namespace interleaf {
 namespace {
@@ -24,18 +28,22 @@ Weights named_weights(const std::vector<NamedWeight>& named, const Family& famil
 
 }  // namespace
 
-Weights selected_weights(const MorphSelection& selection, const Family& family) {
+std::optional<Weights> chosen_weights(const MorphSelection& selection, const Family& family) {
     if (selection.weights) return named_weights(*selection.weights, family);
     if (selection.at) {
         if (!family.domain) throw UsageError("--at: the family has no parameter domain");
         return family.domain->weights(family.domain->locate(*selection.at));
     }
-    if (!selection.time && family.keys.size() == 1) return {{0, 1.0}};
-    if (!family.timeline) {
-        throw UsageError(selection.time ? "--time: the family has no timeline"
-                                        : "the family has no timeline; say --at or --weights");
-    }
-    return family.timeline->at(selection.time.value_or(0));
+    if (!selection.time && family.keys.size() == 1) return Weights{{0, 1.0}};
+    if (family.timeline) return family.timeline->at(selection.time.value_or(0));
+    if (selection.time) throw UsageError("--time: the family has no timeline");
+    return std::nullopt;
+}
+
+Weights selected_weights(const MorphSelection& selection, const Family& family) {
+    std::optional<Weights> weights = chosen_weights(selection, family);
+    if (!weights) throw UsageError(no_default_blend);
+    return *std::move(weights);
 }
 
 }  // namespace interleaf

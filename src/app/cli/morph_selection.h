@@ -26,9 +26,14 @@ struct MorphSelection {
     std::optional<std::vector<NamedWeight>> weights;  ///< used as given
 };
 
-/// The weights that \p selection stands for in \p family. Points and times outside are moved to the nearest
-/// inside; with nothing chosen it is time 0, or the only key.
-/// \throw UsageError when the family lacks the domain, the timeline or the key that is asked for
+/// The weights that \p selection stands for in \p family. Points and times outside the domain and the
+/// timeline are moved to the nearest inside. Without a choice it is time 0, or the only key; none where the
+/// family has several keys and no timeline. \throw UsageError when the family lacks the domain, the timeline
+/// or the key that is asked for
+std::optional<Weights> chosen_weights(const MorphSelection& selection, const Family& family);
+
+/// The same where weights are needed.
+/// \throw UsageError as chosen_weights(), and where there are none
 Weights selected_weights(const MorphSelection& selection, const Family& family);
 
 }  // namespace interleaf

@@ -1,6 +1,8 @@
 #include "app/cli/option_text.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,6 +11,7 @@
 
 #include "app/document/typed_number.h"
 #include "hierarchy/error.h"
+#include "io/text/joined_text.h"
 
 namespace interleaf {
 namespace {
@@ -35,6 +38,15 @@ std::optional<std::vector<double>> numbers(std::string_view text) {
     }
     return values;
 }
+
+struct ShownEdges {
+    std::string_view name;
+    bool Display::*shown;
+};
+
+constexpr ShownEdges shown_edges[] = {{"wireframe", &Display::wireframe},
+                                      {"refinement-edges", &Display::refinement_edges},
+                                      {"root-edges", &Display::root_edges}};
 
 [[noreturn]] void expected(std::string_view what, std::string_view text) {
     throw UsageError(fmt::format("expected {}, got '{}'", what, text));
@@ -142,12 +154,13 @@ void parse_coloring(std::string_view text, Display& display) {
 
 ColorMap parse_color_map(std::string_view text) {
     if (const std::optional<ColorMap> map = color_map_named(text)) return *map;
-    std::string known;
-    for (const ColorMap map : color_maps()) {
-        if (!known.empty()) known += map == color_maps().back() ? " or " : ", ";
-        known += name_of(map);
-    }
-    expected(known, text);
+    expected(color_maps_in_words(), text);
+}
+
+std::string color_maps_in_words() {
+    std::vector<std::string> names;
+    for (const ColorMap map : color_maps()) names.emplace_back(name_of(map));
+    return either_of(names);
 }
 
 ValueRange parse_range(std::string_view text) {
@@ -161,16 +174,16 @@ ValueRange parse_range(std::string_view text) {
 
 void parse_shown_edges(std::string_view text, Display& display) {
     for (const std::string_view name : split(text, ',')) {
-        if (name == "wireframe") {
-            display.wireframe = true;
-        } else if (name == "refinement-edges") {
-            display.refinement_edges = true;
-        } else if (name == "root-edges") {
-            display.root_edges = true;
-        } else {
-            expected("wireframe, refinement-edges or root-edges", name);
-        }
+        const auto found = std::ranges::find(shown_edges, name, &ShownEdges::name);
+        if (found == std::end(shown_edges)) expected(shown_edges_in_words(), name);
+        display.*found->shown = true;
     }
+}
+
+std::string shown_edges_in_words() {
+    std::vector<std::string> names;
+    for (const ShownEdges& edges : shown_edges) names.emplace_back(edges.name);
+    return either_of(names);
 }
 
 }  // namespace interleaf

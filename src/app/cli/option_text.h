@@ -2,6 +2,7 @@
 // Every function throws UsageError saying what was expected.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -51,10 +52,16 @@ void parse_coloring(std::string_view text, Display& display);
 /// The name of a color map.
 ColorMap parse_color_map(std::string_view text);
 
+/// The names of all color maps: "viridis, magma or coolwarm".
+std::string color_maps_in_words();
+
 /// "MIN,MAX", ascending and finite as floats.
 ValueRange parse_range(std::string_view text);
 
 /// Switches on the edges that \p text names, "wireframe,root-edges".
 void parse_shown_edges(std::string_view text, Display& display);
+
+/// The names of all edges that can be shown: "wireframe, refinement-edges or root-edges".
+std::string shown_edges_in_words();
 
 }  // namespace interleaf

@@ -1,43 +1,42 @@
 #include "app/cli/output.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
-#include "io/file/safe_write.h"
+#include "io/text/joined_text.h"
 
 namespace interleaf {
 
-std::string_view format_of(const Output& output, std::span<const std::string_view> known) {
+std::string format_of(const Output& output, std::span<const std::string> known) {
     if (output.format.empty() && output.target == "-")
         throw UsageError("-o -: standard output needs --format");
     const std::string extension = std::filesystem::path(output.target).extension().string();
-    std::string_view name = output.format.empty() ? extension : output.format;
-    if (name.starts_with('.')) name.remove_prefix(1);
-
-    const auto found = std::ranges::find(known, name);
-    if (found != known.end()) return *found;
-    std::string names;
-    for (const std::string_view each : known) names.append(names.empty() ? "" : ", ").append(each);
-    throw UsageError(fmt::format("{}: expected the format {}, got '{}'", output.target, names, name));
+    std::string name = output.format.empty() ? extension : output.format;
+    if (name.starts_with('.')) name.erase(0, 1);
+    if (std::ranges::find(known, name) == known.end())
+        throw UsageError(
+            fmt::format("{}: expected the format {}, got '{}'", output.target, joined(known, ", "), name));
+    return name;
 }
 
-void write_output(const Output& output, std::span<const std::byte> bytes) {
-    if (output.target != "-") {
-        write_file(output.target, bytes);
-    } else if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() ||
-               std::fflush(stdout) != 0) {
-        throw MachineError(fmt::format("standard output: {}", std::strerror(errno)));
-    }
+std::vector<std::string> format_names(FormatTrait trait) {
+    std::vector<std::string> names = extensions_of(trait);
+    for (std::string& name : names) name.erase(0, 1);
+    return names;
 }
 
-void write_output(const Output& output, std::string_view text) {
-    write_output(output, std::as_bytes(std::span(text)));
+OutputTarget target_of(const Output& output) {
+    return {output.target == "-" ? std::filesystem::path() : std::filesystem::path(output.target)};
+}
+
+OutputTarget key_target_of(const std::string& target) {
+    const std::vector<std::string> known = format_names(&Format::is_exported_key);
+    const Output output{target, target == "-" ? known.front() : ""};
+    format_of(output, known);
+    return target_of(output);
 }
 
 }  // namespace interleaf

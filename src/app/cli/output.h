@@ -1,9 +1,12 @@
-// Where a command writes what it made: a file, written whole or not at all, or standard output.
+// Where a command writes its result, and in which format, as the options -o and --format name them.
 #pragma once
 
 #include <span>
 #include <string>
-#include <string_view>
+#include <vector>
+
+#include "io/file/output_target.h"
+#include "io/formats.h"
 
 namespace interleaf {
 
@@ -14,10 +17,15 @@ struct Output {
 
 /// The format of \p output, one of \p known: named outright, or the extension of the file.
 /// \throw UsageError when it is neither
-std::string_view format_of(const Output& output, std::span<const std::string_view> known);
+std::string format_of(const Output& output, std::span<const std::string> known);
 
-/// \throw MachineError when it cannot be written
-void write_output(const Output& output, std::span<const std::byte> bytes);
-void write_output(const Output& output, std::string_view text);
+/// The names of the formats with this trait, without the dot of their extensions: "obj".
+std::vector<std::string> format_names(FormatTrait trait);
+
+OutputTarget target_of(const Output& output);
+
+/// The target of a key: a file of a format for exported keys, or standard output for "-".
+/// \throw UsageError when the file is of another format
+OutputTarget key_target_of(const std::string& target);
 
 }  // namespace interleaf

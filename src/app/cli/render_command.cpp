@@ -1,12 +1,13 @@
 #include "app/cli/render_command.h"
 
-#include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
 #include "app/document/family_extent.h"
-#include "app/document/open_family.h"
+#include "app/document/opening.h"
 #include "app/document/shown_field.h"
 #include "hierarchy/error.h"
 #include "hierarchy/vertex_normals.h"
@@ -19,7 +20,7 @@
 namespace interleaf {
 namespace {
 
-constexpr std::array<std::string_view, 1> render_formats = {"png"};
+const std::vector<std::string> render_formats = {"png"};
 constexpr int samples = 4;
 
 Camera camera_on(const Family& family, const Viewpoint& viewpoint, float aspect) {
@@ -63,7 +64,7 @@ void run_render(const RenderOptions& options) {
     OffscreenTarget target(width, height, samples);
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     renderer.draw(target, camera_on(family, options.viewpoint, aspect), weight_values(weights), display);
-    write_output(options.output, png_bytes(target.read_rgba(), width, height));
+    write_output(target_of(options.output), png_bytes(target.read_rgba(), width, height));
 }
 
 }  // namespace interleaf

@@ -2,11 +2,11 @@
 
 #include <cstdlib>
 #include <utility>
+#include <variant>
 
 #include <fmt/core.h>
 
-#include "app/document/open_family.h"
-#include "app/fitting/fit_files.h"
+#include "app/document/opening.h"
 #include "hierarchy/error.h"
 #include "render/context.h"
 
@@ -14,32 +14,23 @@ namespace interleaf {
 
 namespace {
 
-/// What there is to show, and where it was read from.
-struct Opened {
-    Family family;
-    std::vector<std::filesystem::path> sources;  ///< none for the built-in family
-    std::vector<std::filesystem::path> meshes;   ///< to be fitted, over the built-in family
-};
-
-Opened open_to_view(const std::vector<std::filesystem::path>& paths) {
-    if (paths.empty()) return {open_family({}), {}, {}};
-    std::vector<std::filesystem::path> files = files_of(paths);
-    if (are_surfaces(files)) return {open_family({}), {}, std::move(files)};
-    try {
-        return {open_family(files), files, {}};
-    } catch (const InputError&) {
-        if (files.size() < 2 || !are_obj_files(files)) throw;
-        return {open_family({}), {}, std::move(files)};
-    }
+/// Opens the window. Meshes are offered for fitting over the built-in family.
+void show(Opening opened, const std::vector<std::filesystem::path>& sources, const ViewerOptions& options) {
+    std::visit(
+        Cases{
+            [&](OpenedFamily& family) { run_viewer(std::move(family.family), sources, {}, options); },
+            [&](OpenedKeys& keys) { run_viewer(std::move(keys.family), sources, {}, options); },
+            [&](MeshesToFit& meshes) { run_viewer(open_family({}), {}, std::move(meshes.files), options); }},
+        opened);
 }
 
 }  // namespace
 
 void run_view(const ViewOptions& options) {
-    Opened opened = open_to_view(options.family);
+    const std::vector<std::filesystem::path> files = files_of(options.family);
+    Opening opened = open_files(files);
     try {
-        run_viewer(std::move(opened.family), std::move(opened.sources), std::move(opened.meshes),
-                   options.viewer);
+        show(std::move(opened), files, options.viewer);
     } catch (const DisplayError& error) {
         const bool has_display =
             std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;

@@ -8,7 +8,7 @@
 #include "family/origin.h"
 #include "fit/mesh/stopwatch.h"
 #include "hierarchy/error.h"
-#include "io/file/file_pattern.h"
+#include "io/read_files.h"
 
 namespace interleaf {
 
@@ -18,24 +18,6 @@ namespace {
 constexpr double comparing_begins = 0.97;
 
 }  // namespace
-
-bool is_surface_file(const std::filesystem::path& file) {
-    const std::string extension = lower_case_extension(file);
-    return extension == ".ply" || extension == ".stl" || extension == ".off";
-}
-
-bool is_mesh_file(const std::filesystem::path& file) {
-    return is_surface_file(file) || lower_case_extension(file) == ".obj";
-}
-
-bool are_surfaces(std::span<const std::filesystem::path> files) {
-    return std::ranges::any_of(files, is_surface_file) && std::ranges::all_of(files, is_mesh_file);
-}
-
-bool are_obj_files(std::span<const std::filesystem::path> files) {
-    return std::ranges::all_of(
-        files, [](const std::filesystem::path& file) { return lower_case_extension(file) == ".obj"; });
-}
 
 CleanMesh MeshFitter::clean_next(SurfaceFile surface, const Progress& progress) {
     if (!task_.ups.empty()) turn_up(surface.positions, task_.ups[next_]);

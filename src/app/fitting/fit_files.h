@@ -20,18 +20,6 @@
 
 namespace interleaf {
 
-/// Whether \p file is called as a mesh that only fit() makes a key of: .ply, .stl or .off.
-bool is_surface_file(const std::filesystem::path& file);
-
-/// Whether \p file is called as a mesh: the same, or .obj.
-bool is_mesh_file(const std::filesystem::path& file);
-
-/// Whether \p files are meshes of which one, by its kind, is no key as it is: together they must be fitted.
-bool are_surfaces(std::span<const std::filesystem::path> files);
-
-/// Whether \p files are all .obj: meshes that are keys as they are, several only if they have the same faces.
-bool are_obj_files(std::span<const std::filesystem::path> files);
-
 /// What is to be fitted, and how.
 struct FitTask {
     std::vector<std::filesystem::path> meshes;

@@ -13,7 +13,7 @@
 #include "hierarchy/color.h"
 #include "hierarchy/error.h"
 #include "hierarchy/vertex_normals.h"
-#include "io/mesh/surface_file.h"
+#include "io/read_files.h"
 #include "render/image_texture.h"
 #include "render/offscreen_target.h"
 #include "render/palette.h"

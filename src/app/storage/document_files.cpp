@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/document/builtin_family.h"
-#include "app/document/open_family.h"
+#include "app/document/opening.h"
 #include "app/storage/save_folder.h"
 #include "app/storage/user_folders.h"
 #include "hierarchy/error.h"

@@ -14,6 +14,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/document/opening.h"
 #include "app/document/viewer_state.h"
 #include "app/fitting/mesh_fitting.h"
 #include "app/storage/document_recovery.h"
@@ -89,11 +90,11 @@ class DocumentFiles {
     void browse(FileRequest request, std::function<void(const FileChoice&)> answer);
     void browse_to_open();
     void browse_to_add();
-    using Fit = std::function<void(const std::vector<std::filesystem::path>& meshes, const std::string& why)>;
-    void read_or_fit(const std::vector<std::filesystem::path>& paths,
-                     const std::function<void(Family)>& receiver, const Fit& fit);
+    std::optional<Opening> opened(const std::vector<std::filesystem::path>& paths);
+    bool show_opened(const std::vector<std::filesystem::path>& paths);
     void reopen();
-    void offer_to_add(const std::vector<std::filesystem::path>& meshes, const std::string& reason);
+    void offer_to_open(const MeshesToFit& meshes);
+    void offer_to_add(const MeshesToFit& meshes);
     void open_fitted(const std::vector<std::filesystem::path>& meshes, const FittedMeshes& fitted);
     void tell_fit(const FittedMeshes& fitted);
     void replace_document(Family family, std::vector<std::filesystem::path> sources);

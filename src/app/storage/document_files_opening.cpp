@@ -1,15 +1,18 @@
-// What DocumentFiles does to open files and to add keys from them, fitted first where they are no keys.
+// DocumentFiles: opens files and adds keys from them. Keys are fitted to meshes that are not keys first.
+#include <optional>
 #include <ranges>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
 #include "app/document/edit_commands.h"
-#include "app/document/open_family.h"
+#include "app/document/opening.h"
 #include "app/fitting/fit_roots.h"
 #include "app/storage/document_files.h"
 #include "family/new_family.h"
 #include "hierarchy/error.h"
+#include "io/formats.h"
 
 namespace interleaf {
 
@@ -33,9 +36,9 @@ FileRequest request_to_open(std::string title, std::string action, std::vector<F
 
 const std::vector<FileType>& DocumentFiles::openable_types() {
     static const std::vector<FileType> types{
-        {"Families, keys and meshes", {".json", ".ilh", ".obj", ".ply", ".stl", ".off"}},
-        {"Families and keys", {".json", ".ilh"}},
-        {"Meshes", {".obj", ".ply", ".stl", ".off"}}};
+        {"Families, keys and meshes", extensions_of(&Format::is_openable)},
+        {"Families and keys", extensions_of(&Format::opens_unfitted)},
+        {"Meshes", extensions_of(&Format::holds_mesh)}};
     return types;
 }
 
@@ -49,70 +52,74 @@ void DocumentFiles::browse_to_add() {
            [this](const FileChoice& choice) { add_keys(choice.files, now_); });
 }
 
-/// Gives \p receiver the family that \p paths stand for; meshes that are no keys as they are go to \p fit,
-/// with the reason where it is not their kind.
-void DocumentFiles::read_or_fit(const std::vector<fs::path>& paths,
-                                const std::function<void(Family)>& receiver, const Fit& fit) {
-    std::vector<fs::path> files;
+/// What \p paths hold; none where they cannot be opened, which is told.
+std::optional<Opening> DocumentFiles::opened(const std::vector<fs::path>& paths) {
     try {
-        files = files_of(paths);
-        if (are_surfaces(files)) return fit(files, "");
-        receiver(open_family(files));
-    } catch (const InputError& error) {
-        if (files.size() > 1 && are_obj_files(files)) return fit(files, error.what());
-        complain(error);
+        return open_files(paths);
     } catch (const std::runtime_error& error) {
         complain(error);
+        return std::nullopt;
     }
 }
 
 void DocumentFiles::open(std::vector<fs::path> files) {
     leave_document([this, files = std::move(files)] {
-        read_or_fit(
-            files,
-            [&](Family family) {
-                replace_document(std::move(family), files);
-                remember(files.front());
-            },
-            [&](const std::vector<fs::path>& meshes, const std::string& reason) {
-                fitting_.offer({meshes, reason, {}},
-                               [this, meshes](const FittedMeshes& fitted) { open_fitted(meshes, fitted); });
-            });
+        if (show_opened(files)) remember(files.front());
     });
 }
 
 void DocumentFiles::reopen() {
-    leave_document([this] {
-        try {
-            Family family = open_family(sources_);
-            replace_document(std::move(family), sources_);
-        } catch (const std::runtime_error& error) {
-            complain(error);
-        }
-    });
+    leave_document([this] { show_opened(sources_); });
 }
 
-/// An .obj is a key as it is, but one over the family's roots only once it has been fitted.
+/// Replaces the document by the family that \p paths hold, or offers to fit their meshes.
+/// \return whether the document was replaced
+bool DocumentFiles::show_opened(const std::vector<fs::path>& paths) {
+    std::optional<Opening> found = opened(paths);
+    if (!found) return false;
+    return std::visit(Cases{[&](OpenedFamily& family) {
+                                replace_document(std::move(family.family), paths);
+                                return true;
+                            },
+                            [&](OpenedKeys& keys) {
+                                replace_document(std::move(keys.family), paths);
+                                return true;
+                            },
+                            [&](const MeshesToFit& meshes) {
+                                offer_to_open(meshes);
+                                return false;
+                            }},
+                      *found);
+}
+
+void DocumentFiles::offer_to_open(const MeshesToFit& meshes) {
+    fitting_.offer({meshes.files, meshes.reason, {}},
+                   [this, files = meshes.files](const FittedMeshes& fitted) { open_fitted(files, fitted); });
+}
+
 void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
-    read_or_fit(
-        files,
-        [&](Family family) {
-            const auto before = state_.document.snapshot();
-            interleaf::add_keys(state_, std::move(family.keys), family.origin, now);
-            if (state_.document.snapshot() != before) return;
-            const std::vector<fs::path> read = files_of(files);
-            if (are_obj_files(read)) offer_to_add(read, std::exchange(state_.message, {}).text);
-        },
-        [this](const std::vector<fs::path>& meshes, const std::string& reason) {
-            offer_to_add(meshes, reason);
-        });
+    std::optional<Opening> found = opened(files);
+    if (!found) return;
+    const auto add = [&](Family& family) {
+        const auto before = state_.document.snapshot();
+        interleaf::add_keys(state_, std::move(family.keys), family.origin, now);
+        return state_.document.snapshot() != before;
+    };
+    std::visit(Cases{[&](OpenedFamily& family) { add(family.family); },
+                     [&](OpenedKeys& keys) {
+                         if (add(keys.family) || !keys.can_be_fitted()) return;
+                         // A mesh is over the family's roots only once a key has been fitted to it.
+                         offer_to_add({keys.files, std::exchange(state_.message, {}).text});
+                     },
+                     [&](const MeshesToFit& meshes) { offer_to_add(meshes); }},
+               *found);
 }
 
 /// Keys for the document are fitted over its roots.
-void DocumentFiles::offer_to_add(const std::vector<fs::path>& meshes, const std::string& reason) {
+void DocumentFiles::offer_to_add(const MeshesToFit& meshes) {
     try {
         const Family& family = state_.document.family();
-        fitting_.offer({meshes, reason, roots_of(family), family.origin,
+        fitting_.offer({meshes.files, meshes.reason, roots_of(family), family.origin,
                         extent_of(surface_of(*family.keys.front().hierarchy))},
                        [this](const FittedMeshes& fitted) {
                            interleaf::add_keys(state_, keys_of(fitted.comparisons), fitted.origin, now_);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "app/document/open_family.h"
+#include "app/document/opening.h"
 
 namespace interleaf {
 

@@ -7,27 +7,26 @@
 #include <vector>
 
 #include "family/family.h"
+#include "io/file/file_keys.h"
 #include "io/hierarchy/hierarchy_file.h"
 
 namespace interleaf {
 
-/// Reads a family. The result has passed check(). If the roots of a key are numbered differently than the
-/// roots of the first key, the key is renumbered.
-/// \param path         a family.json, or the folder that holds one, with key files inside that folder; or a
-///                     single .ilh or .obj file, which becomes a family of one key
-/// \param changes      gets a sentence for each key that was renumbered
-/// \throw InputError   naming the file, the place and what was expected; MismatchError if the roots of a key
-///                     do not match the roots of the first key (synchronize_keys.h)
-/// \throw MachineError if a file cannot be opened or read
+/// Reads a family from a family.json, or from the folder that holds one. Key files must lie inside the
+/// family's folder. Keys whose roots are numbered differently than those of the first are put over these. The
+/// family has passed check(). \param  changes     gets a sentence for each key that was changed for that
+/// \throw InputError   naming the file, the place and what was expected; MismatchError where keys have other
+///                     roots than the first (synchronise_keys.h)
+/// \throw MachineError when a file cannot be opened or read
 Family read_family(const std::filesystem::path& path, std::vector<std::string>* changes = nullptr);
 
-/// Makes a new family from .ilh and .obj files. Keys with differently numbered roots are renumbered to match
-/// the first key. If all files are .obj, they must have the same faces. An .obj among .ilh files is a key
-/// without bisections. Each key has the name of its file. Timeline and domain are those of family_of_keys().
-/// \param changes      as for read_family()
-/// \throw InputError, MachineError as read_family()
-/// \pre   there is a file
-Family read_keys(std::span<const std::filesystem::path> files, std::vector<std::string>* changes = nullptr);
+/// A new family of the keys that were read from \p files, put over the roots of the first and named as their
+/// files. Timeline and domain are those of family_of_keys().
+/// \param  changes        gets the remarks on the files, then a sentence for each key that was changed
+/// \throw  MismatchError  naming the file, where keys have other roots than the first
+/// \pre    there is a file, and one key per file
+Family family_of_files(std::span<const std::filesystem::path> files, FileKeys read,
+                       std::vector<std::string>* changes = nullptr);
 
 /// The key files that read_family() would read for \p path, in the order of the keys.
 /// \throw InputError, MachineError as read_family(), if family.json cannot be read or understood

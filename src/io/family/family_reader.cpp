@@ -16,7 +16,6 @@
 #include "io/file/file_pattern.h"
 #include "io/file/input_file.h"
 #include "io/hierarchy/hierarchy_file.h"
-#include "io/mesh/mesh_file.h"
 #include "io/text/joined_text.h"
 #include "io/text/json_place.h"
 
@@ -240,36 +239,6 @@ Family read_family_json(const fs::path& file, std::vector<std::string>* changes)
     return family;
 }
 
-std::string name_of(const fs::path& file) {
-    return family_format::utf8_of(file.stem());
-}
-
-bool is_mesh(const fs::path& file) {
-    return lower_case_extension(file) == ".obj";
-}
-
-/// Reads the keys of hierarchy files and meshes. The first mesh determines the origin of all meshes.
-MeshKeys read_all(std::span<const fs::path> files) {
-    if (std::ranges::all_of(files, is_mesh)) return read_obj_series(files);
-    MeshKeys all;
-    std::optional<glm::dvec3> origin;
-    for (const fs::path& file : files) {
-        if (is_mesh(file)) {
-            MeshKeys mesh = read_obj_series(std::span(&file, 1), origin);
-            origin = all.origin = mesh.origin;
-            all.keys.push_back(std::move(mesh.keys.front()));
-            all.remarks.insert(all.remarks.end(), mesh.remarks.begin(), mesh.remarks.end());
-        } else if (lower_case_extension(file) == ".ilh") {
-            all.keys.push_back(read_hierarchy(file));
-        } else {
-            throw InputError(fmt::format(
-                "{}: expected a file that ends in .ilh or .obj; `interleaf fit` makes keys of other meshes",
-                file.string()));
-        }
-    }
-    return all;
-}
-
 }  // namespace
 
 std::vector<fs::path> key_files(const fs::path& path) {
@@ -295,18 +264,15 @@ Family read_family(const fs::path& path, std::vector<std::string>* changes) {
                 fmt::format("{}: is a folder without family.json, expected a family", path.string()));
         return read_family_json(file, changes);
     }
-    const std::string extension = lower_case_extension(path);
-    if (extension == ".json") return read_family_json(path, changes);
-    if (extension == ".ilh" || extension == ".obj") return read_keys(std::span(&path, 1), changes);
-    throw InputError(
-        fmt::format("{}: expected a folder, or a file that ends in .json, .ilh or .obj", path.string()));
+    return read_family_json(path, changes);
 }
 
-Family read_keys(std::span<const fs::path> files, std::vector<std::string>* changes) {
+Family family_of_files(std::span<const fs::path> files, FileKeys read, std::vector<std::string>* changes) {
+    const auto name_of = [](const fs::path& file) { return family_format::utf8_of(file.stem()); };
     std::vector<Key> keys;
     keys.reserve(files.size());
-    MeshKeys read = read_all(files);
-    if (read.origin != glm::dvec3(0)) read.remarks.push_back(origin_sentence(read.origin));
+    const glm::dvec3 origin = read.origin.value_or(glm::dvec3(0));
+    if (origin != glm::dvec3(0)) read.remarks.push_back(origin_sentence(origin));
     if (changes != nullptr) changes->insert(changes->end(), read.remarks.begin(), read.remarks.end());
     for (Hierarchy& hierarchy : read.keys)
         keys.push_back({name_of(files[keys.size()]), std::move(hierarchy)});
@@ -316,7 +282,7 @@ Family read_keys(std::span<const fs::path> files, std::vector<std::string>* chan
                                  ? name_of(files.front())
                                  : fmt::format("{} to {}", name_of(files.front()), name_of(files.back()));
     Family family = family_of_keys(name, std::move(keys));
-    family.origin = read.origin;
+    family.origin = origin;
     return family;
 }
 

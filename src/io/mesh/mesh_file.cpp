@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -59,17 +60,19 @@ Field color_field(const std::vector<glm::vec3>& colors, const std::vector<Index>
     return field;
 }
 
-/// The key over \p roots whose positions are those of the \p used vertices of \p lines, minus \p origin.
-Hierarchy key_of(const RootComplex& roots, const PolygonMesh& lines, const std::vector<Index>& used,
-                 const glm::dvec3& origin, const std::string& name) {
+/// The vertices of \p lines that are \p used, less \p origin, over \p roots.
+std::variant<Hierarchy, Misfit> key_of(const RootComplex& roots, const PolygonMesh& lines,
+                                       const std::vector<Index>& used, const glm::dvec3& origin,
+                                       const std::string& name) {
     std::vector<glm::vec3> positions;
     positions.reserve(used.size());
     for (const Index vertex : used) {
         const glm::dvec3 local = lines.positions[vertex] - origin;
         if (!is_place(local))
-            throw InputError(
-                fmt::format("{}: vertex {} (counted from 1): is too far from the origin, ({}, {}, {})", name,
-                            vertex + 1, origin.x, origin.y, origin.z));
+            return Misfit{
+                fmt::format("{}: vertex {} (counted from 1): is too far from ({}, {}, {}), from "
+                            "which positions count",
+                            name, vertex + 1, origin.x, origin.y, origin.z)};
         positions.emplace_back(local);
     }
     Hierarchy key = unrefined(roots, positions);
@@ -84,17 +87,16 @@ std::size_t face_of_triangle(const PolygonMesh& mesh, std::size_t triangle) {
     return face;
 }
 
-/// The roots made of \p triangles, which are the faces of \p lines.
-/// \param used  the vertices that they use
-RootComplex roots_of(std::vector<Triangle> triangles, const PolygonMesh& lines,
-                     const std::vector<Index>& used, const std::string& name) {
+/// \p triangles, the faces of \p lines, as roots. \p used lists the vertices of the triangles.
+std::variant<RootComplex, Misfit> roots_of(std::vector<Triangle> triangles, const PolygonMesh& lines,
+                                           const std::vector<Index>& used, const std::string& name) {
     renumber(triangles, used, lines.positions.size());
     try {
-        return {static_cast<Index>(used.size()), std::move(triangles)};
+        return RootComplex(static_cast<Index>(used.size()), std::move(triangles));
     } catch (const RootError& error) {
-        throw InputError(
+        return Misfit{
             fmt::format("{}: faces, as triangles (these and the vertices in use counted from 0): {} ({})",
-                        name, error.what(), place_of_face(lines, face_of_triangle(lines, error.triangle))));
+                        name, error.what(), place_of_face(lines, face_of_triangle(lines, error.triangle)))};
     }
 }
 
@@ -144,8 +146,15 @@ Hierarchy read_obj(const std::filesystem::path& file) {
     return std::move(read_obj_series(std::span(&file, 1)).keys.front());
 }
 
-MeshKeys read_obj_series(std::span<const std::filesystem::path> files, std::optional<glm::dvec3> origin) {
-    MeshKeys series;
+FileKeys read_obj_series(std::span<const std::filesystem::path> files, std::optional<glm::dvec3> origin) {
+    auto read = read_obj_keys(files, origin);
+    if (const auto* misfit = std::get_if<Misfit>(&read)) throw InputError(misfit->reason);
+    return std::get<FileKeys>(std::move(read));
+}
+
+std::variant<FileKeys, Misfit> read_obj_keys(std::span<const std::filesystem::path> files,
+                                             std::optional<glm::dvec3> origin) {
+    FileKeys series;
     if (files.empty()) return series;
     series.keys.reserve(files.size());
     const std::string first_name = files.front().string();
@@ -153,15 +162,19 @@ MeshKeys read_obj_series(std::span<const std::filesystem::path> files, std::opti
     std::vector<Triangle> triangles = triangles_of(first, first_name);
     series.origin = origin ? *origin : origin_for(first.positions, triangles);
     const std::vector<Index> used = used_vertices(triangles, first.positions.size());
-    const RootComplex roots = roots_of(std::move(triangles), first, used, first_name);
-    series.keys.push_back(key_of(roots, first, used, series.origin, first_name));
-    for (const std::filesystem::path& file : files.subspan(1)) {
-        const PolygonMesh lines = read_lines(file, series.remarks);
-        const std::string difference = face_difference(lines, first, first_name);
-        if (!difference.empty())
-            throw InputError(fmt::format("{}: {}; `interleaf fit` makes keys of meshes with different faces",
-                                         file.string(), difference));
-        series.keys.push_back(key_of(roots, lines, used, series.origin, file.string()));
+    auto roots = roots_of(std::move(triangles), first, used, first_name);
+    if (auto* misfit = std::get_if<Misfit>(&roots)) return std::move(*misfit);
+    for (const std::filesystem::path& file : files) {
+        const bool is_first = series.keys.empty();
+        const PolygonMesh lines = is_first ? PolygonMesh() : read_lines(file, series.remarks);
+        if (const std::string difference = is_first ? "" : face_difference(lines, first, first_name);
+            !difference.empty())
+            return Misfit{fmt::format("{}: {}; `interleaf fit` makes keys of meshes with different faces",
+                                      file.string(), difference)};
+        auto key = key_of(std::get<RootComplex>(roots), is_first ? first : lines, used, *series.origin,
+                          file.string());
+        if (auto* misfit = std::get_if<Misfit>(&key)) return std::move(*misfit);
+        series.keys.push_back(std::get<Hierarchy>(std::move(key)));
     }
     return series;
 }

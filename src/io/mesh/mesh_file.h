@@ -6,31 +6,32 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/triangle.h"
+#include "io/file/file_keys.h"
 
 namespace interleaf {
 
-/// Keys without bisections, read from OBJ files.
-struct MeshKeys {
-    std::vector<Hierarchy> keys;       ///< with the origin subtracted from their positions
-    glm::dvec3 origin{0};              ///< the origin that was subtracted (family/origin.h)
-    std::vector<std::string> remarks;  ///< sentences about everything that was read differently than written
-};
+/// Reads OBJ files that have the same faces, vertex for vertex, as keys without bisections. The order of each
+/// face's vertices is its marking. Polygons are triangulated, unused vertices dropped; the mesh must be an
+/// orientable manifold. Colors of vertices become the field "color". The first file decides how polygons are
+/// triangulated, which vertices are dropped and what the origin is. All keys share one root complex.
+/// \param origin       instead of the first file's
+/// \return             the keys; or a misfit where every file that was read is a mesh, but the meshes are not
+///                     keys together, such as the first face that differs from the first file's
+/// \throw InputError   naming the file, the place and what was expected, where a file is not a mesh
+/// \throw MachineError when a file cannot be opened or read
+std::variant<FileKeys, Misfit> read_obj_keys(std::span<const std::filesystem::path> files,
+                                             std::optional<glm::dvec3> origin = std::nullopt);
 
-/// Reads OBJ files that have the same faces, vertex for vertex. The order of the vertices of each face marks
-/// its refinement edge. The reader triangulates polygons and drops unused vertices; the mesh must be an
-/// orientable manifold. Colors of vertices become the field "color". The first file determines how polygons
-/// are triangulated, which vertices are dropped and what the origin is. All keys share one root complex.
-/// \param origin       replaces the origin of the first file
-/// \throw InputError   naming the file, the place and what was expected, such as the first face that differs
-///                     from the faces of the first file
-/// \throw MachineError if a file cannot be opened or read
-MeshKeys read_obj_series(std::span<const std::filesystem::path> files,
+/// The same.
+/// \throw InputError, MachineError as read_obj_keys(), and for a misfit
+FileKeys read_obj_series(std::span<const std::filesystem::path> files,
                          std::optional<glm::dvec3> origin = std::nullopt);
 
 /// Reads the key of one file. Drops the origin, if the file has one.

@@ -11,8 +11,6 @@
 #include <glm/geometric.hpp>
 
 #include "family/origin.h"
-#include "hierarchy/error.h"
-#include "io/file/file_pattern.h"
 #include "io/file/input_file.h"
 #include "io/mesh/obj_lines.h"
 #include "io/text/words.h"
@@ -26,15 +24,7 @@ glm::dvec3 as_floats(const glm::dvec3& p) {
     return {rounded_to_float(p.x), rounded_to_float(p.y), rounded_to_float(p.z)};
 }
 
-SurfaceFile parse_obj(std::string_view text, std::string_view name) {
-    SurfaceFile surface = surface_of(read_obj_lines(std::string(text), name), name);
-    // The same numbers as in the key that the file also is (mesh_file.h): floats, unless it is far from 0.
-    if (origin_for(surface.positions, surface.triangles) == glm::dvec3(0))
-        for (glm::dvec3& position : surface.positions) position = as_floats(position);
-    return surface;
-}
-
-/// A sentence if 32-bit floats, which are coarse far from 0, have destroyed details; "" otherwise.
+/// A sentence where 32-bit floats have left no detail: far from 0 they are coarse. "" otherwise.
 std::string lost_digits(const SurfaceFile& surface) {
     constexpr double enough_steps = 5000;
     glm::dvec3 least = surface.positions.front();
@@ -63,16 +53,15 @@ SurfaceFile surface_of(PolygonMesh mesh, std::string_view name) {
     return {std::move(mesh.positions), std::move(triangles), std::move(mesh.colors), std::move(mesh.remarks)};
 }
 
-SurfaceFile read_surface(const std::filesystem::path& file) {
-    const std::string extension = lower_case_extension(file);
-    SurfaceFile (*parse)(std::string_view, std::string_view) = nullptr;
-    if (extension == ".obj") parse = parse_obj;
-    if (extension == ".off") parse = parse_off;
-    if (extension == ".ply") parse = parse_ply;
-    if (extension == ".stl") parse = parse_stl;
-    if (parse == nullptr)
-        throw InputError(
-            fmt::format("{}: expected a file that ends in .obj, .ply, .stl or .off", file.string()));
+SurfaceFile parse_obj(std::string_view text, std::string_view name) {
+    SurfaceFile surface = surface_of(read_obj_lines(std::string(text), name), name);
+    // The numbers of the key that the same file is (mesh_file.h): floats, unless it is far from 0.
+    if (origin_for(surface.positions, surface.triangles) == glm::dvec3(0))
+        for (glm::dvec3& position : surface.positions) position = as_floats(position);
+    return surface;
+}
+
+SurfaceFile read_surface(const std::filesystem::path& file, SurfaceParser parse) {
     SurfaceFile surface = parse(read_text(file, max_surface_size), file.string());
     if (std::string lost = lost_digits(surface); !lost.empty()) surface.remarks.push_back(std::move(lost));
     return surface;

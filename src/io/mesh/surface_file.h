@@ -29,19 +29,23 @@ struct SurfaceFile {
     std::vector<std::string> remarks;
 };
 
-/// Reads a file of at most 1 GiB. The extension of \p file selects the format: .obj, .ply, .stl or .off.
-/// Polygons become triangles (ear_clipping.h).
-/// \throw InputError   naming the file, the place and what was expected
-/// \throw MachineError if the file cannot be opened or read
-SurfaceFile read_surface(const std::filesystem::path& file);
+/// Reads a surface from the bytes of a file of one format. Polygons become triangles (ear_clipping.h).
+/// \p name stands for the file in messages.
+/// \throw InputError naming the file, the place and what was expected
+using SurfaceParser = SurfaceFile (*)(std::string_view bytes, std::string_view name);
 
-/// Reads the bytes of a file of one format. Messages call the file \p name.
+SurfaceFile parse_obj(std::string_view bytes, std::string_view name);
 SurfaceFile parse_off(std::string_view bytes, std::string_view name);
 SurfaceFile parse_ply(std::string_view bytes, std::string_view name);
 SurfaceFile parse_stl(std::string_view bytes, std::string_view name);
 
-/// Settles \p mesh and divides its polygons into triangles.
-/// \throw InputError as settle() and triangles_of()
+/// Reads \p file, at most 1 GiB, with the parser of its format. Coordinates that have lost their digits get
+/// a remark.
+/// \throw InputError   as \p parse
+/// \throw MachineError when the file cannot be opened or read
+SurfaceFile read_surface(const std::filesystem::path& file, SurfaceParser parse);
+
+/// What is said of a mesh as triangles. \throw InputError as settle() and triangles_of()
 SurfaceFile surface_of(PolygonMesh mesh, std::string_view name);
 
 }  // namespace interleaf

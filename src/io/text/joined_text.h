@@ -16,4 +16,10 @@ inline std::string joined(std::span<const std::string> texts, std::string_view s
     return result;
 }
 
+/// "a", "a or b", "a, b or c".
+inline std::string either_of(std::span<const std::string> texts) {
+    if (texts.size() < 2) return joined(texts, "");
+    return joined(texts.first(texts.size() - 1), ", ") + " or " + texts.back();
+}
+
 }  // namespace interleaf

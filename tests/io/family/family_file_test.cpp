@@ -7,6 +7,7 @@
 
 #include "io/hierarchy/hierarchy_file.h"
 #include "io/mesh/mesh_file.h"
+#include "io/read_files.h"
 #include "io/samples.h"
 #include "io/scratch_folder.h"
 
@@ -199,7 +200,11 @@ TEST_CASE("a single key or mesh is a family of one") {
     const ScratchFolder folder;
     const Hierarchy hierarchy = random_hierarchy(random, true, 12);
     write_hierarchy(hierarchy, folder / "Kugel ü.ilh");
-    const Family one = read_family(folder / "Kugel ü.ilh");
+    const auto read_key = [&](std::string_view name) {
+        const std::vector<std::filesystem::path> files{folder / name};
+        return read_keys(files);
+    };
+    const Family one = read_key("Kugel ü.ilh");
     CHECK(one.keys.size() == 1);
     CHECK(one.name == "Kugel ü");
     CHECK(one.keys[0].name == "Kugel ü");
@@ -210,10 +215,10 @@ TEST_CASE("a single key or mesh is a family of one") {
     const std::vector<Triangle> triangle{{2, 0, 1}};
     const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     put(folder / "mesh.OBJ", obj_text(triangle, positions));
-    CHECK(std::ranges::equal(read_family(folder / "mesh.OBJ").keys[0].hierarchy->positions, positions));
+    CHECK(std::ranges::equal(read_key("mesh.OBJ").keys[0].hierarchy->positions, positions));
 
     put(folder / "key.stl", "");
-    CHECK(contains(input_error_of([&] { read_family(folder / "key.stl"); }), "ends in .json, .ilh or .obj"));
+    CHECK(contains(input_error_of([&] { read_key("key.stl"); }), "ends in .ilh or .obj"));
     CHECK(contains(input_error_of([&] { read_family(folder.path()); }), "is a folder without family.json"));
 }
 

@@ -13,7 +13,7 @@
 #include "io/family/family_file.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "io/mesh/mesh_file.h"
-#include "io/mesh/surface_file.h"
+#include "io/read_files.h"
 #include "io/samples.h"
 #include "io/scratch_folder.h"
 

@@ -121,7 +121,7 @@ TEST_CASE("an OBJ in UTF-16 is read, with a remark") {
     for (const char c : std::string("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n")) text += {c, '\0'};
     put(folder / "m.obj", text);
     const std::vector<std::filesystem::path> files{folder / "m.obj"};
-    const MeshKeys keys = read_obj_series(files);
+    const FileKeys keys = read_obj_series(files);
     CHECK(keys.keys.front().positions.size() == 3);
     CHECK(keys.remarks ==
           std::vector<std::string>{files[0].string() + ": The text was converted from UTF-16."});
@@ -131,7 +131,7 @@ TEST_CASE("colors of other ranges become colors of the key, and remarks name the
     const ScratchFolder folder;
     put(folder / "m.obj", "v 0 0 0 255 0 0\nv 1 0 0 0 51 0\nv 0 1 0 0 0 nan\nf 1 2 3\n");
     const std::vector<std::filesystem::path> files{folder / "m.obj"};
-    const MeshKeys keys = read_obj_series(files);
+    const FileKeys keys = read_obj_series(files);
     CHECK(keys.keys.front().fields.at(0).values == Buffer<float>{1, 0, 0, 0, 0.2F, 0, 1, 1, 1});
     const std::string name = files[0].string();
     CHECK(keys.remarks ==
@@ -144,7 +144,7 @@ TEST_CASE("an OBJ far from 0 is a key with an integer origin") {
     put(folder / "m.obj",
         "v 500000.25 5400000.5 0\nv 500001.25 5400000.5 0\nv 500000.25 5400001.5 0\nf 1 2 3\n");
     const std::vector<std::filesystem::path> files{folder / "m.obj"};
-    const MeshKeys keys = read_obj_series(files);
+    const FileKeys keys = read_obj_series(files);
     CHECK(keys.origin == glm::dvec3(500'001, 5'400'001, 0));
     CHECK(keys.keys.front().positions ==
           Buffer<glm::vec3>{{-0.75F, -0.5F, 0}, {0.25F, -0.5F, 0}, {-0.75F, 0.5F, 0}});

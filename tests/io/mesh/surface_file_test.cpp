@@ -17,6 +17,7 @@
 #include "hierarchy/error.h"
 #include "io/mesh/mesh_file.h"
 #include "io/polygons.h"
+#include "io/read_files.h"
 #include "io/scratch_folder.h"
 
 namespace interleaf {
@@ -145,7 +146,7 @@ double volume_of(const SurfaceFile& surface) {
     return sum / 6;
 }
 
-SurfaceFile parse_obj(std::string_view content, std::string_view) {
+SurfaceFile surface_of_obj(std::string_view content, std::string_view) {
     const ScratchFolder folder;
     put(folder / "p.obj", content);
     return read_surface(folder / "p.obj");
@@ -176,11 +177,11 @@ class PolygonFiles {
         ply_ += counted + "\n";
     }
     std::array<SurfaceFile, 3> surfaces() const {
-        return {parse_obj(obj_, "p"), parse_off(off_, "p"), parse_ply(ply_, "p")};
+        return {surface_of_obj(obj_, "p"), parse_off(off_, "p"), parse_ply(ply_, "p")};
     }
     std::array<std::string, 3> messages() const {
-        return {input_error_of([&] { parse_obj(obj_, "p"); }), input_error_of([&] { parse_off(off_, "p"); }),
-                input_error_of([&] { parse_ply(ply_, "p"); })};
+        return {input_error_of([&] { surface_of_obj(obj_, "p"); }),
+                input_error_of([&] { parse_off(off_, "p"); }), input_error_of([&] { parse_ply(ply_, "p"); })};
     }
 
   private:
@@ -560,7 +561,7 @@ TEST_CASE(
                 const Index j = (i + 1) % count;
                 text += fmt::format("f {} {} {} {}\n", i + 1, j + 1, j + count + 1, i + count + 1);
             }
-            const SurfaceFile surface = parse_obj(text, "");
+            const SurfaceFile surface = surface_of_obj(text, "");
             CHECK(surface.triangles.size() == 4 * count - 4);
             CHECK(volume_of(surface) == doctest::Approx(2 * area));
             double outline = 0;
@@ -579,7 +580,7 @@ TEST_CASE("a polygon that crosses itself is rejected in every format, with its p
 
 TEST_CASE("odd colors are read, and remarks say what was changed") {
     const auto with = [](std::string_view color) {
-        return parse_obj(fmt::format("v 0 0 0 {}\nv 1 0 0 0 0 1\nv 0 1 0 1 1 1\nf 1 2 3\n", color), "");
+        return surface_of_obj(fmt::format("v 0 0 0 {}\nv 1 0 0 0 0 1\nv 0 1 0 1 1 1\nf 1 2 3\n", color), "");
     };
     CHECK(with("0.5 0 1").remarks.empty());
     const SurfaceFile bytes = with("255 0 51");
@@ -599,13 +600,13 @@ TEST_CASE("odd colors are read, and remarks say what was changed") {
 
 TEST_CASE("a vertex that is not finite is ignored if no face uses it") {
     const std::string text = "v 1 2 3\nv nan 0 0\nv 0 inf 0\nv 0 0 -1.#IND\nv 1 0 0\nv 0 1 0\nf 1 5 6\n";
-    const SurfaceFile surface = parse_obj(text, "");
+    const SurfaceFile surface = surface_of_obj(text, "");
     CHECK(surface.positions.size() == 6);
     CHECK(surface.positions[1] == glm::dvec3(1, 2, 3));
     CHECK(mentions(surface.remarks, "3 vertices are not finite and not used by faces: ignored."));
     std::string many = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     for (int i = 0; i < 1001; ++i) many += "v nan 0 0\n";
-    CHECK(contains(input_error_of([&] { parse_obj(many, ""); }), "line 1005: more than 1000 vertices"));
+    CHECK(contains(input_error_of([&] { surface_of_obj(many, ""); }), "line 1005: more than 1000 vertices"));
     std::string far = binary_ply(pyramid(), false);
     const double beyond = 1e200;
     std::memcpy(&far[far.find("end_header\n") + 11 + 5], &beyond, sizeof beyond);
@@ -616,7 +617,7 @@ TEST_CASE("a vertex that is not finite is ignored if no face uses it") {
 TEST_CASE("map coordinates keep their digits") {
     const std::string text =
         "v 500000.123456789 5400000.987654321 300\nv 500001 5400000 300\nv 500000 5400001 300\nf 1 2 3\n";
-    CHECK(parse_obj(text, "").positions[0] == glm::dvec3(500000.123456789, 5400000.987654321, 300));
+    CHECK(surface_of_obj(text, "").positions[0] == glm::dvec3(500000.123456789, 5400000.987654321, 300));
     CHECK(
         parse_off("OFF 3 1 0\n500000.123456789 0 0\n500001 0 0\n500000 1 0\n3 0 1 2\n", "p").positions[0].x ==
         500000.123456789);

@@ -1,0 +1,130 @@
+#include "app/cli/shared_options.h"
+
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "app/cli/option_text.h"
+#include "hierarchy/error.h"
+#include "io/formats.h"
+#include "io/text/joined_text.h"
+
+namespace interleaf {
+namespace {
+
+std::string family_help() {
+    return fmt::format(
+        "A family.json, its folder, an {} file, or for several a pattern such as 'flow.*.obj' or the folder "
+        "they "
+        "are in; the built-in five keys if left out",
+        extensions_in_words(&Format::holds_key));
+}
+
+void add_family(CLI::App& command, std::vector<std::filesystem::path>& family) {
+    command.add_option_function<std::string>(
+        "FAMILY", [&family](const std::string& path) { family = {path}; }, family_help());
+}
+
+}  // namespace
+
+std::string viewed_help() {
+    return fmt::format(
+        "A family.json, its folder, or {} files, several making a new family; a pattern such as 'flow.*.obj' "
+        "stands for the files that match, a folder for the keys or meshes in it; or meshes to fit, {}, or {} "
+        "of "
+        "different faces; the built-in five keys if left out",
+        extensions_in_words(&Format::holds_key), joined(extensions_of(&Format::holds_mesh_alone), ", "),
+        extensions_in_words(&Format::holds_mesh_as_key));
+}
+
+CLI::Option* add_text_option(CLI::App& command, const std::string& name, const std::string& description,
+                             std::function<void(const std::string&)> take) {
+    const auto named_take = [name, take = std::move(take)](const std::string& text) {
+        try {
+            take(text);
+        } catch (const UsageError& error) {
+            throw UsageError(fmt::format("{}: {}", name, error.what()));
+        }
+    };
+    return command.add_option_function<std::string>(name, named_take, description);
+}
+
+CLI::Option* add_family_or_keys(CLI::App& command, const std::string& name, const std::string& help,
+                                std::vector<std::filesystem::path>& family) {
+    return command.add_option_function<std::vector<std::string>>(
+        name, [&family](const std::vector<std::string>& paths) { family.assign(paths.begin(), paths.end()); },
+        help);
+}
+
+void add_morph_selection(CLI::App& command, MorphSelection& morph) {
+    add_family(command, morph.family);
+    CLI::Option* at =
+        add_text_option(command, "--at", "A point of the parameter domain, or the nearest to one outside",
+                        [&morph](const std::string& text) { morph.at = parse_point(text); });
+    CLI::Option* time =
+        add_text_option(command, "--time", "A time on the timeline, seconds, or the nearest to one outside",
+                        [&morph](const std::string& text) { morph.time = parse_number(text); });
+    CLI::Option* weights =
+        add_text_option(command, "--weights", "Weights of keys, used as given",
+                        [&morph](const std::string& text) { morph.weights = parse_weights(text); });
+    const std::string group = "Which morph (one of these; time 0, or the only key, if left out)";
+    at->type_name("U,V")->group(group)->excludes(time)->excludes(weights);
+    time->type_name("T")->group(group)->excludes(weights);
+    weights->type_name("KEY=W,...")->group(group);
+}
+
+void add_output(CLI::App& command, Output& output, const std::vector<std::string>& formats) {
+    std::vector<std::string> files;
+    files.reserve(formats.size());
+    for (const std::string& format : formats) files.push_back("OUT." + format);
+    command
+        .add_option("-o,--output", output.target,
+                    fmt::format("The file to write, {}; - for standard output", either_of(files)))
+        ->required()
+        ->type_name("FILE");
+    command
+        .add_option("--format", output.format,
+                    fmt::format("{}; goes by the extension of FILE if left out", either_of(formats)))
+        ->type_name("NAME");
+}
+
+void add_form(CLI::App& command, HierarchyFileOptions& form) {
+    CLI::Option* compress =
+        command.add_flag("--compress", form.compressed, "Write .ilh files in the compressed form");
+    add_text_option(command, "--bits",
+                    "With --compress, round coordinates to N bits of the box's longest side, 8 to 24",
+                    [&form](const std::string& text) { form.rounding_bits = parse_bits(text); })
+        ->type_name("N")
+        ->needs(compress);
+}
+
+void add_display(CLI::App& command, Display& display) {
+    add_text_option(command, "--show", "Edges shown: " + shown_edges_in_words(),
+                    [&display](const std::string& text) { parse_shown_edges(text, display); })
+        ->type_name("NAME,...");
+    add_text_option(command, "--shading", "How the surface is shaded: smooth or flat",
+                    [&display](const std::string& text) { display.shading = parse_shading(text); })
+        ->type_name("NAME")
+        ->default_str("smooth");
+    CLI::Option* color =
+        add_text_option(command, "--color",
+                        "Color: plain, level (of each leaf), origin (which keys bisect this far), checker "
+                        "(over the roots), or a field of the keys",
+                        [&display](const std::string& text) { parse_coloring(text, display); });
+    color->type_name("NAME")->default_str("plain");
+    add_text_option(command, "--color-map", "Colors of a scalar field: " + color_maps_in_words(),
+                    [&display](const std::string& text) { display.scale.map = parse_color_map(text); })
+        ->type_name("NAME")
+        ->default_str("viridis")
+        ->needs(color);
+    add_text_option(command, "--range",
+                    "Values with the first and the last color; those of all keys if left out",
+                    [&display](const std::string& text) {
+                        display.scale.range = parse_range(text);
+                        display.range_locked = true;
+                    })
+        ->type_name("MIN,MAX")
+        ->needs(color);
+}
+
+}  // namespace interleaf

@@ -1,0 +1,270 @@
+#include "app/cli/subcommands.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "app/cli/export_command.h"
+#include "app/cli/family_command.h"
+#include "app/cli/fit_command.h"
+#include "app/cli/info_command.h"
+#include "app/cli/make_command.h"
+#include "app/cli/option_text.h"
+#include "app/cli/render_command.h"
+#include "app/cli/view_command.h"
+#include "hierarchy/error.h"
+#include "io/formats.h"
+
+namespace interleaf {
+namespace {
+
+void add_view(CLI::App& program) {
+    const auto options = std::make_shared<ViewOptions>();
+    CLI::App* command = program.add_subcommand("view", "Open the viewer");
+    add_family_or_keys(*command, "FAMILY", viewed_help(), options->family);
+    add_text_option(*command, "--size", "Size of the window; as it was last if left out",
+                    [options](const std::string& text) {
+                        const PictureSize size = parse_size(text);
+                        options->viewer.size = glm::ivec2(size.width, size.height);
+                    })
+        ->type_name("WxH");
+    CLI::Option* at =
+        add_text_option(*command, "--at", "Begin at this point of the parameter domain",
+                        [options](const std::string& text) { options->viewer.at = parse_point(text); });
+    at->type_name("U,V");
+    add_text_option(*command, "--time", "Begin at this time of the timeline, seconds",
+                    [options](const std::string& text) { options->viewer.time = parse_number(text); })
+        ->type_name("T")
+        ->excludes(at);
+    add_display(*command, options->viewer.display);
+    command
+        ->add_option_function<std::string>(
+            "--picture", [options](const std::string& path) { options->viewer.picture = path; },
+            "Write a PNG of the window, then close it")
+        ->type_name("FILE");
+    command
+        ->add_option_function<std::string>(
+            "--trace", [options](const std::string& path) { options->viewer.trace = path; },
+            "A file that gets one JSON line at every change of state")
+        ->type_name("FILE");
+    command->final_callback([options] { run_view(*options); });
+    command->footer(
+        "Examples:\n"
+        "  interleaf view assets/families/five-keys\n"
+        "  interleaf view --at 0.3,0.4 --show wireframe --picture window.png");
+}
+
+void add_render(CLI::App& program) {
+    const auto options = std::make_shared<RenderOptions>();
+    CLI::App* command = program.add_subcommand("render", "Draw a picture; needs no display");
+    add_morph_selection(*command, options->morph);
+    add_output(*command, options->output, {"png"});
+    add_text_option(*command, "--size", "Size of the picture in pixels",
+                    [options](const std::string& text) { options->size = parse_size(text); })
+        ->type_name("WxH")
+        ->default_str(fmt::format("{}x{}", options->size.width, options->size.height));
+    add_display(*command, options->display);
+    const Viewpoint& viewpoint = options->viewpoint;
+    add_text_option(*command, "--camera", "Where it is seen from, in degrees; at zoom 1 all keys fit in",
+                    [options](const std::string& text) { options->viewpoint = parse_viewpoint(text); })
+        ->type_name("AZIMUTH,ELEVATION[,ZOOM]")
+        ->default_str(fmt::format("{},{},{}", viewpoint.azimuth, viewpoint.elevation, viewpoint.zoom));
+    command->final_callback([options] { run_render(*options); });
+    command->footer(
+        "Examples:\n"
+        "  interleaf render --at 0.3,0.4 -o a.png\n"
+        "  interleaf render star.ilh --show wireframe,refinement-edges --color level -o star.png\n"
+        "  interleaf render --weights star=1.5,sphere=-0.5 --camera 0,90,2 --format png -o - > b.png");
+}
+
+void add_export(CLI::App& program) {
+    const auto options = std::make_shared<ExportOptions>();
+    CLI::App* command = program.add_subcommand("export", "Write a morph as a mesh or as a key");
+    add_morph_selection(*command, options->morph);
+    add_output(*command, options->output, format_names(&Format::is_exported));
+    add_form(*command, options->form);
+    command->final_callback([options] { run_export(*options); });
+    command->footer(
+        "Each face begins with the vertex opposite its refinement edge.\n\n"
+        "Examples:\n"
+        "  interleaf export --at 0.3,0.4 -o u.obj\n"
+        "  interleaf export --time 1.5 -o between.ilh --compress");
+}
+
+void add_info(CLI::App& program) {
+    const auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = program.add_subcommand("info", "Print the figures of a key, a family or a mesh");
+    command
+        ->add_option_function<std::string>(
+            "FILE", [options](const std::string& path) { options->file = path; },
+            fmt::format("A family.json, its folder, an {} file, or a pattern for several",
+                        extensions_in_words(&Format::holds_key_or_mesh)))
+        ->required();
+    command->add_flag("--json", options->json, "Print JSON");
+    command->final_callback([options] { run_info(*options); });
+    command->footer("Example:\n  interleaf info star.ilh --json");
+}
+
+void add_check(CLI::App& program, CheckResult& result) {
+    const auto files = std::make_shared<std::vector<std::string>>();
+    CLI::App* command =
+        program.add_subcommand("check", "Check every invariant of keys and constraints (B) of families");
+    command
+        ->add_option("FILE", *files,
+                     fmt::format("family.json files, their folders, {} files, patterns",
+                                 extensions_in_words(&Format::holds_key_or_mesh)))
+        ->required();
+    command->final_callback([files, &result] {
+        result = run_check(std::vector<std::filesystem::path>(files->begin(), files->end()));
+    });
+    command->footer(
+        "Exit status 0 when all are sound; 1 otherwise, with every violation named; 3 when one cannot be "
+        "read.\n\n"
+        "Example:\n  interleaf check assets/families/five-keys/*.ilh");
+}
+
+void add_make(CLI::App& program) {
+    const auto options = std::make_shared<MakeOptions>();
+    CLI::App* command = program.add_subcommand("make", "Make a key from a formula");
+    CLI::Option* name = command->add_option("SHAPE", options->name, "What to make; see --list");
+    CLI::Option* output =
+        command->add_option("-o,--output", options->output,
+                            "The .ilh file to write, a folder for five-keys; - for standard output");
+    output->type_name("FILE");
+    CLI::Option* leaves =
+        add_text_option(*command, "--leaves", "At most this many leaves, and as near as closure allows",
+                        [options](const std::string& text) { options->budget.leaves = parse_count(text); });
+    leaves->type_name("N")->default_str("20000");
+    add_text_option(*command, "--tolerance",
+                    "Largest distance from the surface, as a fraction of the box diagonal",
+                    [options](const std::string& text) { options->budget.tolerance = parse_number(text); })
+        ->type_name("E")
+        ->excludes(leaves);
+    add_form(*command, options->form);
+    CLI::Option* list = command->add_flag("--list")->description("List the shapes");
+    name->excludes(list);
+    command->final_callback([options, name, output, list] {
+        if (*list) return list_shapes();
+        if (!*name) throw UsageError("make: SHAPE is required; --list shows them");
+        if (!*output) throw UsageError("make: --output is required");
+        run_make(*options);
+    });
+    command->footer(
+        "Examples:\n"
+        "  interleaf make star --leaves 5000 -o star.ilh\n"
+        "  interleaf make bone --tolerance 0.001 -o bone.ilh --compress --bits 16\n"
+        "  interleaf make five-keys -o assets/families/five-keys");
+}
+
+void add_family_command(CLI::App& program) {
+    const auto options = std::make_shared<FamilyOptions>();
+    CLI::App* command = program.add_subcommand("family", "Make a family folder from keys");
+    add_family_or_keys(
+        *command, "KEY",
+        fmt::format("Files of keys: {}, whose roots are put over those of the first, or {} files "
+                    "with the same faces; or a pattern",
+                    extensions_in_words(&Format::holds_key_alone),
+                    extensions_in_words(&Format::holds_mesh_as_key)),
+        options->keys)
+        ->required();
+    command
+        ->add_option_function<std::string>(
+            "-o,--output", [options](const std::string& folder) { options->output = folder; },
+            "The folder to write")
+        ->required()
+        ->type_name("FOLDER");
+    add_form(*command, options->form);
+    command->final_callback([options] { run_family(*options); });
+    command->footer(
+        "Examples:\n"
+        "  interleaf family sphere.ilh star.ilh bone.ilh -o three-keys\n"
+        "  interleaf family 'flow.*.obj' -o flow");
+}
+
+void add_fit(CLI::App& program) {
+    const auto options = std::make_shared<FitCommandOptions>();
+    CLI::App* command = program.add_subcommand("fit", "Make keys from meshes, closed and without handles");
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "MESH",
+            [options](const std::vector<std::string>& files) {
+                options->meshes.assign(files.begin(), files.end());
+            },
+            fmt::format("Meshes: {} files; several make a family", extensions_in_words(&Format::holds_mesh)))
+        ->required();
+    command
+        ->add_option("-o,--output", options->output,
+                     "The .ilh file to write, - for standard output; a folder for several meshes")
+        ->required()
+        ->type_name("FILE");
+    CLI::Option* leaves =
+        add_text_option(*command, "--leaves", "At most this many leaves, and as near as closure allows",
+                        [options](const std::string& text) { options->leaves = parse_count(text); });
+    leaves->type_name("N")->default_str("20000");
+    add_text_option(*command, "--tolerance",
+                    "Largest distance between key and mesh, as a fraction of the box diagonal",
+                    [options](const std::string& text) { options->tolerance = parse_number(text); })
+        ->type_name("E")
+        ->excludes(leaves);
+    command
+        ->add_option(
+            "--roots", options->roots,
+            fmt::format("Root triangles: cube, icosahedron, octahedron, or an {} file around its middle",
+                        extensions_in_words(&Format::holds_mesh_as_key)))
+        ->type_name("NAME")
+        ->default_str("cube");
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--rotate",
+            [options](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) options->rotations.push_back(parse_axis_turn(text));
+            },
+            "Turn a mesh's parts over the roots; positions stay; once for each mesh")
+        ->allow_extra_args(false)
+        ->type_name("AXIS,DEGREES");
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--up",
+            [options](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) options->ups.push_back(parse_up(text));
+            },
+            "The axis of a mesh that points up: x, y or z; once for each mesh")
+        ->allow_extra_args(false)
+        ->type_name("AXIS");
+    command->add_flag("--same-size", options->placing.same_size,
+                      "Scale all meshes to the first one's size, the square root of the area");
+    command->add_flag("--same-center", options->placing.same_center,
+                      "Move all meshes to where the first one's area has its centroid");
+    command->add_flag("--keep-largest", options->keep_largest,
+                      "Of several parts keep the largest, even where over 2 % of the area is lost");
+    command->add_flag("--fill-holes", options->fill_holes,
+                      "Fill holes, even where that adds over 5 % to the area");
+    add_text_option(*command, "--report", "Print the report as json", [options](const std::string& text) {
+        if (text != "json") throw UsageError(fmt::format("expected json, got '{}'", text));
+        options->json = true;
+    })->type_name("json");
+    add_form(*command, options->form);
+    command->final_callback([options] { run_fit(*options); });
+    command->footer(
+        "Examples:\n"
+        "  interleaf fit bunny.ply -o bunny.ilh\n"
+        "  interleaf fit bunny.ply cow.obj --rotate x,90 --rotate x,0 -o bunny-and-cow");
+}
+
+}  // namespace
+
+void add_subcommands(CLI::App& program, CheckResult& checked) {
+    add_view(program);
+    add_render(program);
+    add_export(program);
+    add_info(program);
+    add_check(program, checked);
+    add_make(program);
+    add_family_command(program);
+    add_fit(program);
+}
+
+}  // namespace interleaf

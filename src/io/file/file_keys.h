@@ -1,0 +1,26 @@
+// Keys as the files of one format hold them, before they are a family.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "hierarchy/hierarchy.h"
+
+namespace interleaf {
+
+/// The keys of several files, in the files' order.
+struct FileKeys {
+    std::vector<Hierarchy> keys;       ///< positions relative to the origin
+    std::optional<glm::dvec3> origin;  ///< subtracted from all positions (family/origin.h); none without one
+    std::vector<std::string> remarks;  ///< sentences about content that was read differently than written
+};
+
+/// Files that can be read, but are not keys as they are.
+struct Misfit {
+    std::string reason;  ///< names the file, the place and what was expected
+};
+
+}  // namespace interleaf

@@ -1,0 +1,87 @@
+#include "io/formats.h"
+
+#include <algorithm>
+#include <array>
+
+#include "io/export/blend_export.h"
+#include "io/family/family_file.h"
+#include "io/file/file_pattern.h"
+#include "io/hierarchy/hierarchy_file.h"
+#include "io/mesh/mesh_file.h"
+#include "io/text/joined_text.h"
+
+namespace interleaf {
+namespace {
+
+/// Positions of hierarchy files are relative to any origin, so they have none of their own.
+std::variant<FileKeys, Misfit> read_hierarchies(std::span<const std::filesystem::path> files,
+                                                std::optional<glm::dvec3> /*origin*/) {
+    FileKeys read;
+    for (const std::filesystem::path& file : files) read.keys.push_back(read_hierarchy(file));
+    return read;
+}
+
+constexpr std::array<Format, 6> table = {{
+    {.extension = ".json",
+     .title = "family file",
+     .read = Carried{.fields = true, .colors = true, .hierarchy = true, .origin = true, .time = true},
+     .written = Carried{.fields = true, .colors = true, .hierarchy = true, .origin = true, .time = true},
+     .read_family = read_family},
+    {.extension = ".ilh",
+     .title = "hierarchy file",
+     .read = Carried{.fields = true, .colors = true, .hierarchy = true},
+     .written = Carried{.fields = true, .colors = true, .hierarchy = true},
+     .read_keys = read_hierarchies,
+     .write = export_key},
+    {.extension = ".obj",
+     .title = "Wavefront OBJ",
+     .read = Carried{.colors = true, .origin = true},
+     .written = Carried{.colors = true, .origin = true},
+     .read_keys = read_obj_keys,
+     .parse_surface = parse_obj,
+     .write = export_obj},
+    {.extension = ".ply",
+     .title = "PLY",
+     .read = Carried{.colors = true, .origin = true},
+     .written = Carried{.fields = true, .colors = true, .origin = true},
+     .parse_surface = parse_ply,
+     .write = export_ply},
+    {.extension = ".stl", .title = "STL", .read = Carried{.origin = true}, .parse_surface = parse_stl},
+    {.extension = ".off",
+     .title = "OFF",
+     .read = Carried{.colors = true, .origin = true},
+     .parse_surface = parse_off},
+}};
+
+}  // namespace
+
+std::span<const Format> formats() {
+    return table;
+}
+
+const Format* find_format(const std::filesystem::path& file) {
+    return format_with_extension(lower_case_extension(file));
+}
+
+const Format* format_with_extension(std::string_view extension) {
+    const auto found = std::ranges::find(table, extension, &Format::extension);
+    return found == table.end() ? nullptr : &*found;
+}
+
+bool is_called(const std::filesystem::path& file, FormatTrait trait) {
+    const Format* const format = find_format(file);
+    return format != nullptr && (format->*trait)();
+}
+
+std::vector<std::string> extensions_of(FormatTrait trait) {
+    std::vector<std::string> extensions;
+    for (const Format& format : formats())
+        if ((format.*trait)()) extensions.emplace_back(format.extension);
+    return extensions;
+}
+
+std::string extensions_in_words(FormatTrait trait) {
+    return either_of(extensions_of(trait));
+}
+
+}  // namespace interleaf
