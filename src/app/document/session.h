@@ -81,6 +81,5 @@ class Session {
     std::optional<DomainPoint> point_;
     Weights weights_{{0, 1.0}};
 };
-};
 
 }  // namespace interleaf
