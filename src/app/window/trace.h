@@ -23,6 +23,7 @@ struct FrameRecord {
     const ShownWindow& shown;
     glm::vec3 eye;                                 ///< of the camera
     glm::vec2 pointer;                             ///< where Dear ImGui has seen it
+    bool is_coarse;                                ///< the picture of the surface can be drawn better
     bool button_down;                              ///< any button of the mouse, as seen there
     bool is_asking;                                ///< a question or the file browser has the keyboard
     bool takes_text;                               ///< a field gets what is typed

@@ -185,13 +185,10 @@ void Viewer::frame() {
     const FrameInput input = read_input();
     update(input, now_);
     draw(input.actions.view);
+    redraw_.follow(rest_);
     if (picture_file_ && !redraw_.is_due() && !files_.is_working()) save_picture();
     glfwSwapBuffers(window_.handle());
-
     frame_milliseconds_ = 1000 * (glfwGetTime() - now_);
-    rest_.has_input = gui_.has_input();
-    rest_.moves = state_.session.is_playing();
-    redraw_.follow(rest_);
     ++frame_;
 }
 
@@ -272,6 +269,8 @@ void Viewer::draw(const std::optional<ViewInput>& view) {
     gui_.begin_drawing();
     drawn_ = show_panels();
     rest_.is_coarse = !views_.draw(state_, drawn_.layout, view, gui_);
+    rest_.moves = state_.session.is_playing();
+    rest_.has_input = gui_.has_input();
     gui_.end_frame();
 }
 
@@ -313,6 +312,7 @@ void Viewer::record() {
                    {.shown = drawn_,
                     .eye = views_.eye(),
                     .pointer = gui_.pointer(),
+                    .is_coarse = rest_.is_coarse,
                     .button_down = gui_.is_button_down(),
                     .is_asking = takes_keys_,
                     .takes_text = gui_.takes_text(),

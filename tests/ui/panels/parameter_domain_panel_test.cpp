@@ -13,8 +13,8 @@ using namespace interleaf;
 
 namespace {
 
-/// Corner of a square that is 2 wide. Around there, neighboring floats are 8 apart.
-constexpr glm::dvec2 low{123456789.5, -123456790.5};
+/// Corner of a square that is 2 wide. Around there, neighboring floats are 0.5 apart.
+constexpr glm::dvec2 low{6000000.3, -6000001.7};
 
 /// More than a pixel, in units of the domain: Dear ImGui knows whole pixels.
 constexpr double a_pixel = 0.02;
