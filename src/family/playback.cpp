@@ -45,4 +45,15 @@ void Playback::set_loops(bool loops, double now) {
     loops_ = loops;
 }
 
+void Playback::set_interval(double begin, double end, double now) {
+    assert(begin <= end);
+    const double time_now = time(now);
+    const bool was_playing = is_playing(now);
+    begin_ = begin;
+    end_ = end;
+    playing_ = false;
+    seek(time_now, now);
+    if (was_playing) play(now);
+}
+
 }  // namespace interleaf

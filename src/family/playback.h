@@ -23,6 +23,12 @@ class Playback {
     void seek(double time, double now);
 
     void set_loops(bool loops, double now);
+    bool loops() const { return loops_; }
+
+    /// Carries on with another interval, from the same time or the nearest time in it. Playback that is on
+    /// stays on, from the beginning where the time is at the new end.
+    /// \pre begin <= end
+    void set_interval(double begin, double end, double now);
 
     double begin() const { return begin_; }
     double end() const { return end_; }

@@ -20,6 +20,9 @@ namespace interleaf {
 
 namespace {
 
+/// Between the two passes of a frame; seconds.
+constexpr float least_delta = 1e-6F;
+
 void follow_modifiers() {
     ImGuiIO& io = ImGui::GetIO();
     io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
@@ -29,6 +32,15 @@ void follow_modifiers() {
 
 bool is_modifier(int key) {
     return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+}
+
+bool mouse_does_something() {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto changed = [](const bool(&flags)[5]) {
+        return std::ranges::find(flags, true) != std::end(flags);
+    };
+    return io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || changed(io.MouseClicked) ||
+           changed(io.MouseReleased);
 }
 
 }  // namespace
@@ -60,6 +72,17 @@ void Gui::begin_frame(std::span<const int> pressed) {
     ImGui_ImplGlfw_NewFrame();
     follow_menu();
     hold_taps(pressed);
+    give_keys_to_menu();
+    ImGui::NewFrame();
+    has_mouse_input_ = mouse_does_something();
+}
+
+void Gui::begin_drawing() {
+    ImGui::EndFrame();
+    release_taps();
+    // Not through the backends, which would ask for the pointer anew. Dear ImGui wants some time to pass.
+    ImGui::GetIO().DeltaTime = least_delta;
+    follow_menu();
     give_keys_to_menu();
     ImGui::NewFrame();
 }
@@ -140,12 +163,7 @@ void Gui::release_taps() {
 }
 
 bool Gui::has_input() const {
-    const ImGuiIO& io = ImGui::GetIO();
-    const auto changed = [](const bool(&flags)[5]) {
-        return std::ranges::find(flags, true) != std::end(flags);
-    };
-    return io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || changed(io.MouseClicked) ||
-           changed(io.MouseReleased) || !waiting_taps_.empty();
+    return has_mouse_input_ || !waiting_taps_.empty();
 }
 
 glm::vec2 Gui::pointer() const {

@@ -124,6 +124,14 @@ RunningViewer::State RunningViewer::state() const {
     return State::parse(lines.substr(lines.rfind('\n') + 1));
 }
 
+std::vector<RunningViewer::State> RunningViewer::states() const {
+    std::vector<State> states;
+    std::ifstream file(trace_);
+    // The line that is being written has no end yet.
+    for (std::string line; std::getline(file, line) && !file.eof();) states.push_back(State::parse(line));
+    return states;
+}
+
 RunningViewer::State RunningViewer::wait_for(const std::string& what, const Condition& condition) const {
     State last;
     if (!comes([&] { return !(last = state()).is_null() && condition(last); })) {
@@ -141,7 +149,8 @@ Picture RunningViewer::settled_picture() const {
     Picture last = desktop_.picture(window_, view_area());
     const bool settled = comes([&] {
         std::this_thread::sleep_for(std::chrono::milliseconds(150));
-        return last == std::exchange(last, desktop_.picture(window_, view_area()));
+        const bool is_same = last == std::exchange(last, desktop_.picture(window_, view_area()));
+        return is_same && !state()["coarse"].get<bool>();  // on a busy machine a better picture may take long
     });
     if (!settled) throw std::runtime_error("the picture does not stop changing");
     return last;

@@ -34,7 +34,10 @@ class RunningViewer {
     /// The last line of the trace.
     State state() const;
 
-    /// Waits until the state fulfills \p condition.
+    /// All lines of the trace: the state of each frame that showed something new.
+    std::vector<State> states() const;
+
+    /// Waits until the state fulfils \p condition.
     State wait_for(const std::string& what, const Condition& condition) const;
 
     /// What the view shows, once it has stopped changing.

@@ -101,6 +101,30 @@ TEST_CASE("dragging in the domain keeps the point under the pointer, and leaves 
     CHECK(viewer.state()["playing"] == false);
 }
 
+TEST_CASE("in every frame all panels show the state that the surface shows") {
+    const RunningViewer viewer;
+    const State start = viewer.state();
+    viewer.point_at(domain_pixel(start, {0.5F, 0.1F}));
+    viewer.set_button(1, true);
+    for (const glm::vec2 point : {glm::vec2(0.1, 0.75), glm::vec2(-0.6, 0.1), glm::vec2(-0.2, -0.9)})
+        viewer.point_at(domain_pixel(start, point));
+    viewer.set_button(1, false);
+    viewer.drag(timeline_pixel(start, 0.1F), timeline_pixel(start, 0.7F));
+    viewer.press(XK_space);
+    viewer.wait_for("time to run", [](const State& s) { return s["playing"] == true && s["time"] > 7.3; });
+    viewer.press(XK_space);
+    viewer.wait_for("a pause", [](const State& s) { return s["playing"] == false; });
+
+    std::set<State> seen;
+    for (const State& state : viewer.states()) {
+        CAPTURE(state["frame"]);
+        CHECK(state["panels"]["weights"] == state["weights"]);
+        CHECK(state["panels"]["legend"] == state["active"]);
+        seen.insert(state["active"]);
+    }
+    CHECK(seen.size() >= 4);
+}
+
 TEST_CASE("within a triangle of the domain the union stays, in another it is made anew") {
     const RunningViewer viewer;
     const State start = viewer.state();

@@ -112,3 +112,36 @@ TEST_CASE("an interval of no length never moves") {
     CHECK(playback.time(9) == 4);
     CHECK_FALSE(playback.is_playing(9));
 }
+
+TEST_CASE("in another interval it keeps its time where it can, its loop, and goes on") {
+    Playback playback(0, 8);
+    playback.play(0);
+    playback.set_interval(2, 6, 3);
+    CHECK(playback.begin() == 2);
+    CHECK(playback.end() == 6);
+    CHECK(playback.time(3) == 3);
+    CHECK(playback.time(5) == 5);
+    CHECK(playback.is_playing(5));
+    playback.set_interval(5.5, 20, 5);
+    CHECK(playback.time(5) == 5.5);
+    playback.set_interval(1, 4, 5);
+    CHECK(playback.time(5) == 1);
+
+    playback.set_loops(false, 5);
+    playback.pause(6);
+    playback.set_interval(0, 16, 6);
+    CHECK_FALSE(playback.loops());
+    CHECK_FALSE(playback.is_playing(6));
+    CHECK(playback.time(9) == 2);
+}
+
+TEST_CASE("in an interval of no length it stands, also when it gets a longer one") {
+    Playback playback(0, 8);
+    playback.play(0);
+    playback.set_interval(0, 0, 3);
+    CHECK(playback.time(3) == 0);
+    CHECK_FALSE(playback.is_playing(3));
+    playback.set_interval(0, 8, 4);
+    CHECK(playback.time(6) == 0);
+    CHECK_FALSE(playback.is_playing(6));
+}

@@ -6,10 +6,7 @@
 namespace interleaf {
 
 Session::Session(std::shared_ptr<const Family> family) : family_(std::move(family)) {
-    if (family_->timeline) {
-        playback_.emplace(family_->timeline->begin(), family_->timeline->end());
-        playback_->set_loops(loops_, 0);
-    }
+    if (family_->timeline) playback_.set_interval(family_->timeline->begin(), family_->timeline->end(), 0);
     drive_with_what_there_is();
     advance(0);
 }
@@ -35,16 +32,8 @@ void Session::replace_family(std::shared_ptr<const Family> family, double now) {
         std::ranges::find_if(family_->keys, [&](const Key& key) { return key.hierarchy.is_same(single); });
     key_ = same == family_->keys.end() ? 0 : static_cast<std::size_t>(same - family_->keys.begin());
 
-    playback_.reset();
-    if (family_->timeline) {
-        playback_.emplace(family_->timeline->begin(), family_->timeline->end());
-        playback_->set_loops(loops_, now);
-        playback_->seek(time_, now);
-        if (playing_) playback_->play(now);
-    } else {
-        time_ = 0;
-        playing_ = false;
-    }
+    const auto& timeline = family_->timeline;
+    playback_.set_interval(timeline ? timeline->begin() : 0, timeline ? timeline->end() : 0, now);
     if (point_ && family_->domain) point_ = family_->domain->locate(point_->at, point_->triangle);
     const bool has_lost_driver =
         (driver_ == Driver::timeline && !family_->timeline) || (driver_ == Driver::point && !family_->domain);
@@ -53,13 +42,10 @@ void Session::replace_family(std::shared_ptr<const Family> family, double now) {
 }
 
 void Session::advance(double now) {
-    if (playback_) {
-        time_ = playback_->time(now);
-        playing_ = playback_->is_playing(now);
-    }
+    now_ = now;
     switch (driver_) {
         case Driver::timeline:
-            weights_ = family_->timeline->at(time_);
+            weights_ = family_->timeline->at(time());
             break;
         case Driver::point:
             weights_ = family_->domain->weights(*point_);
@@ -74,54 +60,53 @@ void Session::advance(double now) {
 }
 
 void Session::move_point(glm::dvec2 at, double now) {
-    if (playback_) playback_->pause(now);
+    playback_.pause(now);
     point_ = family_->domain->locate(at, point_ ? point_->triangle : no_index);
     driver_ = Driver::point;
     advance(now);
 }
 
 void Session::show_key(std::size_t key, double now) {
-    if (playback_) playback_->pause(now);
+    playback_.pause(now);
     key_ = key;
     driver_ = Driver::key;
     advance(now);
 }
 
 void Session::toggle_playing(double now) {
-    if (!playback_) return;
-    if (playback_->is_playing(now)) {
-        playback_->pause(now);
+    if (!has_timeline()) return;
+    if (playback_.is_playing(now)) {
+        playback_.pause(now);
     } else {
-        playback_->play(now);
+        playback_.play(now);
     }
     driver_ = Driver::timeline;
     advance(now);
 }
 
 void Session::seek(double time, double now) {
-    if (!playback_) return;
-    playback_->seek(time, now);
+    if (!has_timeline()) return;
+    playback_.seek(time, now);
     driver_ = Driver::timeline;
     advance(now);
 }
 
 void Session::seek_key(int direction, double now) {
-    if (!playback_) return;
+    if (!has_timeline()) return;
     const auto keys = family_->timeline->keys();
     const auto time_of = [](const TimelineKey& key) { return key.time; };
     if (direction > 0) {
-        const auto next = std::ranges::upper_bound(keys, time_, {}, time_of);
-        seek(next == keys.end() ? playback_->end() : next->time, now);
+        const auto next = std::ranges::upper_bound(keys, time(), {}, time_of);
+        seek(next == keys.end() ? playback_.end() : next->time, now);
     } else {
-        const auto here = std::ranges::lower_bound(keys, time_, {}, time_of);
-        seek(here == keys.begin() ? playback_->begin() : (here - 1)->time, now);
+        const auto here = std::ranges::lower_bound(keys, time(), {}, time_of);
+        seek(here == keys.begin() ? playback_.begin() : (here - 1)->time, now);
     }
 }
 
 void Session::toggle_loop(double now) {
-    if (!playback_) return;
-    loops_ = !loops_;
-    playback_->set_loops(loops_, now);
+    if (!has_timeline()) return;
+    playback_.set_loops(!playback_.loops(), now);
     advance(now);
 }
 

@@ -35,7 +35,7 @@ class Session {
     void replace_family(std::shared_ptr<const Family> family, double now);
 
     /// Brings time, point and weights up to wall time \p now, in seconds. The other functions that take \p
-    /// now do so too.
+    /// now do so, too.
     void advance(double now);
 
     Driver driver() const { return driver_; }
@@ -51,14 +51,14 @@ class Session {
     /// Lets \p key alone drive. Playback pauses.
     void show_key(std::size_t key, double now);
 
-    bool has_timeline() const { return playback_.has_value(); }
+    bool has_timeline() const { return family_->timeline.has_value(); }
 
-    /// Time of the timeline, seconds; 0 without one.
-    double time() const { return time_; }
-    bool is_playing() const { return playing_; }
-    bool loops() const { return playback_ && loops_; }
+    /// Time on the timeline at the last advance(), seconds; 0 without a timeline.
+    double time() const { return playback_.time(now_); }
+    bool is_playing() const { return playback_.is_playing(now_); }
+    bool loops() const { return has_timeline() && playback_.loops(); }
 
-    /// The functions below do nothing without a timeline. All but toggle_loop() let it drive.
+    /// The functions below do nothing without a timeline. All but toggle_loop() let the timeline drive.
     void toggle_playing(double now);
     void seek(double time, double now);
 
@@ -74,11 +74,9 @@ class Session {
     void drive_with_what_there_is();
 
     std::shared_ptr<const Family> family_;
-    std::optional<Playback> playback_;
+    double now_ = 0;           ///< wall time of the last advance(), seconds
+    Playback playback_{0, 0};  ///< over the timeline; without one it rests at 0, but keeps its loop
     Driver driver_ = Driver::key;
-    double time_ = 0;
-    bool playing_ = false;
-    bool loops_ = true;    ///< kept while there is no timeline
     std::size_t key_ = 0;  ///< that drives where a single one does
     std::optional<DomainPoint> point_;
     Weights weights_{{0, 1.0}};

@@ -46,23 +46,30 @@ void MeshFitting::offer(Task task, Receiver receiver) {
     is_reading_ = true;
 }
 
-std::optional<std::string> MeshFitting::show(const Rect& area, float density, double now) {
+void MeshFitting::show(const Rect& area, double now) {
+    if (dialog_.is_open()) {
+        if (const auto answer = dialog_.show(area, offer_shown())) answer_ = answer;
+    } else if (job_) {
+        show_work(area, now);
+    }
+}
+
+std::optional<std::string> MeshFitting::update(float density, double now) {
     std::erase_if(leaving_, [](const auto& previews) { return previews->is_over(); });
-    if (dialog_.is_open()) show_offer(area, density, now);
-    return job_ ? show_work(area, now) : std::nullopt;
+    if (const auto answer = std::exchange(answer_, std::nullopt)) close_offer(*answer, now);
+    if (dialog_.is_open())
+        is_reading_ = previews_->update(static_cast<int>(std::lround(dialog_.tile_side() * density)),
+                                        ups_of(dialog_.choices()));
+    return std::exchange(is_work_closed_, false) ? hand_on_keys() : std::nullopt;
 }
 
 // ---- the offer ----
 
-void MeshFitting::show_offer(const Rect& area, float density, double now) {
-    is_reading_ = previews_->update(static_cast<int>(std::lround(dialog_.tile_side() * density)),
-                                    ups_of(dialog_.choices()));
-    const std::optional<bool> answer = dialog_.show(area, offer_shown());
-    if (!answer) return;
+void MeshFitting::close_offer(bool is_accepted, double now) {
     previews_->stop();
     leaving_.push_back(std::move(previews_));
     is_reading_ = false;
-    if (*answer)
+    if (is_accepted)
         start(now);
     else
         receiver_ = nullptr;
@@ -167,7 +174,7 @@ void MeshFitting::start(double now) {
                          .reference = reference_});
 }
 
-std::optional<std::string> MeshFitting::show_work(const Rect& area, double now) {
+void MeshFitting::show_work(const Rect& area, double now) {
     const FitJob::State state = job_->state();
     const std::string title = meshes_.size() == 1 ? fmt::format("Fitting {}", name_of(meshes_.front()))
                                                   : fmt::format("Fitting {} meshes", meshes_.size());
@@ -175,8 +182,11 @@ std::optional<std::string> MeshFitting::show_work(const Rect& area, double now) 
         progress_dialog({.title = title, .stage = state.stage, .part = state.part, .seconds = now - started_},
                         area, state.is_done);
     if (is_cancelled) job_->cancel();
-    if (!state.is_done) return std::nullopt;
+    if (state.is_done) is_work_closed_ = true;
+}
 
+/// \pre the work is done
+std::optional<std::string> MeshFitting::hand_on_keys() {
     const Receiver receiver = std::exchange(receiver_, nullptr);
     FittedMeshes fitted;
     try {

@@ -41,19 +41,24 @@ class MeshFitting {
     /// The offer, while there is one; null otherwise.
     const FitDialog* offered() const { return dialog_.is_open() ? &dialog_ : nullptr; }
 
-    /// Draws it, if it is open, in the middle of \p area; call it in every frame from the same place.
-    /// \param density  framebuffer pixels a screen coordinate
+    /// Shows the offer or the work, if it is open, in the middle of \p area; call it in every frame from the
+    /// same place.
+    void show(const Rect& area, double now);
+
+    /// Acts on the answer, and hands on the keys once the work is done; call it in every frame.
+    /// \param density  framebuffer pixels per screen coordinate
     /// \return what went wrong, once
-    std::optional<std::string> show(const Rect& area, float density, double now);
+    std::optional<std::string> update(float density, double now);
 
   private:
     bool can_be_placed() const { return meshes_.size() > 1 || reference_.has_value(); }
     FitOfferShown offer_shown() const;
     std::vector<FitTile> tiles() const;
     void tell_changes(FitOfferShown& shown) const;
-    void show_offer(const Rect& area, float density, double now);
+    void close_offer(bool is_accepted, double now);
     void start(double now);
-    std::optional<std::string> show_work(const Rect& area, double now);
+    void show_work(const Rect& area, double now);
+    std::optional<std::string> hand_on_keys();
 
     std::vector<std::filesystem::path> meshes_;
     std::string reason_;
@@ -64,11 +69,13 @@ class MeshFitting {
     Receiver receiver_;
 
     FitDialog dialog_;
+    std::optional<bool> answer_;  ///< whether to fit; waits for update()
     std::unique_ptr<MeshPreviews> previews_;
     std::vector<std::unique_ptr<MeshPreviews>> leaving_;  ///< of which one may still be reading a large file
     bool is_reading_ = false;
 
     std::optional<FitJob> job_;
+    bool is_work_closed_ = false;  ///< the dialog of the work, since the work is done
     double started_ = 0;
 };
 

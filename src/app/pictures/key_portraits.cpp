@@ -44,8 +44,6 @@ void KeyPortraits::update(const Family& family) {
             portraits.push_back(std::move(portrait));
         }
     }
-    dropped_.clear();
-    for (KeyPortrait& portrait : portraits_) dropped_.push_back(std::move(portrait.picture));
     portraits_ = std::move(portraits);
     if (is_changed) extent_ = interleaf::extent(family);
 }

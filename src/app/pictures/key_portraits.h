@@ -25,8 +25,8 @@ class KeyPortraits {
     /// \pre a context is current
     KeyPortraits() = default;
 
-    /// Brings the portraits in line with the keys of \p family; pictures are still to be drawn. At most once
-    /// a frame.
+    /// Brings the portraits in line with the keys of \p family; new pictures are still to be drawn. Textures
+    /// of pictures that are no longer needed are deleted at once.
     void update(const Family& family);
 
     /// Draws the first picture that is missing among the keys from \p begin to \p end - 1, \p side pixels
@@ -41,7 +41,6 @@ class KeyPortraits {
 
   private:
     std::vector<KeyPortrait> portraits_;
-    std::vector<GlTexture> dropped_;  ///< that the panels of the frame being drawn may still show
     Extent extent_;
     Renderer renderer_;
 };

@@ -104,8 +104,22 @@ void DocumentFiles::grant(FileWish wish) {
     }
 }
 
-void DocumentFiles::show(const Rect& area, float density, double now) {
+void DocumentFiles::show(const Rect& area, double now) {
+    if (auto choice = browser_.show(area)) choice_ = std::move(choice);
+    if (auto answer = dialog_.show(area)) answer_ = std::move(answer);
+    fitting_.show(area, now);
+}
+
+void DocumentFiles::act(float density, double now) {
     now_ = now;
+    if (const auto choice = std::exchange(choice_, std::nullopt)) {
+        change_settings([&](Settings& settings) {
+            settings.last_folder = choice->folder;
+            interleaf::remember(settings.recent_folders, choice->folder);
+        });
+        std::exchange(on_choice_, nullptr)(*choice);
+    }
+    if (const auto answer = std::exchange(answer_, std::nullopt)) std::exchange(on_answer_, nullptr)(*answer);
     if (state_.question && !is_asking()) {
         TextQuestion question = *std::exchange(state_.question, std::nullopt);
         ask({.text = question.text,
@@ -117,15 +131,7 @@ void DocumentFiles::show(const Rect& area, float density, double now) {
                 if (given.button == 0) answer(state_, given.entry, now_);
             });
     }
-    if (const auto choice = browser_.show(area)) {
-        change_settings([&](Settings& settings) {
-            settings.last_folder = choice->folder;
-            interleaf::remember(settings.recent_folders, choice->folder);
-        });
-        std::exchange(on_choice_, nullptr)(*choice);
-    }
-    if (const auto answer = dialog_.show(area)) std::exchange(on_answer_, nullptr)(*answer);
-    if (const auto error = fitting_.show(area, density, now)) complain(*error);
+    if (const auto error = fitting_.update(density, now)) complain(*error);
 }
 
 void DocumentFiles::look_after(double now) {

@@ -59,9 +59,14 @@ class DocumentFiles {
     /// Where the file browser's cursor is, while it is open.
     std::optional<std::filesystem::path> browsed() const { return browser_.cursor_path(); }
 
-    /// Draws them in the middle of \p area and acts on the answers; call it in every frame.
-    /// \param density  framebuffer pixels a screen coordinate
-    void show(const Rect& area, float density, double now);
+    /// Shows questions, the file browser and the offer to fit in the middle of \p area; call it in every
+    /// frame. Answers wait for act().
+    void show(const Rect& area, double now);
+
+    /// Acts on the answers, asks what is to be asked, and takes the result of work that is done; call it in
+    /// every frame.
+    /// \param density  framebuffer pixels per screen coordinate
+    void act(float density, double now);
 
     /// Writes the autosave and looks for changes on disk, when it is time to; call it in every frame.
     void look_after(double now);
@@ -120,8 +125,10 @@ class DocumentFiles {
     Settings settings_;
 
     FileBrowser browser_;
+    std::optional<FileChoice> choice_;  ///< waits for act()
     std::function<void(const FileChoice&)> on_choice_;
     Dialog dialog_;
+    std::optional<Answer> answer_;  ///< waits for act()
     std::function<void(const Answer&)> on_answer_;
     MeshFitting fitting_;
     std::optional<Saving> saving_;

@@ -11,7 +11,6 @@
 #include "hierarchy/vertex_normals.h"
 #include "render/pick.h"
 #include "render/plain_mesh.h"
-#include "ui/panels/comparison_panel.h"
 #include "ui/widgets/file_name.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
@@ -69,6 +68,13 @@ std::optional<float> value_at(const UnionMesh& mesh, const Ray& ray) {
     return value;
 }
 
+/// The place of \p comparison among \p compared; the first where it is none of them.
+std::size_t index_of(const std::vector<ComparedKey>& compared,
+                     const std::shared_ptr<const FitComparison>& comparison) {
+    const auto found = std::ranges::find(compared, comparison, &ComparedKey::comparison);
+    return found == compared.end() ? 0 : static_cast<std::size_t>(found - compared.begin());
+}
+
 ComparisonShown shown_of(const ViewerState& state, const std::vector<ComparedKey>& compared,
                          std::size_t chosen, const ColorScale& scale) {
     const FitQuality& quality = compared[chosen].comparison->quality;
@@ -109,48 +115,57 @@ void ComparisonView::take(std::shared_ptr<const FitComparison> taken, std::strin
     ++surface_;
 }
 
-void ComparisonView::show(ViewerState& state, const Rect& area, const Camera& from, bool takes_keyboard) {
+void ComparisonView::follow(ViewerState& state, const Rect& area, const Camera& from) {
+    is_shown_ = false;
+    if (!state.is_comparing) return;
     const auto compared = compared_keys(state.document.family(), state.comparisons);
-    const auto found = std::ranges::find(compared, state.compared, &ComparedKey::comparison);
-    const std::size_t chosen =
-        found == compared.end() ? 0 : static_cast<std::size_t>(found - compared.begin());
+    if (compared.empty()) return;
+    const std::size_t chosen = index_of(compared, state.compared);
     if (compared[chosen].comparison != shown_)
         take(compared[chosen].comparison, state.document.family().keys[compared[chosen].key].name,
              shown_ ? camera_ : from);
+    place(area);
+    has_colors_ = state.compares_colors;
+    if (std::exchange(state.framing, Framing::none) != Framing::none) frame_wanted_ = true;
+    if (std::exchange(frame_wanted_, false)) camera_.frame(extent_, aspect_of((*sides_)[0].view));
+    is_shown_ = true;
+}
 
+void ComparisonView::place(const Rect& area) {
     const float panel = std::min(comparison_panel_height(area.width), area.height / 2);
     const float half = std::round(area.width / 2);
     const float height = area.height - panel;
-    pointer_.reset();
     (*sides_)[0].view = {area.x, area.y, half, height};
     (*sides_)[1].view = {area.x + half, area.y, area.width - half, height};
-    if (std::exchange(state.view_target, ViewTarget::none) != ViewTarget::none) view_all_wanted_ = true;
-    show_side((*sides_)[0], "mesh");
-    show_side((*sides_)[1], "key");
-    if (std::exchange(view_all_wanted_, false)) camera_.view_all(extent_, aspect_of((*sides_)[0].view));
-
-    ImGui::GetBackgroundDrawList()->AddLine({area.x + half, area.y}, {area.x + half, area.y + height},
-                                            colors::dark);
-
-    const ComparisonResult result =
-        comparison_panel({area.x, area.y + height, area.width, panel},
-                         shown_of(state, compared, chosen, scale_), takes_keyboard);
-    state.compared = compared[result.chosen].comparison;
-    has_colors_ = state.compares_colors = result.has_colors;
-    if (result.is_over) state.is_comparing = false;
+    panel_ = {area.x, area.y + height, area.width, panel};
 }
 
-void ComparisonView::show_side(Side& side, const char* name) {
-    const ViewInput input = view_area(side.view, name);
-    move_camera(camera_, input, side.view, side.picture.target());
-    if (input.view_all) view_all_wanted_ = true;
-    if (input.pointed_at) {
-        pointer_ = input.pointer;
-        pointed_at_ = static_cast<std::size_t>(&side - sides_->data());
-    }
-    const float margin = scaled(12);
+ComparisonActions ComparisonView::show(const ViewerState& state, bool has_keyboard) const {
+    const auto& [mesh, key] = *sides_;
+    const std::array<ViewInput, 2> inputs{view_area(mesh.view, "mesh"), view_area(key.view, "key")};
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddText({side.view.x + margin, side.view.y + scaled(9)}, colors::text, side.title.c_str());
+    for (const Side& side : *sides_)
+        list.AddText({side.view.x + scaled(12), side.view.y + scaled(9)}, colors::text, side.title.c_str());
+    list.AddLine({key.view.x, key.view.y}, {key.view.x, key.view.bottom()}, colors::dark);
+    const auto compared = compared_keys(state.document.family(), state.comparisons);
+    return {inputs, comparison_panel(panel_, shown_of(state, compared, index_of(compared, shown_), scale_),
+                                     has_keyboard)};
+}
+
+void ComparisonView::apply(const ComparisonActions& actions, ViewerState& state) {
+    pointer_.reset();
+    for (std::size_t side = 0; side < sides_->size(); ++side) {
+        const ViewInput& input = actions.sides[side];
+        move_camera(camera_, input, (*sides_)[side].view, (*sides_)[side].picture.target());
+        if (input.frame) frame_wanted_ = true;
+        if (!input.pointed_at) continue;
+        pointer_ = input.pointer;
+        pointed_at_ = side;
+    }
+    const auto compared = compared_keys(state.document.family(), state.comparisons);
+    state.compared = compared[actions.panel.chosen].comparison;
+    state.compares_colors = actions.panel.has_colors;
+    if (actions.panel.is_over) state.is_comparing = false;
 }
 
 bool ComparisonView::draw(const Display& display, const Gui& gui, float window_height) {

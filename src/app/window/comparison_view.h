@@ -13,21 +13,39 @@
 #include "render/camera.h"
 #include "render/renderer.h"
 #include "ui/gui.h"
+#include "ui/panels/comparison_panel.h"
+#include "ui/panels/view_area.h"
 #include "ui/widgets/rect.h"
 
 namespace interleaf {
 
+/// What the person did in a comparison.
+struct ComparisonActions {
+    std::array<ViewInput, 2> sides;  ///< the mesh's, the key's
+    ComparisonResult panel;
+};
+
 class ComparisonView {
   public:
-    /// Shows the comparison that \p state has come to, and its panel, in \p area: instead of the document.
-    /// Choices made there, and the wish to go back, go into \p state. What is compared is seen from where
-    /// \p from looks when it is not the pair of the frame before.
-    /// \param takes_keyboard  whether the keyboard is for it
-    /// \pre a context is current; state.is_comparing, with something to compare
-    void show(ViewerState& state, const Rect& area, const Camera& from, bool takes_keyboard);
+    /// Follows \p state: the comparison that is shown from now on, in \p area, if \p state asks for one and
+    /// has one. A pair that was not shown before is seen from where \p from looks. \pre a context is current
+    void follow(ViewerState& state, const Rect& area, const Camera& from);
 
-    /// Draws both surfaces into the window, \p window_height high, below what show() has put there.
+    /// Whether follow() has found a comparison to show instead of the document.
+    bool is_shown() const { return is_shown_; }
+
+    /// Shows the panel and the titles, and reads the mouse over both sides.
+    /// \param has_keyboard  whether keys are for the comparison
+    /// \pre is_shown(), for \p state
+    ComparisonActions show(const ViewerState& state, bool has_keyboard) const;
+
+    /// Moves the camera, and makes in \p state the choices of the panel.
+    /// \pre \p actions are those of show() for \p state
+    void apply(const ComparisonActions& actions, ViewerState& state);
+
+    /// Draws both surfaces into the window, \p window_height high, behind the panels.
     /// \return whether the pictures are as good as they get; otherwise draw again soon
+    /// \pre is_shown()
     bool draw(const Display& display, const Gui& gui, float window_height);
 
     /// The value under the pointer, and its place; call it after draw().
@@ -49,9 +67,11 @@ class ComparisonView {
     };
 
     void take(std::shared_ptr<const FitComparison> comparison, std::string_view key_name, const Camera& from);
-    void show_side(Side& side, const char* name);
+    void place(const Rect& area);
 
+    bool is_shown_ = false;
     std::shared_ptr<const FitComparison> shown_;
+    Rect panel_;
     std::size_t surface_ = 0;  ///< a number that changes with what is shown
     std::optional<std::array<Side, 2>> sides_;
     Extent extent_;

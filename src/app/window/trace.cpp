@@ -43,6 +43,12 @@ Json json_of(const Rect& rect) {
     return {rect.x, rect.y, rect.width, rect.height};
 }
 
+Json json_of(const Weights& weights, const Family& family) {
+    Json json = Json::object();
+    for (const Weight& weight : weights) json[family.keys[weight.key].name] = weight.value;
+    return json;
+}
+
 Json json_of(const Display& display) {
     return {{"shading", display.shading == Shading::smooth ? "smooth" : "flat"},
             {"coloring", name_of(display.coloring)},
@@ -61,13 +67,10 @@ Json json_of(const Session& session) {
     json["loop"] = session.loops();
     json["driver"] = name_of(session.driver());
     json["point"] = session.point() ? Json{session.point()->at.x, session.point()->at.y} : Json();
-    json["weights"] = Json::object();
+    json["weights"] = json_of(session.weights(), session.family());
     json["active"] = Json::array();
-    for (const Weight& weight : session.weights()) {
-        const std::string& name = session.family().keys[weight.key].name;
-        json["weights"][name] = weight.value;
-        json["active"].push_back(name);
-    }
+    for (const Weight& weight : session.weights())
+        json["active"].push_back(session.family().keys[weight.key].name);
     json["display"] = json_of(session.display);
     return json;
 }
@@ -122,32 +125,36 @@ Trace::Trace(const std::filesystem::path& path) : path_(path), file_(path) {
 }
 
 void Trace::record(std::size_t frame, double seconds, const ViewerState& state, const SurfaceFigures& figures,
-                   glm::vec3 eye, const TracePlaces& places) {
+                   const FrameRecord& record) {
+    const FrameLayout& layout = record.shown.layout;
     Json json = json_of(state.session);
     json["leaves"] = figures.leaves;
     json["vertices"] = figures.vertices;
     json["rebuilds"] = figures.rebuilds;
-    json["eye"] = {eye.x, eye.y, eye.z};
+    json["eye"] = {record.eye.x, record.eye.y, record.eye.z};
     json["document"] = json_of(state.document);
     json["selected"] = state.selected_key ? Json(*state.selected_key) : Json();
     json["edits_domain"] = state.edits_domain;
     json["help"] = state.help_shown;
-    json["asking"] = places.is_asking;
-    json["takes_text"] = places.takes_text;
-    json["browsed"] = places.browsed ? Json(places.browsed->string()) : Json();
+    json["asking"] = record.is_asking;
+    json["takes_text"] = record.takes_text;
+    json["browsed"] = record.browsed ? Json(record.browsed->string()) : Json();
     json["comparing"] = state.is_comparing;
     json["compared"] = state.compared ? Json(state.compared->mesh_name) : Json();
-    json["offer"] = places.offer != nullptr ? json_of(*places.offer) : Json();
+    json["offer"] = record.offer != nullptr ? json_of(*record.offer) : Json();
     json["message"] = state.message.text;
     json["notice"] = !state.message.empty() && !state.message.is_fault();
-    json["window"] = {places.window.x, places.window.y};
-    json["pointer"] = {places.pointer.x, places.pointer.y};
-    json["button_down"] = places.button_down;
-    json["rects"] = {{"view", json_of(places.view)},
-                     {"keys", json_of(places.keys)},
-                     {"domain", places.domain ? json_of(*places.domain) : Json()},
-                     {"timeline", places.timeline ? json_of(*places.timeline) : Json()},
-                     {"popup", places.popup ? json_of(*places.popup) : Json()}};
+    json["window"] = {layout.window.x, layout.window.y};
+    json["pointer"] = {record.pointer.x, record.pointer.y};
+    json["coarse"] = record.is_coarse;
+    json["button_down"] = record.button_down;
+    json["rects"] = {{"view", json_of(layout.view)},
+                     {"keys", json_of(layout.keys)},
+                     {"domain", layout.domain ? json_of(*layout.domain) : Json()},
+                     {"timeline", layout.timeline ? json_of(*layout.timeline) : Json()},
+                     {"popup", record.popup ? json_of(*record.popup) : Json()}};
+    json["panels"] = {{"weights", json_of(record.shown.weights, *record.shown.family)},
+                      {"legend", record.shown.legend_keys}};
     std::string members = json.dump(-1, ' ', false, Json::error_handler_t::replace).substr(1);
     if (members == last_) return;
     last_ = std::move(members);

@@ -12,22 +12,21 @@
 
 #include "app/document/viewer_state.h"
 #include "app/pictures/morph_surface.h"
+#include "app/window/window_panels.h"
 #include "ui/dialogs/fit_dialog.h"
 #include "ui/widgets/rect.h"
 
 namespace interleaf {
 
-/// Where the pointer is, and the parts it can act on, in screen coordinates of the window.
-struct TracePlaces {
-    glm::vec2 window;  ///< size
-    Rect view;
-    Rect keys;                                     ///< the rows of keys in sight
-    std::optional<Rect> domain;                    ///< the bounding box of the domain's vertices
-    std::optional<Rect> timeline;                  ///< the track from begin to end
-    glm::vec2 pointer;                             ///< where the user interface has seen it
-    bool button_down;                              ///< any of the mouse, as seen there
-    bool is_asking;                                ///< a question or the file browser is open
-    bool takes_text;                               ///< what is typed goes into a field
+/// What a frame has seen and shown.
+struct FrameRecord {
+    const ShownWindow& shown;
+    glm::vec3 eye;                                 ///< of the camera
+    glm::vec2 pointer;                             ///< where Dear ImGui has seen it
+    bool is_coarse;                                ///< the picture of the surface can be drawn better
+    bool button_down;                              ///< any button of the mouse, as seen there
+    bool is_asking;                                ///< a question or the file browser has the keyboard
+    bool takes_text;                               ///< a field gets what is typed
     std::optional<Rect> popup;                     ///< the menu or question in front of all others
     std::optional<std::filesystem::path> browsed;  ///< the file browser's cursor, or its folder
     const FitDialog* offer;                        ///< to fit meshes; null for none
@@ -38,10 +37,10 @@ class Trace {
     /// \throw MachineError if the file cannot be written
     explicit Trace(const std::filesystem::path& path);
 
-    /// Writes a line for \p frame, which has been shown \p seconds after GLFW was ready,
-    /// if anything but these two is new. \throw MachineError if the file cannot be written
+    /// Writes a line for \p frame, which has been shown \p seconds after GLFW was ready, if anything but
+    /// these two is new. \throw MachineError if the file cannot be written
     void record(std::size_t frame, double seconds, const ViewerState& state, const SurfaceFigures& figures,
-                glm::vec3 eye, const TracePlaces& places);
+                const FrameRecord& record);
 
   private:
     std::filesystem::path path_;

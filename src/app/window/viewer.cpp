@@ -1,80 +1,65 @@
-// Ties the session, the panels and the renderer together: input to state, state to picture, one frame after
-// the other.
+// The window's frame in three phases: input (what the person did), update (the state follows), draw (the
+// picture of the new state). Panels are shown in the first phase to be read, in the third to be drawn.
 #include "app/window/viewer.h"
 
 // GLFW must not bring OpenGL headers of its own.
 #define GLFW_INCLUDE_NONE
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <GLFW/glfw3.h>
 #include <fmt/core.h>
-#include <glm/common.hpp>
 #include <malloc.h>
 
 #include "app/document/document_title.h"
 #include "app/document/edit_commands.h"
 #include "app/document/shown_field.h"
-#include "app/pictures/key_portraits.h"
-#include "app/pictures/mismatch_pictures.h"
-#include "app/pictures/morph_surface.h"
-#include "app/pictures/scene_picture.h"
 #include "app/storage/document_files.h"
-#include "app/window/camera_control.h"
 #include "app/window/commands.h"
-#include "app/window/comparison_view.h"
-#include "app/window/document_panels.h"
+#include "app/window/document_views.h"
+#include "app/window/frame_layout.h"
+#include "app/window/redraw.h"
 #include "app/window/trace.h"
+#include "app/window/window_actions.h"
 #include "app/window/window_input.h"
-#include "hierarchy/color.h"
+#include "app/window/window_panels.h"
 #include "hierarchy/error.h"
 #include "io/file/safe_write.h"
 #include "io/mesh/mesh_file.h"
-#include "render/camera.h"
 #include "render/context.h"
-#include "ui/dialogs/message_panel.h"
 #include "ui/gui.h"
-#include "ui/layout.h"
-#include "ui/panels/display_panel.h"
-#include "ui/panels/help_overlay.h"
-#include "ui/panels/keys_panel.h"
-#include "ui/panels/menu_bar.h"
-#include "ui/panels/status_line.h"
-#include "ui/panels/view_area.h"
-#include "ui/panels/weights_panel.h"
-#include "ui/widgets/style.h"
-#include "ui/widgets/value_label.h"
 
 namespace interleaf {
 
 namespace {
 
-/// Frames drawn after the last input: Dear ImGui needs one more to settle, a window may need one to appear.
-constexpr int settling_frames = 3;
-
-/// Of the window when it is opened for the first time, screen coordinates.
+/// Size of the window when it is opened for the first time, screen coordinates.
 constexpr glm::ivec2 first_size{1280, 800};
 
-/// However still it is, autosave and the files on disk are looked after this often; seconds.
+/// Longest interval between two looks at the autosave and the files on disk; seconds.
 constexpr double longest_wait = 1;
 
-/// How often it is shown how far work is; seconds.
+/// Interval between progress reports; seconds.
 constexpr double work_interval = 0.05;
 
-std::vector<MenuEntry> entries_of(const ViewerState& state) {
-    std::vector<MenuEntry> entries;
-    for (const Command& command : commands()) entries.push_back(menu_entry(command, state));
-    return entries;
-}
+/// What the person did since the last frame.
+struct FrameInput {
+    WindowActions actions;
+    std::vector<Shortcut> pressed;
+    std::vector<std::filesystem::path> dropped;
+    bool drops_on_keys = false;  ///< the files were dropped on the list of keys
+};
 
-Submenu recent_menu(const DocumentFiles& files) {
-    Submenu menu{.menu = "File", .after = "Open", .name = "Open recent", .items = {}};
-    for (const std::filesystem::path& file : files.recent_files()) menu.items.push_back(file.string());
-    return menu;
-}
+/// What the window is about, as far as drawing must follow it.
+struct Subject {
+    std::shared_ptr<const Family> family;
+    std::string message;
+    bool is_asking = false;     ///< a question or the file browser is open
+    bool is_comparing = false;  ///< a comparison is shown instead of the document
+    bool operator==(const Subject&) const = default;
+};
 
 class Viewer {
   public:
@@ -85,54 +70,48 @@ class Viewer {
 
   private:
     void outlive(const std::exception& error);
-    void record();
     void wait();
     void frame();
-    void read_input(double now);
-    void take_drop(double now);
-    void follow_document();
-    void update_surface();
-    void show_panels(double now);
-    void show_message(double now);
-    void show_comparison(const Rect& area);
-    void show_document(float menu_height, double now);
-    void show_keys_and_display(double now);
-    void move_camera(const ViewInput& input);
-    void frame_camera();
-    const FamilyField* shown() const { return shown_field(state_.session.display, fields_); }
-    void draw_surface();
-    void draw_portraits();
-    void draw_mismatch();
-    void show_value();
+
+    FrameInput read_input();
+    bool has_keyboard() const;
+
+    void update(const FrameInput& input, double now);
+    void apply(const WindowActions& actions, double now);
+    void update_files(const FrameInput& input, double now);
+    void follow_state(double now);
+
+    void draw(const std::optional<ViewInput>& view);
+
+    ShownWindow show_panels();
+    FrameLayout layout() const;
+    void record();
     void save_picture();
-    const Family& family() const { return state_.document.family(); }
 
     WindowInput input_;
     Window window_;
     ViewerState state_;
     DocumentFiles files_;
-    std::shared_ptr<const Family> followed_;  ///< the document's state that all below is about
-    std::string title_;
-    std::vector<FamilyField> fields_;
+    std::vector<std::filesystem::path> meshes_;  ///< still to be opened
     Gui gui_;
-    MorphSurface surface_;
-    KeyPortraits portraits_;
-    MismatchPictures mismatch_pictures_;
-    ScenePicture picture_;
-    ComparisonView comparison_;
-    bool shows_comparison_ = false;              ///< in this frame, instead of the document
-    std::vector<std::filesystem::path> meshes_;  ///< that are still to be opened
-    std::optional<std::filesystem::path> picture_file_;
-    Camera camera_;
-    std::optional<Trace> trace_;
-    Layout layout_;
-    TracePlaces places_;
-    KeysPanelResult keys_in_sight_;
-    bool pointed_at_view_ = false;
-    bool is_asking_ = false;  ///< a question or the file browser is open
+    MouseHolds holds_;
+    double now_ = 0;  ///< when the frame began, seconds since GLFW was ready
+
+    // What follows the state.
+    DocumentViews views_;
+    std::string title_;
+    Subject subject_;
+
+    // What was drawn.
+    glm::ivec2 size_{0};  ///< of the window, screen coordinates
+    ShownWindow drawn_;
+    FrameRest rest_;
+    Redraw redraw_;
     std::size_t frame_ = 0;
     double frame_milliseconds_ = 0;
-    int settling_ = settling_frames;
+    bool takes_keys_ = false;  ///< a question or the file browser is open, and was in the frame before
+    std::optional<std::filesystem::path> picture_file_;
+    std::optional<Trace> trace_;
 };
 
 Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
@@ -140,8 +119,8 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
     : window_("Interleaf", options.size.value_or(first_size).x, options.size.value_or(first_size).y),
       state_(std::move(family), family_folder(sources)),
       files_(state_, std::move(sources), options.picture.has_value()),
-      gui_(watch_input(window_.handle(), input_)),
       meshes_(std::move(meshes)),
+      gui_(watch_input(window_.handle(), input_)),
       picture_file_(options.picture) {
     if (options.trace) trace_.emplace(*options.trace);
     if (const auto last = files_.window_size(); last && !options.size)
@@ -151,7 +130,6 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
     if (options.at) state_.session.move_point(*options.at, glfwGetTime());
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(window_.handle(), 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
-    camera_.look_from(30, 20);
 }
 
 void Viewer::run() {
@@ -169,13 +147,12 @@ void Viewer::run() {
         if (glfwWindowShouldClose(window_.handle()) == GLFW_FALSE) continue;
         glfwSetWindowShouldClose(window_.handle(), GLFW_FALSE);
         files_.grant(FileWish::quit);
-        settling_ = settling_frames;
+        redraw_.settle();
     }
-    files_.remember_window(places_.window);
+    files_.remember_window(size_);
 }
 
-/// What was asked for has failed where nothing was prepared for it. What is not saved must not be lost by
-/// that.
+/// Something has failed that nothing was prepared for. Unsaved changes must not be lost by that.
 void Viewer::outlive(const std::exception& error) {
     files_.keep_unsaved();
     gui_.abandon_frame();
@@ -184,279 +161,164 @@ void Viewer::outlive(const std::exception& error) {
     if (&state_.session.family() != present.get()) state_.session.replace_family(present, glfwGetTime());
     if (state_.selected_key && *state_.selected_key >= present->keys.size()) state_.selected_key.reset();
     state_.message = message_of_mishap(error);
-    settling_ = settling_frames;
-}
-
-void Viewer::record() {
-    if (trace_ && frame_ > 0)
-        trace_->record(frame_, glfwGetTime(), state_, surface_.figures(),
-                       shows_comparison_ ? comparison_.eye() : camera_.eye(), places_);
+    redraw_.settle();
 }
 
 void Viewer::wait() {
-    if (settling_ > 0) {
-        --settling_;
+    if (redraw_.is_due()) {
+        redraw_.begin_frame();
         glfwPollEvents();
-    } else {
-        const double longest = files_.is_working() || files_.is_saving() ? work_interval : longest_wait;
-        const double before = glfwGetTime();
-        glfwWaitEventsTimeout(longest);
-        if (glfwGetTime() - before < longest) settling_ = settling_frames;  // something has come
+        return;
     }
+    const double longest = files_.is_working() || files_.is_saving() ? work_interval : longest_wait;
+    const double before = glfwGetTime();
+    glfwWaitEventsTimeout(longest);
+    if (glfwGetTime() - before < longest) redraw_.settle();  // something has come
 }
 
 void Viewer::frame() {
-    int width = 0;
-    int height = 0;
-    glfwGetWindowSize(window_.handle(), &width, &height);
-    if (width == 0 || height == 0) return;  // minimized
+    glfwGetWindowSize(window_.handle(), &size_.x, &size_.y);
+    if (size_.x == 0 || size_.y == 0) return;  // minimized
 
-    const double now = glfwGetTime();
-    gui_.begin_frame(std::exchange(input_.keyboard_keys, {}));
-    read_input(now);
-    state_.session.advance(now);
-    places_ = {.window = {width, height},
-               .view = {},
-               .keys = {},
-               .domain = std::nullopt,
-               .timeline = std::nullopt,
-               .pointer = gui_.pointer(),
-               .button_down = gui_.is_button_down(),
-               .is_asking = false,
-               .takes_text = false,
-               .popup = std::nullopt,
-               .browsed = std::nullopt,
-               .offer = nullptr};
-    draw_mismatch();
-    show_panels(now);
-    files_.grant(std::exchange(state_.file_wish, FileWish::none));
-    files_.look_after(now);
-    const bool was_asking = std::exchange(is_asking_, files_.is_asking());
-    if (is_asking_ != was_asking) settling_ = settling_frames;
-    places_.is_asking = is_asking_ && was_asking;  // in the first frame it takes no keys yet
-    places_.takes_text = gui_.takes_text();
-    places_.popup = gui_.popup();
-    places_.browsed = files_.browsed();
-    places_.offer = files_.fitting().offered();
-    follow_document();
-    update_surface();
-    if (state_.is_comparing != shows_comparison_) settling_ = settling_frames;
-    if (shows_comparison_) {
-        if (!comparison_.draw(state_.session.display, gui_, places_.window.y))
-            settling_ = std::max(settling_, 1);
-        comparison_.show_value();
-    } else {
-        frame_camera();
-        draw_surface();
-        draw_portraits();
-        show_value();
-    }
-    gui_.end_frame();
-    if (picture_file_ && settling_ == 0 && !files_.is_working()) save_picture();
+    now_ = glfwGetTime();
+    rest_ = {};
+    const FrameInput input = read_input();
+    update(input, now_);
+    draw(input.actions.view);
+    redraw_.follow(rest_);
+    if (picture_file_ && !redraw_.is_due() && !files_.is_working()) save_picture();
     glfwSwapBuffers(window_.handle());
-
-    frame_milliseconds_ = 1000 * (glfwGetTime() - now);
-    if (state_.session.is_playing() || gui_.has_input()) settling_ = settling_frames;
+    frame_milliseconds_ = 1000 * (glfwGetTime() - now_);
     ++frame_;
 }
 
-void Viewer::read_input(double now) {
+// ---- input ----
+
+FrameInput Viewer::read_input() {
+    gui_.begin_frame(std::exchange(input_.keys, {}));
+    FrameInput input;
+    input.pressed = std::exchange(input_.pressed, {});
+    input.dropped = std::exchange(input_.dropped, {});
+    if (!has_keyboard()) input.pressed.clear();
+    if (files_.is_asking()) input.dropped.clear();
+    const ShownWindow shown = show_panels();
+    if (!input.dropped.empty()) {
+        glm::dvec2 pointer;
+        glfwGetCursorPos(window_.handle(), &pointer.x, &pointer.y);
+        const Rect& list = shown.layout.keys;
+        input.drops_on_keys = pointer.x >= list.x && pointer.x < list.right() && pointer.y >= list.y &&
+                              pointer.y < list.bottom();
+    }
+    input.actions = shown.actions;
+    return input;
+}
+
+/// Whether keys are for the document or the comparison, not for a field, a menu or a question.
+bool Viewer::has_keyboard() const {
+    return !gui_.takes_text() && !gui_.has_menu() && !files_.is_asking();
+}
+
+// ---- update ----
+
+void Viewer::update(const FrameInput& input, double now) {
+    state_.session.advance(now);
+    apply(input.actions, now);
+    for (const Shortcut shortcut : input.pressed) run_command(*find_command(shortcut), state_, now);
+    update_files(input, now);
+    follow_state(now);
+}
+
+/// Before anything else happens to the state, which is still the state that the panels have shown.
+void Viewer::apply(const WindowActions& actions, double now) {
+    views_.apply(actions, state_, layout());
+    interleaf::apply(actions, state_, holds_, now);
+    if (!gui_.is_button_down()) end_drag(state_);
+    if (actions.menu.chosen_item) files_.open({files_.recent_files()[*actions.menu.chosen_item]});
+}
+
+void Viewer::update_files(const FrameInput& input, double now) {
+    files_.act(gui_.density(), now);
     if (!meshes_.empty() && !files_.is_asking()) files_.open(std::exchange(meshes_, {}));
-    take_drop(now);
-    if (gui_.takes_text() || gui_.has_menu() || files_.is_asking()) input_.pressed.clear();
-    for (const Shortcut shortcut : std::exchange(input_.pressed, {}))
-        run_command(*find_command(shortcut), state_, now);
-    follow_document();
-    if (!state_.reload_wanted) return;
-    state_.reload_wanted = false;
-    try {
-        surface_.renderer().reload_shaders();
-        comparison_.reload_shaders();
-        picture_.forget();
-    } catch (const std::runtime_error& error) {
-        state_.message = message_of(error);
-    }
+    if (!input.dropped.empty() && input.drops_on_keys) files_.add_keys(input.dropped, now);
+    if (!input.dropped.empty() && !input.drops_on_keys) files_.open(input.dropped);
+    files_.grant(std::exchange(state_.file_wish, FileWish::none));
+    files_.look_after(now);
 }
 
-/// Files that were dropped on the list of keys become keys, others a new document.
-void Viewer::take_drop(double now) {
-    const auto dropped = std::exchange(input_.dropped, {});
-    if (dropped.empty() || files_.is_asking()) return;
-    glm::dvec2 pointer;
-    glfwGetCursorPos(window_.handle(), &pointer.x, &pointer.y);
-    const Rect& list = keys_in_sight_.list;
-    const bool is_on_list =
-        pointer.x >= list.x && pointer.x < list.right() && pointer.y >= list.y && pointer.y < list.bottom();
-    if (is_on_list) {
-        files_.add_keys(dropped, now);
-    } else {
-        files_.open(dropped);
-    }
-}
-
-/// Brings what is made from the document in line with its present state.
-void Viewer::follow_document() {
+/// Brings everything that is made from the state in line with it.
+void Viewer::follow_state(double now) {
+    if (is_over(state_.message, now)) state_.message.clear();
+    views_.follow(state_, layout(), gui_);
+    const bool is_comparing = views_.comparison() != nullptr;
+    if (is_comparing && state_.session.is_playing()) state_.session.toggle_playing(now);
     if (const std::string title = title_of(state_.document); title != title_) {
         title_ = title;
         glfwSetWindowTitle(window_.handle(), fmt::format("{} – Interleaf", title).c_str());
     }
-    if (state_.document.snapshot() == followed_) return;
-    followed_ = state_.document.snapshot();
-    portraits_.update(family());
-    fields_ = fields_of(family().keys);
-    update_surface();
-    settling_ = settling_frames;
+    const Subject subject{state_.document.snapshot(), state_.message.text, files_.is_asking(), is_comparing};
+    takes_keys_ = subject_.is_asking && subject.is_asking;  // in its first frame a question takes no keys yet
+    rest_.has_changed = subject != subject_;
+    subject_ = subject;
 }
 
-void Viewer::update_surface() {
-    adapt_display(state_.session.display, fields_);
-    const FamilyField* const field = shown();
-    surface_.update(state_.session.family(), state_.session.weights(), field ? &field->label : nullptr);
+// ---- draw ----
+
+/// \param view  what the mouse did over the surface
+void Viewer::draw(const std::optional<ViewInput>& view) {
+    rest_.lacks_portraits = views_.draw_portrait(drawn_, gui_);
+    gui_.begin_drawing();
+    drawn_ = show_panels();
+    rest_.is_coarse = !views_.draw(state_, drawn_.layout, view, gui_);
+    rest_.moves = state_.session.is_playing();
+    rest_.has_input = gui_.has_input();
+    gui_.end_frame();
 }
 
-void Viewer::show_panels(double now) {
-    const std::vector<MenuEntry> entries = entries_of(state_);
-    const MenuBarResult menu = menu_bar(entries, recent_menu(files_), title_);
-    const Rect below_menu{0, menu.height, places_.window.x, places_.window.y - menu.height};
-    shows_comparison_ = state_.is_comparing && !compared_keys(family(), state_.comparisons).empty();
-    if (shows_comparison_ && state_.session.is_playing()) state_.session.toggle_playing(now);
-    if (shows_comparison_)
-        show_comparison(below_menu);
-    else
-        show_document(menu.height, now);
-    help_overlay(entries, below_menu, state_.help_shown);
-    show_message(now);
-    if (menu.chosen) run_command(commands()[*menu.chosen], state_, now);
-    if (menu.chosen_item) files_.open({files_.recent_files()[*menu.chosen_item]});
-    files_.show(below_menu, gui_.density(), now);
+// ---- the panels, for input and for drawing ----
+
+ShownWindow Viewer::show_panels() {
+    const FrameLayout frame = layout();
+    ShownWindow shown = show_window({.state = state_,
+                                     .recent_files = files_.recent_files(),
+                                     .title = title_,
+                                     .portraits = views_.portraits(),
+                                     .fields = views_.fields(),
+                                     .figures = views_.figures(),
+                                     .pictures = views_.message_pictures(),
+                                     .frame_milliseconds = frame_milliseconds_,
+                                     .holds = holds_,
+                                     .layout = frame,
+                                     .comparison = views_.comparison(),
+                                     .has_keyboard = has_keyboard()});
+    files_.show(frame.content, now_);
+    return shown;
 }
 
-void Viewer::show_message(double now) {
-    Message& message = state_.message;
-    if (is_over(message, now)) message.clear();
-    if (message.is_fault()) {
-        if (message_panel(message.text, mismatch_pictures_.shown(), places_.view)) message.clear();
-        return;
-    }
-    const NoticeResult notice = notice_panel(message.text, places_.view);
-    if (notice.pointed_at) message.seen = now;
-    if (notice.dismissed) message.clear();
+/// Of the present state in the present window.
+FrameLayout Viewer::layout() const {
+    const float menu = menu_bar_height();
+    FrameLayout frame;
+    frame.window = size_;
+    frame.content = {0, menu, frame.window.x, frame.window.y - menu};
+    frame.panels = lay_out(frame.window, menu, gui_.scale(), state_.session.has_timeline());
+    return frame;
 }
 
-void Viewer::show_comparison(const Rect& area) {
-    comparison_.show(state_, area, camera_, !is_asking_ && !gui_.takes_text() && !gui_.has_menu());
-    places_.view = area;
-    pointed_at_view_ = false;
-    keys_in_sight_ = {};
-}
+// ---- what leaves the window ----
 
-void Viewer::show_document(float menu_height, double now) {
-    layout_ = lay_out(places_.window, menu_height, gui_.scale(), state_.session.has_timeline());
-    places_.view = layout_.view;
-    const ViewInput view_input = view_area(layout_.view);
-    pointed_at_view_ = view_input.pointed_at;
-    move_camera(view_input);
-
-    if (layout_.left) {
-        begin_panel("left", *layout_.left);
-        show_keys_and_display(now);
-        end_panel();
-    }
-    begin_panel("right", layout_.right);
-    if (family().domain) {
-        places_.domain = show_domain(state_, now);
-        section_gap();
-    }
-    weights_panel(family(), state_.session.weights());
-    if (!layout_.left) {
-        section_gap();
-        show_keys_and_display(now);
-    }
-    end_panel();
-    if (state_.session.has_timeline()) places_.timeline = show_timeline(state_, layout_.timeline, now);
-    if (!gui_.is_button_down()) end_drag(state_);
-
-    const SurfaceFigures& figures = surface_.figures();
-    status_line(layout_.status, {.active_keys = figures.keys.size(),
-                                 .leaves = figures.leaves,
-                                 .vertices = figures.vertices,
-                                 .rebuild_milliseconds = figures.rebuild_milliseconds,
-                                 .frame_milliseconds = frame_milliseconds_});
-}
-
-void Viewer::show_keys_and_display(double now) {
-    const SurfaceFigures& figures = surface_.figures();
-    keys_in_sight_ = show_keys(state_, portraits_.portraits(), 0.5F * layout_.view.height, now);
-    places_.keys = keys_in_sight_.list;
-    section_gap();
-    display_panel(state_.session.display, {.levels = figures.levels,
-                                           .origins = figures.origins,
-                                           .active_keys = figures.keys,
-                                           .active_names = figures.key_names,
-                                           .fields = fields_,
-                                           .key_without_field = figures.key_without_field});
-}
-
-void Viewer::move_camera(const ViewInput& input) {
-    interleaf::move_camera(camera_, input, layout_.view, picture_.target());
-    if (input.view_all) state_.view_target = ViewTarget::surface;
-}
-
-/// \pre the surface is that of the present weights
-void Viewer::frame_camera() {
-    const ViewTarget view_target = std::exchange(state_.view_target, ViewTarget::none);
-    if (view_target == ViewTarget::surface)
-        camera_.view_all(surface_.extent(state_.session.weights()), aspect_of(layout_.view));
-    else if (view_target == ViewTarget::all_keys)
-        camera_.view_all(portraits_.extent(), aspect_of(layout_.view));
-}
-
-void Viewer::draw_surface() {
-    const auto pixels = [this](float length) {
-        return static_cast<int>(std::lround(length * gui_.density()));
-    };
-    const Rect& view = layout_.view;
-    Scene scene{.width = std::max(pixels(view.width), 1),
-                .height = std::max(pixels(view.height), 1),
-                .camera = camera_,
-                .weights = weight_values(state_.session.weights()),
-                .display = state_.session.display,
-                .surface = surface_.figures().rebuilds};
-    scene.display.line_width *= gui_.scale() * gui_.density();
-    if (!picture_.update(surface_.renderer(), scene)) settling_ = std::max(settling_, 1);
-    picture_.target()->blit_to_window(pixels(view.x), pixels(places_.window.y - view.bottom()));
-}
-
-/// One picture of a key a frame, so that the window stays quick.
-void Viewer::draw_portraits() {
-    const int side = static_cast<int>(std::lround(key_picture_side() * gui_.density()));
-    if (portraits_.draw_next(keys_in_sight_.first, keys_in_sight_.end, side))
-        settling_ = std::max(settling_, 2);
-}
-
-/// What the message is about; before the panels, which show it.
-void Viewer::draw_mismatch() {
-    const glm::vec2 size = message_picture_size() * gui_.density();
-    mismatch_pictures_.update(state_.message.mismatch, glm::max(glm::ivec2(glm::round(size)), 1));
-}
-
-/// The value of the field under the pointer, unless the surface moves.
-void Viewer::show_value() {
-    const FamilyField* const field = shown();
-    if (field == nullptr || !pointed_at_view_ || state_.session.is_playing()) return;
-    const glm::vec2 pointer = device_coordinates(layout_.view, places_.pointer);
-    const float aspect = aspect_of(layout_.view);
-    const Ray ray{camera_.point_at(pointer, 0, aspect), camera_.point_at(pointer, 1, aspect)};
-    const std::optional<glm::vec3> value = surface_.field_at(ray, state_.session.weights());
-    if (!value) return;
-    const bool is_scalar = field->label.kind == FieldKind::scalar;
-    const glm::vec3 color =
-        is_scalar ? state_.session.display.scale.color(value->x) : encoded(glm::clamp(*value, 0.0F, 1.0F));
-    const glm::ivec3 bytes(glm::round(255.0F * color));
-    value_label(places_.pointer, layout_.view, color,
-                is_scalar
-                    ? fmt::format("{} {:.4g}", field->label.name, value->x)
-                    : fmt::format("{} #{:02x}{:02x}{:02x}", field->label.name, bytes.r, bytes.g, bytes.b));
+void Viewer::record() {
+    if (!trace_ || frame_ == 0) return;
+    trace_->record(frame_, glfwGetTime(), state_, views_.figures(),
+                   {.shown = drawn_,
+                    .eye = views_.eye(),
+                    .pointer = gui_.pointer(),
+                    .is_coarse = rest_.is_coarse,
+                    .button_down = gui_.is_button_down(),
+                    .is_asking = takes_keys_,
+                    .takes_text = gui_.takes_text(),
+                    .popup = gui_.popup(),
+                    .browsed = files_.browsed(),
+                    .offer = files_.fitting().offered()});
 }
 
 /// Once nothing changes any more.

@@ -76,7 +76,8 @@ void origin_legend(const Legend& legend) {
 
 }  // namespace
 
-void display_panel(Display& display, const Legend& legend) {
+Display display_panel(const Display& shown, const Legend& legend) {
+    Display display = shown;
     heading("Shading");
     choice("shading", display.shading, {{"Smooth", Shading::smooth}, {"Flat", Shading::flat}});
     section_gap();
@@ -95,7 +96,8 @@ void display_panel(Display& display, const Legend& legend) {
     if (display.coloring == Coloring::level) level_legend(legend.levels);
     if (display.coloring == Coloring::origin) origin_legend(legend);
     if (display.coloring == Coloring::field)
-        field_panel(display, legend.fields, legend.key_without_field.value_or(""));
+        display = field_panel(display, legend.fields, legend.key_without_field.value_or(""));
+    return display;
 }
 
 }  // namespace interleaf

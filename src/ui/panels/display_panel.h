@@ -1,4 +1,4 @@
-// What the picture shows: shading, lines, coloring with its legend.
+// The display panel: shading, lines, and coloring with its legend.
 #pragma once
 
 #include <optional>
@@ -23,6 +23,7 @@ struct Legend {
     std::optional<std::string> key_without_field;  ///< an active key that lacks the one that is shown
 };
 
-void display_panel(Display& display, const Legend& legend);
+/// \return what the person wants to be shown: \p shown with any changes
+Display display_panel(const Display& shown, const Legend& legend);
 
 }  // namespace interleaf

@@ -46,7 +46,7 @@ void choose_map(ColorMap& map) {
     ImGui::EndCombo();
 }
 
-/// The ends of a locked range; what is no range, as while one is typed, is not taken.
+/// The ends of a locked range. Ends that are no range, as while one is being typed, are passed over.
 void lock_range(Display& display) {
     ImGui::Checkbox("Lock range", &display.range_locked);
     if (ImGui::IsItemHovered())
@@ -61,10 +61,11 @@ void lock_range(Display& display) {
 
 }  // namespace
 
-void field_panel(Display& display, std::span<const FamilyField> fields, std::string_view key_without) {
+Display field_panel(const Display& shown, std::span<const FamilyField> fields, std::string_view key_without) {
+    Display display = shown;
     choose_field(display, fields);
     const FamilyField* const field = find_field(fields, display.field);
-    if (field == nullptr) return;
+    if (field == nullptr) return display;
     if (!key_without.empty()) {
         ImGui::PushTextWrapPos(0);
         ImGui::PushStyleColor(ImGuiCol_Text, colors::notice);
@@ -72,11 +73,12 @@ void field_panel(Display& display, std::span<const FamilyField> fields, std::str
         ImGui::PopStyleColor();
         ImGui::PopTextWrapPos();
     }
-    if (field->label.kind == FieldKind::color) return;
+    if (field->label.kind == FieldKind::color) return display;
     choose_map(display.scale.map);
     ImGui::Spacing();
     scale_legend(display.scale);
     lock_range(display);
+    return display;
 }
 
 }  // namespace interleaf

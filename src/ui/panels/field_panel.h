@@ -1,4 +1,4 @@
-// The part of the display panel for a field: which one, its colors, and what they mean.
+// The part of the display panel for a field: which field, its colors, and what they mean.
 #pragma once
 
 #include <span>
@@ -9,8 +9,10 @@
 
 namespace interleaf {
 
-/// Chooses among \p fields, color maps and ranges, and shows the legend. \p key_without names an active key
-/// that lacks the chosen field, so that the surface cannot show it; empty for none.
-void field_panel(Display& display, std::span<const FamilyField> fields, std::string_view key_without);
+/// Offers \p fields, color maps and ranges, and shows the legend.
+/// \param key_without  name of an active key that lacks the chosen field, so that the surface cannot show it;
+///                     empty for none
+/// \return what the person wants to be shown: \p shown with any changes
+Display field_panel(const Display& shown, std::span<const FamilyField> fields, std::string_view key_without);
 
 }  // namespace interleaf

@@ -12,12 +12,12 @@ namespace interleaf {
 namespace {
 
 constexpr std::pair<std::string_view, std::string_view> mouse[] = {
-    {"Drag", "Turn the surface"},
-    {"Right drag, Shift+drag", "Shift the surface"},
-    {"Wheel", "Nearer or farther, towards the pointer"},
-    {"Double click", "See the whole of what is shown"},
+    {"Drag", "Orbit"},
+    {"Right drag, Shift+drag", "Pan"},
+    {"Wheel", "Zoom towards the pointer, or away from it"},
+    {"Double click", "See the whole surface"},
     {"Drag in the domain", "Move the point; a click jumps"},
-    {"Drag on the timeline", "Move in time"},
+    {"Drag on the timeline", "Go to a time"},
 };
 
 void row(std::string_view left, std::string_view right) {
@@ -41,8 +41,7 @@ bool begin_rows(const char* name, float key_width) {
 
 }  // namespace
 
-void help_overlay(std::span<const MenuEntry> entries, const Rect& area, bool& shown) {
-    if (!shown) return;
+bool help_overlay(std::span<const MenuEntry> entries, const Rect& area) {
     const float width = std::min(scaled(560), area.width - scaled(24));
     const float height = std::min(scaled(676), area.height - scaled(24));
     ImGui::SetNextWindowPos({area.x + area.width / 2, area.y + area.height / 2}, ImGuiCond_Always,
@@ -75,9 +74,10 @@ void help_overlay(std::span<const MenuEntry> entries, const Rect& area, bool& sh
         ImGui::EndTable();
     }
     ImGui::Spacing();
-    if (ImGui::Button("Close")) shown = false;
+    const bool is_closed = ImGui::Button("Close");
     ImGui::End();
     ImGui::PopStyleVar(2);
+    return is_closed;
 }
 
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-// The help: every key and what the mouse does, over the view.
+// The help: every shortcut and what the mouse does, over the view.
 #pragma once
 
 #include <span>
@@ -8,7 +8,8 @@
 
 namespace interleaf {
 
-/// Shows \p entries in the middle of \p area; clears \p shown when it is closed.
-void help_overlay(std::span<const MenuEntry> entries, const Rect& area, bool& shown);
+/// Shows \p entries in the middle of \p area.
+/// \return whether the person has closed it
+bool help_overlay(std::span<const MenuEntry> entries, const Rect& area);
 
 }  // namespace interleaf

@@ -47,6 +47,10 @@ std::optional<std::size_t> menu_entries(std::span<const MenuEntry> entries) {
     return chosen;
 }
 
+float menu_bar_height() {
+    return ImGui::GetFrameHeight();
+}
+
 MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submenu, std::string_view title) {
     MenuBarResult result;
     if (!ImGui::BeginMainMenuBar()) return result;
@@ -75,7 +79,6 @@ MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submen
         const float top = ImGui::GetWindowPos().y + ImGui::GetStyle().FramePadding.y;
         draw_text({right - width, top}, width + 1, colors::dim_text, title);
     }
-    result.height = ImGui::GetWindowHeight();
     ImGui::EndMainMenuBar();
     return result;
 }

@@ -27,13 +27,16 @@ struct Submenu {
 };
 
 struct MenuBarResult {
-    float height = 0;
     std::optional<std::size_t> chosen;       ///< index of an entry
     std::optional<std::size_t> chosen_item;  ///< of the submenu
 };
 
-/// \param entries  those of one menu in a row
-/// \param title    of what is open, shown at the right
+/// Height of the menu bar, in screen coordinates.
+/// \pre a frame has begun
+float menu_bar_height();
+
+/// \param entries  the entries of one menu stand in a row
+/// \param title    of the open document, shown at the right
 MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submenu, std::string_view title);
 
 /// Entries as a menu of their own, for the right mouse button. \return the index of the chosen one

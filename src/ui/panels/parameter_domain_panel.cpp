@@ -7,7 +7,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <imgui.h>
-#include <imgui_internal.h>
 
 #include "render/palette.h"
 #include "ui/panels/keys_panel.h"
@@ -18,7 +17,7 @@ namespace interleaf {
 
 namespace {
 
-/// ImDrawList has no triangle with a color a vertex, but its vertices carry one and are interpolated.
+/// Dear ImGui has no function for a triangle with one color per vertex, but its vertices carry colors.
 void fill_triangle(ImDrawList& list, const std::array<glm::vec2, 3>& corners,
                    const std::array<ImU32, 3>& fills) {
     const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
@@ -73,7 +72,7 @@ void draw_point(ImDrawList& list, glm::vec2 pixel, bool held) {
     list.AddCircleFilled(at, scaled(2), colors::white);
 }
 
-/// A vertex that the pointer is on or near; none where it is on none.
+/// The vertex nearest to the pointer; none where all are too far away.
 std::optional<Index> vertex_near(const ParameterDomain& domain, const PlotFrame& frame, glm::vec2 pointer) {
     std::optional<Index> nearest;
     float distance = scaled(10);
@@ -86,35 +85,18 @@ std::optional<Index> vertex_near(const ParameterDomain& domain, const PlotFrame&
     return nearest;
 }
 
-/// The corners of the domain's bounding box, as they were when the mouse took hold of it: moving a vertex
-/// must not move the plane under the pointer.
-std::array<DomainVertex, 2> box_corners(const ParameterDomain& domain) {
-    ImGuiStorage& storage = *ImGui::GetStateStorage();
-    const std::array<ImGuiID, 4> ids{ImGui::GetID("low x"), ImGui::GetID("low y"), ImGui::GetID("high x"),
-                                     ImGui::GetID("high y")};
-    const bool is_held = ImGui::GetActiveID() == ImGui::GetID("domain");
-    if (is_held) {
-        return {{{{storage.GetFloat(ids[0]), storage.GetFloat(ids[1])}, 0},
-                 {{storage.GetFloat(ids[2]), storage.GetFloat(ids[3])}, 0}}};
-    }
+/// The corners of the box that the plot shows.
+std::array<DomainVertex, 2> box_corners(const ParameterDomain& domain,
+                                        const std::optional<DomainDrag>& drag) {
+    if (drag) return {{{drag->low, 0}, {drag->high, 0}}};
     glm::dvec2 low = domain.vertices().front().at;
     glm::dvec2 high = low;
     for (const DomainVertex& vertex : domain.vertices()) {
         low = glm::min(low, vertex.at);
         high = glm::max(high, vertex.at);
     }
-    storage.SetFloat(ids[0], static_cast<float>(low.x));
-    storage.SetFloat(ids[1], static_cast<float>(low.y));
-    storage.SetFloat(ids[2], static_cast<float>(high.x));
-    storage.SetFloat(ids[3], static_cast<float>(high.y));
     return {{{low, 0}, {high, 0}}};
 }
-
-/// What the menu of the right mouse button is about, from when it opens until it closes.
-struct MenuPlace {
-    std::optional<Index> vertex;
-    glm::dvec2 at{0};
-};
 
 /// The keys of the family to choose from; \p present has a mark.
 std::optional<std::size_t> choose_key(const Family& family, std::optional<std::size_t> present) {
@@ -127,7 +109,7 @@ std::optional<std::size_t> choose_key(const Family& family, std::optional<std::s
     return chosen;
 }
 
-void show_menu(const Family& family, const MenuPlace& place, ParameterDomainResult& result) {
+void show_menu(const Family& family, const DomainMenu& place, ParameterDomainResult& result) {
     if (place.vertex && *place.vertex < family.domain->vertices().size()) {
         heading("Key at this vertex");
         if (const auto key = choose_key(family, family.domain->vertices()[*place.vertex].key))
@@ -140,24 +122,27 @@ void show_menu(const Family& family, const MenuPlace& place, ParameterDomainResu
     }
 }
 
+/// The drag that goes on, if any, on the canvas, which is the last item and shows \p box.
+std::optional<DomainDrag> follow_drag(const ParameterDomain& domain, const DomainPanel& panel,
+                                      const std::array<DomainVertex, 2>& box, const PlotFrame& frame) {
+    if (!ImGui::IsItemActive()) return std::nullopt;
+    if (panel.drag && !ImGui::IsItemActivated()) return panel.drag;
+    const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
+    return DomainDrag{box[0].at, box[1].at, panel.edits ? vertex_near(domain, frame, pointer) : std::nullopt};
+}
+
 /// What the mouse does on the canvas, which is the last item.
 void read_mouse(const Family& family, const DomainPanel& panel, const PlotFrame& frame,
                 ParameterDomainResult& result) {
     const ParameterDomain& domain = *family.domain;
     const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
-    ImGuiStorage& storage = *ImGui::GetStateStorage();
-    const ImGuiID held_vertex = ImGui::GetID("held vertex");
-    const auto none = static_cast<int>(no_index);
-    if (ImGui::IsItemActivated()) {
-        const auto vertex = panel.edits ? vertex_near(domain, frame, pointer) : std::nullopt;
-        storage.SetInt(held_vertex, vertex ? static_cast<int>(*vertex) : none);
-    }
-    if (ImGui::IsItemActive()) {
-        const auto vertex = static_cast<Index>(storage.GetInt(held_vertex, none));
+    if (result.drag) {
+        const auto vertex = result.drag->vertex;
         if (!panel.edits) {
             result.moved_to = frame.point(pointer);
-        } else if (vertex < domain.vertices().size() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
-            result.moved_vertex = MovedVertex{vertex, frame.point(pointer)};
+        } else if (vertex && *vertex < domain.vertices().size() &&
+                   ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+            result.moved_vertex = MovedVertex{*vertex, frame.point(pointer)};
         }
     }
     if (const auto key = dropped_key(family.keys.size())) {
@@ -170,24 +155,16 @@ void read_mouse(const Family& family, const DomainPanel& panel, const PlotFrame&
 }
 
 /// The menu of the right mouse button over the canvas, which is the last item.
-void show_canvas_menu(const Family& family, const PlotFrame& frame, ParameterDomainResult& result) {
-    ImGuiStorage& storage = *ImGui::GetStateStorage();
-    const ImGuiID vertex_id = ImGui::GetID("menu vertex");
-    const ImGuiID x_id = ImGui::GetID("menu x");
-    const ImGuiID y_id = ImGui::GetID("menu y");
-    const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
+void show_canvas_menu(const Family& family, const DomainPanel& panel, const PlotFrame& frame,
+                      ParameterDomainResult& result) {
+    result.menu = panel.menu;
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
-        const auto vertex = vertex_near(*family.domain, frame, pointer);
-        storage.SetInt(vertex_id, vertex ? static_cast<int>(*vertex) : -1);
-        storage.SetFloat(x_id, pointer.x);
-        storage.SetFloat(y_id, pointer.y);
+        const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
+        result.menu = DomainMenu{vertex_near(*family.domain, frame, pointer), frame.point(pointer)};
         ImGui::OpenPopup("domain menu");
     }
     if (!ImGui::BeginPopup("domain menu")) return;
-    MenuPlace place{std::nullopt, frame.point({storage.GetFloat(x_id), storage.GetFloat(y_id)})};
-    const int vertex = storage.GetInt(vertex_id, -1);
-    if (vertex >= 0) place.vertex = static_cast<Index>(vertex);
-    show_menu(family, place, result);
+    if (result.menu) show_menu(family, *result.menu, result);
     ImGui::EndPopup();
 }
 
@@ -204,7 +181,7 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const DomainP
     const float width = ImGui::GetContentRegionAvail().x;
     const Rect widest{corner.x + side_margin, corner.y + heading_height + margin, width - 2 * side_margin,
                       std::min(scaled(260), 0.4F * ImGui::GetWindowHeight())};
-    const std::array<DomainVertex, 2> box = box_corners(domain);
+    const std::array<DomainVertex, 2> box = box_corners(domain, panel.drag);
     const Rect plot = PlotFrame(box, widest).rect();
     const Rect area{corner.x, corner.y + heading_height, width, std::round(plot.height) + 2 * margin};
     const PlotFrame frame(box, {plot.x, widest.y, plot.width, plot.height});
@@ -217,13 +194,9 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const DomainP
     ParameterDomainResult result;
     result.plot = frame.rect();
     result.snap = glm::distance(frame.point({0, 0}), frame.point({scaled(6), 0}));
+    result.drag = follow_drag(domain, panel, box, frame);
     read_mouse(family, panel, frame, result);
-    show_canvas_menu(family, frame, result);
-    // Shown where it will be after this frame, so that it does not trail behind the pointer.
-    std::optional<DomainPoint> shown = panel.point;
-    if (result.moved_to) {
-        shown = domain.locate(*result.moved_to, panel.point ? panel.point->triangle : no_index);
-    }
+    show_canvas_menu(family, panel, frame, result);
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({area.x, area.y}, {area.right(), area.bottom()}, colors::well, scaled(4));
@@ -244,13 +217,14 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const DomainP
                            scaled(1.5F));
     }
     ImGui::PopFont();
-    if (shown && !panel.edits) draw_point(list, frame.pixel(shown->at), held);
+    if (panel.point && !panel.edits) draw_point(list, frame.pixel(panel.point->at), held);
 
     const ImVec2 after = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos(corner);
     heading("Parameter domain", panel.edits ? "drag vertices (D)"
-                                : shown     ? fmt::format("{:.3f}, {:.3f}", shown->at.x, shown->at.y)
-                                            : std::string());
+                                : panel.point
+                                    ? fmt::format("{:.3f}, {:.3f}", panel.point->at.x, panel.point->at.y)
+                                    : std::string());
     ImGui::SetCursorScreenPos(after);
     return result;
 }

@@ -12,10 +12,25 @@
 
 namespace interleaf {
 
+/// What the left mouse button holds, from press to release.
+struct DomainDrag {
+    glm::dvec2 low;               ///< corner of the domain's bounding box at the press: moving a vertex must
+    glm::dvec2 high;              ///< not move the plane under the pointer
+    std::optional<Index> vertex;  ///< none for the point, and beside all vertices
+};
+
+/// What the menu of the right mouse button is about.
+struct DomainMenu {
+    std::optional<Index> vertex;  ///< none for a place without a vertex
+    glm::dvec2 at;
+};
+
 struct DomainPanel {
     const std::optional<DomainPoint>& point;  ///< where the morph stands, if anywhere
     std::span<const glm::dvec2> path;         ///< the points the timeline passes, in their order
     bool edits = false;                       ///< dragging moves vertices, not the point
+    std::optional<DomainDrag> drag = {};      ///< the last result's
+    std::optional<DomainMenu> menu = {};      ///< the last result's
 };
 
 struct MovedVertex {
@@ -34,12 +49,14 @@ struct VertexKey {
 };
 
 struct ParameterDomainResult {
-    std::optional<glm::dvec2> moved_to;  ///< where the pointer holds the point; may be outside the domain
-    std::optional<MovedVertex> moved_vertex;  ///< held by the pointer
-    std::optional<AddedVertex> added;         ///< wanted at a place
+    std::optional<glm::dvec2> moved_to;  ///< where the pointer drags the point; may be outside the domain
+    std::optional<MovedVertex> moved_vertex;  ///< dragged by the pointer
+    std::optional<AddedVertex> added;         ///< asked for at a place
     std::optional<VertexKey> assigned;        ///< another key at a vertex
     std::optional<Index> removed;             ///< vertex
-    double snap = 0;                          ///< what counts as touching, in units of the domain
+    std::optional<DomainDrag> drag;           ///< goes on: hand it to the next call
+    std::optional<DomainMenu> menu;           ///< stays: hand it to the next call
+    double snap = 0;                          ///< distance that counts as touching, in units of the domain
     Rect plot;                                ///< the pixels of the bounding box of the domain's vertices
 };
 

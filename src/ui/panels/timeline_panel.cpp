@@ -128,18 +128,6 @@ double dragged_time(const Timeline& timeline, std::size_t place, const TimeScale
     return time;
 }
 
-/// The scale, as it was when the mouse took hold of a name: moving the first or the last key must not move
-/// the time under the pointer.
-TimeScale held_scale(const TimeScale& scale, bool is_held) {
-    ImGuiStorage& storage = *ImGui::GetStateStorage();
-    const ImGuiID begin = ImGui::GetID("held begin");
-    const ImGuiID end = ImGui::GetID("held end");
-    if (is_held) return {storage.GetFloat(begin), storage.GetFloat(end), scale.track};
-    storage.SetFloat(begin, static_cast<float>(scale.begin));
-    storage.SetFloat(end, static_cast<float>(scale.end));
-    return scale;
-}
-
 /// The menu of the right mouse button on the name that is the last item.
 void show_time_menu(std::size_t place, TimelineResult& result) {
     if (!ImGui::BeginPopupContextItem("time menu")) return;
@@ -151,15 +139,11 @@ void show_time_menu(std::size_t place, TimelineResult& result) {
 }
 
 /// The names below the marks: dragging one moves its key in time, the right mouse button has a menu.
-void show_names(const Family& family, const TimeScale& scale, TimelineResult& result) {
+void show_names(const Family& family, const TimeScale& scale, const std::optional<TimeDrag>& drag,
+                TimelineResult& result) {
     const Timeline& timeline = *family.timeline;
     const auto keys = timeline.keys();
-    ImGuiStorage& storage = *ImGui::GetStateStorage();
-    const ImGuiID held_id = ImGui::GetID("held place");
-    const int held = storage.GetInt(held_id, -1);
-    const TimeScale drag_scale = held_scale(scale, held >= 0);
     float label_end = scale.track.x - scaled(40);
-    int held_now = -1;
     ImGui::PushFont(small_font());
     for (std::size_t place = 0; place < keys.size(); ++place) {
         const std::string& name = family.keys[keys[place].key].name;
@@ -167,8 +151,8 @@ void show_names(const Family& family, const TimeScale& scale, TimelineResult& re
         const float left =
             std::clamp(scale.pixel(keys[place].time) - width / 2, scale.track.x - scaled(12),
                        std::max(scale.track.right() + scaled(12) - width, scale.track.x - scaled(12)));
-        // A name that would run into the one before is left out; its mark stays.
-        const bool is_held = held == static_cast<int>(place);
+        // A name that would overlap the previous name is left out; its mark stays.
+        const bool is_held = drag && drag->place == place;
         if (left < label_end + scaled(8) && !is_held) continue;
         const glm::vec2 corner{left, scale.track.bottom() + scaled(1)};
         ImGui::SetCursorScreenPos(to_imgui(corner));
@@ -176,18 +160,18 @@ void show_names(const Family& family, const TimeScale& scale, TimelineResult& re
         ImGui::InvisibleButton("name", {std::max(width, 1.0F), ImGui::GetTextLineHeight()});
         const bool is_pointed = ImGui::IsItemHovered() || is_held;
         if (is_pointed) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-        if (ImGui::IsItemActive()) held_now = static_cast<int>(place);
+        if (ImGui::IsItemActive()) result.drag = is_held ? *drag : TimeDrag{place, scale.begin, scale.end};
         show_time_menu(place, result);
         ImGui::PopID();
         draw_text(corner, width + 1, is_pointed ? colors::text : colors::dim_text, name);
         label_end = left + width;
     }
     ImGui::PopFont();
-    if (held_now >= 0 && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
-        const auto place = static_cast<std::size_t>(held_now);
-        result.moved = MovedTime{place, dragged_time(timeline, place, drag_scale, ImGui::GetIO().MousePos.x)};
+    if (result.drag && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+        const TimeScale drag_scale{result.drag->begin, result.drag->end, scale.track};
+        const double to = dragged_time(timeline, result.drag->place, drag_scale, ImGui::GetIO().MousePos.x);
+        result.moved = MovedTime{result.drag->place, to};
     }
-    storage.SetInt(held_id, held_now);
 }
 
 void draw_playhead(ImDrawList& list, const TimeScale& scale, double time, bool drives) {
@@ -223,23 +207,19 @@ TimelineResult timeline_panel(const Rect& rect, const Family& family, const Time
     const TimeScale scale{timeline.begin(), timeline.end(), result.track};
     ImGui::SetCursorScreenPos({corner.x - margin, corner.y});
     ImGui::InvisibleButton("track", {width + 2 * margin, height});
-    double shown = state.time;
-    if (ImGui::IsItemActive()) {
-        shown = pointed_time(timeline, scale, ImGui::GetIO().MousePos.x);
-        result.seek_to = shown;
-    }
+    if (ImGui::IsItemActive()) result.seek_to = pointed_time(timeline, scale, ImGui::GetIO().MousePos.x);
     if (const auto key = dropped_key(family.keys.size()))
         result.added = KeyTime{*key, readable_time(scale, ImGui::GetIO().MousePos.x)};
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_track(list, timeline, scale);
     draw_marks(list, timeline, scale);
-    draw_playhead(list, scale, shown, state.drives || result.seek_to);
-    show_names(family, scale, result);
+    draw_playhead(list, scale, state.time, state.drives);
+    show_names(family, scale, state.drag, result);
 
     ImGui::SetCursorPosY(heading_top);
-    heading("Timeline", fmt::format("{:.2f} / {:.2f} s", shown, timeline.end()));
-    if (!state.drives && !result.seek_to) {
+    heading("Timeline", fmt::format("{:.2f} / {:.2f} s", state.time, timeline.end()));
+    if (!state.drives) {
         ImGui::PushFont(small_font());
         const float left = corner.x;
         const float room = rect.right() - left - scaled(120);

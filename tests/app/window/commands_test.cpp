@@ -57,6 +57,28 @@ TEST_CASE("every command can be found in a menu and in the help, and by its keys
     }
 }
 
+TEST_CASE("each id leads to its own command") {
+    for (const Command& command : commands()) CHECK(&command_of(command.id) == &command);
+    CHECK(command_of(CommandId::add_keys).name == "Add keys");
+}
+
+TEST_CASE("the scope of a command says when it is enabled, whatever menu it is in") {
+    ViewerState state = sample_state();
+    CHECK(is_enabled(CommandId::play, state));
+    CHECK_FALSE(is_enabled(CommandId::rename_key, state));
+    state.selected_key = 1;
+    for (const Command& command : commands()) {
+        CAPTURE(command.name);
+        if (command.is_possible == nullptr) CHECK(is_enabled(command, state));
+    }
+    state.is_comparing = true;
+    for (const Command& command : commands()) {
+        CAPTURE(command.name);
+        const bool is_about_window = command.scope == CommandScope::window;
+        if (command.is_possible == nullptr) CHECK(is_enabled(command, state) == is_about_window);
+    }
+}
+
 TEST_CASE("shortcuts are written differently if they differ") {
     std::set<std::string> texts;
     for (const Command& command : commands()) CHECK(texts.insert(shortcut_text(command)).second);
@@ -180,7 +202,7 @@ TEST_CASE("quitting, viewing all and reloading are wishes") {
 TEST_CASE(
     "only a document with keys that were fitted here can be compared with meshes, and not edited meanwhile") {
     ViewerState state = sample_state();
-    const Command& compare_command = command_named("Compare with mesh");
+    constexpr auto compare_command = CommandId::compare_with_mesh;
     CHECK_FALSE(is_enabled(compare_command, state));
     run_command(compare_command, state, 0);
     CHECK_FALSE(state.is_comparing);
@@ -192,28 +214,28 @@ TEST_CASE(
         state.comparisons.push_back(std::make_shared<const FitComparison>(std::move(comparison)));
     }
     state.selected_key = 3;
-    CHECK(is_enabled(command_named("Keep blend"), state));
+    CHECK(is_enabled(CommandId::keep_blend, state));
     run_command(compare_command, state, 0);
     CHECK(state.is_comparing);
     CHECK(state.compared == state.comparisons[1]);
-    for (const char* name : {"Keep blend", "Undo", "Rename family", "Remove key", "Play", "Step forward"})
-        CHECK_FALSE(is_enabled(command_named(name), state));
-    for (const char* name : {"Open", "Save", "Quit", "Wireframe", "Frame model", "Keys and mouse"})
-        CHECK(is_enabled(command_named(name), state));
+    using enum CommandId;
+    for (const CommandId id : {keep_blend, undo, rename_family, remove_key, play, step_forward})
+        CHECK_FALSE(is_enabled(id, state));
+    for (const CommandId id : {open, save, quit, wireframe, frame_model, help}) CHECK(is_enabled(id, state));
 
     const Coloring before = state.session.display.coloring;
-    run_command(command_named("Next coloring"), state, 0);
+    run_command(CommandId::next_coloring, state, 0);
     CHECK_FALSE(state.compares_colors);
     CHECK(state.session.display.coloring == before);
 
     state.message.text = "something";
     state.help_shown = true;
-    run_command(command_named("Dismiss"), state, 0);
+    run_command(CommandId::dismiss, state, 0);
     CHECK(state.message.empty());
     CHECK(state.help_shown);
-    run_command(command_named("Dismiss"), state, 0);
+    run_command(CommandId::dismiss, state, 0);
     CHECK_FALSE(state.help_shown);
     CHECK(state.is_comparing);
-    run_command(command_named("Dismiss"), state, 0);
+    run_command(CommandId::dismiss, state, 0);
     CHECK_FALSE(state.is_comparing);
 }

@@ -1,0 +1,71 @@
+#include "app/window/document_views.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#include "app/document/shown_field.h"
+#include "ui/dialogs/message_panel.h"
+
+namespace interleaf {
+
+void DocumentViews::apply(const WindowActions& actions, ViewerState& state, const FrameLayout& layout) {
+    if (actions.view) surface_.apply(*actions.view, layout.panels.view);
+    if (actions.comparison) comparison_.apply(*actions.comparison, state);
+}
+
+void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const Gui& gui) {
+    if (std::exchange(state.reload_wanted, false)) reload_shaders(state);
+    if (state.document.snapshot() != family_) {
+        family_ = state.document.snapshot();
+        portraits_.update(*family_);
+        fields_ = fields_of(family_->keys);
+    }
+    Session& session = state.session;
+    fit_display(session.display, fields_);
+    surface_.follow(session, shown_field(session.display, fields_));
+    comparison_.follow(state, layout.content, surface_.camera());
+    if (!comparison_.is_shown())
+        surface_.frame(std::exchange(state.framing, Framing::none), session, portraits_.extent(),
+                       layout.panels.view);
+    const glm::vec2 size = message_picture_size() * gui.density();
+    mismatch_pictures_.update(state.message.mismatch, glm::max(glm::ivec2(glm::round(size)), 1));
+}
+
+void DocumentViews::reload_shaders(ViewerState& state) {
+    try {
+        surface_.reload_shaders();
+        comparison_.reload_shaders();
+    } catch (const std::runtime_error& error) {
+        state.message = message_of(error);
+    }
+}
+
+bool DocumentViews::draw_portrait(const ShownWindow& shown, const Gui& gui) {
+    if (!shown.actions.keys) return false;
+    const int side = static_cast<int>(std::lround(key_picture_side() * gui.density()));
+    return portraits_.draw_next(shown.actions.keys->first, shown.actions.keys->end, side);
+}
+
+bool DocumentViews::draw(const ViewerState& state, const FrameLayout& layout,
+                         const std::optional<ViewInput>& view, const Gui& gui) {
+    const Session& session = state.session;
+    if (comparison_.is_shown()) {
+        const bool is_good = comparison_.draw(session.display, gui, layout.window.y);
+        comparison_.show_value();
+        return is_good;
+    }
+    const bool is_good = surface_.draw(session, layout.view, gui, layout.window.y);
+    const FamilyField* const field = shown_field(session.display, fields_);
+    if (field != nullptr && view && view->pointed_at && !session.is_playing())
+        surface_.show_value(session, *field, gui.pointer(), layout.view);
+    return is_good;
+}
+
+glm::vec3 DocumentViews::eye() const {
+    return comparison_.is_shown() ? comparison_.eye() : surface_.camera().eye();
+}
+
+}  // namespace interleaf

@@ -1,0 +1,23 @@
+// The layout of one frame: where the parts of the window are, in screen coordinates of the window.
+#pragma once
+
+#include <optional>
+
+#include <glm/vec2.hpp>
+
+#include "ui/layout.h"
+#include "ui/widgets/rect.h"
+
+namespace interleaf {
+
+struct FrameLayout {
+    glm::vec2 window{0};           ///< size
+    Rect content;                  ///< everything below the menu bar
+    Layout panels;                 ///< of the document
+    Rect view;                     ///< of the surface, or of a comparison: the surfaces and their panel
+    Rect keys;                     ///< the rows of keys in sight
+    std::optional<Rect> domain;    ///< the bounding box of the domain's vertices
+    std::optional<Rect> timeline;  ///< the track from begin to end
+};
+
+}  // namespace interleaf

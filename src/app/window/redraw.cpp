@@ -1,0 +1,20 @@
+#include "app/window/redraw.h"
+
+#include <algorithm>
+
+namespace interleaf {
+
+void Redraw::settle() {
+    frames_ = settling_frames;
+}
+
+void Redraw::follow(const FrameRest& rest) {
+    if (rest.has_input || rest.has_changed || rest.moves) settle();
+    if (rest.is_coarse || rest.lacks_portraits) draw_at_least(1);
+}
+
+void Redraw::draw_at_least(int frames) {
+    frames_ = std::max(frames_, frames);
+}
+
+}  // namespace interleaf

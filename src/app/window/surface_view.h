@@ -1,0 +1,57 @@
+// The surface of the document in the window: its camera, its picture, and the value under the pointer.
+#pragma once
+
+#include <optional>
+
+#include <glm/vec2.hpp>
+
+#include "app/document/session.h"
+#include "app/document/viewer_state.h"
+#include "app/pictures/morph_surface.h"
+#include "app/pictures/scene_picture.h"
+#include "family/family_fields.h"
+#include "hierarchy/measure.h"
+#include "render/camera.h"
+#include "ui/gui.h"
+#include "ui/panels/view_area.h"
+#include "ui/widgets/rect.h"
+
+namespace interleaf {
+
+class SurfaceView {
+  public:
+    /// \pre a context is current
+    SurfaceView();
+
+    /// Moves the camera as \p input says, which was read over \p view.
+    void apply(const ViewInput& input, const Rect& view);
+
+    /// Brings the surface in line with \p session.
+    /// \param field  that the session's display shows; null for none
+    void follow(const Session& session, const FamilyField* field);
+
+    /// Frames what \p framing says in \p view.
+    /// \param all_keys  extent of all keys
+    /// \pre follow() has been called for \p session
+    void frame(Framing framing, const Session& session, const Extent& all_keys, const Rect& view);
+
+    /// Draws the surface into the window, \p window_height high, at \p view, behind the panels.
+    /// \return whether the picture is as good as it gets; otherwise draw again soon
+    bool draw(const Session& session, const Rect& view, const Gui& gui, float window_height);
+
+    /// Shows the value of \p field under \p pointer; nothing beside the surface.
+    void show_value(const Session& session, const FamilyField& field, glm::vec2 pointer, const Rect& view);
+
+    /// The next picture is drawn anew, whatever has changed.
+    void reload_shaders();
+
+    const SurfaceFigures& figures() const { return surface_.figures(); }
+    const Camera& camera() const { return camera_; }
+
+  private:
+    MorphSurface surface_;
+    ScenePicture picture_;
+    Camera camera_;
+};
+
+}  // namespace interleaf

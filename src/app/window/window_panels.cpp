@@ -1,0 +1,177 @@
+#include "app/window/window_panels.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/panels/display_panel.h"
+#include "ui/panels/help_overlay.h"
+#include "ui/panels/status_line.h"
+#include "ui/panels/weights_panel.h"
+#include "ui/widgets/style.h"
+
+namespace interleaf {
+
+namespace {
+
+std::vector<MenuEntry> entries_of(const ViewerState& state) {
+    std::vector<MenuEntry> entries;
+    for (const Command& command : commands()) entries.push_back(menu_entry(command, state));
+    return entries;
+}
+
+Submenu recent_menu(std::span<const std::filesystem::path> files) {
+    Submenu menu{
+        .menu = "File", .after = command_of(CommandId::open).name, .name = "Open recent", .items = {}};
+    for (const std::filesystem::path& file : files) menu.items.push_back(file.string());
+    return menu;
+}
+
+/// The points of the domain that the timeline passes.
+std::vector<glm::dvec2> path_through_domain(const Family& family) {
+    std::vector<glm::dvec2> path;
+    if (!family.timeline || !family.domain) return path;
+    for (const TimelineKey& key : family.timeline->keys()) {
+        if (const auto at = family.domain->point_of(family.timeline->at(key.time))) path.push_back(*at);
+    }
+    return path;
+}
+
+const char* remark_of(Driver driver) {
+    return driver == Driver::key
+               ? "One key is shown alone: scrub or press Space to follow the timeline again"
+               : "Point moved off the timeline's path: scrub or press Space to follow it again";
+}
+
+KeysPanelResult show_keys(const WindowShown& shown) {
+    const ViewerState& state = shown.state;
+    const auto& keys = state.document.family().keys;
+    std::vector<KeyRow> rows;
+    for (std::size_t key = 0; key < std::min(keys.size(), shown.portraits.size()); ++key) {
+        rows.push_back({.name = keys[key].name,
+                        .leaves = shown.portraits[key].leaves,
+                        .deepest = shown.portraits[key].deepest,
+                        .picture = shown.portraits[key].picture.name()});
+    }
+    std::vector<MenuEntry> entries;
+    for (const Command* const command : key_commands()) entries.push_back(menu_entry(*command, state));
+    return keys_panel(
+        {.keys = rows, .weights = state.session.weights(), .selected = state.selected_key, .menu = entries},
+        0.5F * shown.layout.panels.view.height);
+}
+
+void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
+    result.actions.keys = show_keys(shown);
+    result.layout.keys = result.actions.keys->list;
+    section_gap();
+    const SurfaceFigures& figures = shown.figures;
+    const Display& display = shown.state.session.display;
+    Display wanted = display_panel(display, {.levels = figures.levels,
+                                             .origins = figures.origins,
+                                             .active_keys = figures.keys,
+                                             .active_names = figures.key_names,
+                                             .fields = shown.fields,
+                                             .key_without_field = figures.key_without_field});
+    if (wanted != display) result.actions.display = std::move(wanted);
+    result.legend_keys = figures.key_names;
+}
+
+void show_domain(const WindowShown& shown, ShownWindow& result) {
+    const ViewerState& state = shown.state;
+    const std::vector<glm::dvec2> path = path_through_domain(state.document.family());
+    result.actions.domain =
+        parameter_domain_panel(state.document.family(), {.point = state.session.point(),
+                                                         .path = path,
+                                                         .edits = state.edits_domain,
+                                                         .drag = shown.holds.domain,
+                                                         .menu = shown.holds.domain_menu});
+    result.layout.domain = result.actions.domain->plot;
+}
+
+void show_timeline(const WindowShown& shown, ShownWindow& result) {
+    const Session& session = shown.state.session;
+    result.actions.timeline = timeline_panel(shown.layout.panels.timeline, shown.state.document.family(),
+                                             {.time = session.time(),
+                                              .playing = session.is_playing(),
+                                              .loops = session.loops(),
+                                              .drives = session.driver() == Driver::timeline,
+                                              .remark = remark_of(session.driver()),
+                                              .drag = shown.holds.time});
+    result.layout.timeline = result.actions.timeline->track;
+}
+
+void show_document(const WindowShown& shown, ShownWindow& result) {
+    const Family& family = shown.state.document.family();
+    const Weights& weights = shown.state.session.weights();
+    const Layout& panels = shown.layout.panels;
+    result.weights = weights;
+    result.actions.view = view_area(panels.view);
+    if (panels.left) {
+        begin_panel("left", *panels.left);
+        show_keys_and_display(shown, result);
+        end_panel();
+    }
+    begin_panel("right", panels.right);
+    if (family.domain) {
+        show_domain(shown, result);
+        section_gap();
+    }
+    weights_panel(family, weights);
+    if (!panels.left) {
+        section_gap();
+        show_keys_and_display(shown, result);
+    }
+    end_panel();
+    if (family.timeline) show_timeline(shown, result);
+    status_line(panels.status, {.active_keys = shown.figures.keys.size(),
+                                .leaves = shown.figures.leaves,
+                                .vertices = shown.figures.vertices,
+                                .rebuild_milliseconds = shown.figures.rebuild_milliseconds,
+                                .frame_milliseconds = shown.frame_milliseconds});
+}
+
+void show_message(const WindowShown& shown, const Rect& view, WindowActions& actions) {
+    const Message& message = shown.state.message;
+    if (message.is_fault()) {
+        actions.dismisses_message = message_panel(message.text, shown.pictures, view);
+        return;
+    }
+    const NoticeResult notice = notice_panel(message.text, view);
+    actions.points_at_notice = notice.pointed_at;
+    actions.dismisses_message = notice.dismissed;
+}
+
+}  // namespace
+
+MenuEntry menu_entry(const Command& command, const ViewerState& state) {
+    return {.menu = command.menu,
+            .name = command.label != nullptr ? command.label(state) : std::string(command.name),
+            .shortcut = shortcut_text(command),
+            .description = command.description,
+            .on = command.is_on != nullptr && command.is_on(state),
+            .enabled = is_enabled(command, state)};
+}
+
+std::vector<const Command*> key_commands() {
+    std::vector<const Command*> selected;
+    for (const Command& command : commands())
+        if (command.scope == CommandScope::selected_key) selected.push_back(&command);
+    return selected;
+}
+
+ShownWindow show_window(const WindowShown& shown) {
+    ShownWindow result;
+    result.layout = shown.layout;
+    result.layout.view = shown.comparison != nullptr ? shown.layout.content : shown.layout.panels.view;
+    result.family = shown.state.document.snapshot();
+    const std::vector<MenuEntry> entries = entries_of(shown.state);
+    result.actions.menu = menu_bar(entries, recent_menu(shown.recent_files), shown.title);
+    if (shown.comparison != nullptr)
+        result.actions.comparison = shown.comparison->show(shown.state, shown.has_keyboard);
+    else
+        show_document(shown, result);
+    if (shown.state.help_shown) result.actions.closes_help = help_overlay(entries, shown.layout.content);
+    show_message(shown, result.layout.view, result.actions);
+    return result;
+}
+
+}  // namespace interleaf

@@ -1,0 +1,142 @@
+// Tests of the panels together: what a person does in one of them is seen in all of them in the same frame.
+#include "app/window/window_panels.h"
+
+#include <doctest/doctest.h>
+
+#include "app/sample_family.h"
+#include "app/window/window_actions.h"
+#include "render/palette.h"
+#include "ui/headless_gui.h"
+#include "ui/widgets/style.h"
+
+using namespace interleaf;
+
+namespace {
+
+constexpr glm::vec2 window{1280, 800};
+
+/// The phases of a frame as the viewer has them, without the surface.
+class Panels {
+  public:
+    ViewerState& state() { return state_; }
+
+    /// One frame; \return what it has drawn.
+    ShownWindow frame(glm::vec2 pointer, bool is_down) {
+        gui_.begin_frame(pointer, is_down);
+        const ShownWindow read = show();
+        apply(read.actions, state_, holds_, now_ += 0.02);
+        if (!is_down) state_.is_dragging = false;
+        gui_.begin_drawing();
+        ShownWindow drawn = show();
+        gui_.end_frame();
+        return drawn;
+    }
+
+    /// The keys whose rows are marked as active.
+    std::vector<std::size_t> marked_keys(const Rect& list) const {
+        std::vector<std::size_t> marked;
+        for (std::size_t key = 0; key < state_.document.family().keys.size(); ++key)
+            if (gui_.has_color(to_color(key_color(key)), list)) marked.push_back(key);
+        return marked;
+    }
+
+  private:
+    ShownWindow show() {
+        portraits_.clear();
+        for (const Key& key : state_.document.family().keys)
+            portraits_.push_back({key.hierarchy, 1, 0, {}, {}});
+        FrameLayout layout;
+        layout.window = window;
+        layout.content = {0, menu_bar_height(), window.x, window.y - menu_bar_height()};
+        layout.panels = lay_out(window, menu_bar_height(), 1, state_.session.has_timeline());
+        return show_window({.state = state_,
+                            .recent_files = {},
+                            .title = "sample",
+                            .portraits = portraits_,
+                            .fields = {},
+                            .figures = {},
+                            .pictures = {},
+                            .frame_milliseconds = 0,
+                            .holds = holds_,
+                            .layout = layout,
+                            .comparison = nullptr});
+    }
+
+    HeadlessGui gui_{window};
+    ViewerState state_{sample_family()};
+    MouseHolds holds_;
+    std::vector<KeyPortrait> portraits_;
+    double now_ = 0;
+};
+
+glm::vec2 domain_pixel(const Rect& plot, glm::vec2 point) {
+    return {plot.x + plot.width * (point.x + 1) / 2, plot.y + plot.height * (1 - point.y) / 2};
+}
+
+std::vector<std::size_t> sorted_active_keys(const ViewerState& state) {
+    std::vector<std::size_t> keys = active_keys(state.session.weights());
+    std::ranges::sort(keys);
+    return keys;
+}
+
+}  // namespace
+
+TEST_CASE("a drag in the domain marks the active keys in the frame that it moves the point in") {
+    Panels panels;
+    const Rect plot = *panels.frame({0, 0}, false).layout.domain;
+    panels.frame(domain_pixel(plot, {0, -0.5}), false);
+    panels.frame(domain_pixel(plot, {0, -0.5}), true);
+    std::vector<std::size_t> before;
+    for (const glm::vec2 point :
+         {glm::vec2(0, -0.5), glm::vec2(0.5, 0.1), glm::vec2(-0.1, 0.6), glm::vec2(-0.7, 0)}) {
+        CAPTURE(point.x);
+        const ShownWindow drawn = panels.frame(domain_pixel(plot, point), true);
+        const std::vector<std::size_t> active = sorted_active_keys(panels.state());
+        CHECK(active.size() == 3);
+        CHECK(active != before);
+        CHECK(panels.marked_keys(drawn.layout.keys) == active);
+        CHECK(drawn.weights == panels.state().session.weights());
+        before = active;
+    }
+}
+
+TEST_CASE("a key that is chosen is marked alone in the same frame, and moves the point with it") {
+    Panels panels;
+    const ShownWindow first = panels.frame({0, 0}, false);
+    const glm::vec2 row{first.layout.keys.x + 100, first.layout.keys.y + 2.5F * first.layout.keys.height / 5};
+    panels.frame(row, false);
+    panels.frame(row, true);
+    const ShownWindow drawn = panels.frame(row, false);
+    CHECK(panels.state().selected_key == 2);
+    CHECK(panels.marked_keys(drawn.layout.keys) == std::vector<std::size_t>{2});
+    REQUIRE(panels.state().session.point());
+    CHECK(panels.state().session.point()->at == glm::dvec2(1, 1));
+}
+
+TEST_CASE("dragging a vertex of the domain is one step, however many frames it takes") {
+    Panels panels;
+    panels.state().edits_domain = true;
+    const Rect plot = *panels.frame({0, 0}, false).layout.domain;
+    panels.frame(domain_pixel(plot, {0, 0}), false);
+    panels.frame(domain_pixel(plot, {0, 0}), true);
+    for (const glm::vec2 point : {glm::vec2(0.2, 0.1), glm::vec2(0.3, 0.3), glm::vec2(0.5, 0.25)})
+        panels.frame(domain_pixel(plot, point), true);
+    panels.frame(domain_pixel(plot, {0.5, 0.25}), false);
+    const glm::dvec2 at = panels.state().document.family().domain->vertices()[4].at;
+    CHECK(at.x == doctest::Approx(0.5).epsilon(0.02));
+    CHECK(at.y == doctest::Approx(0.25).epsilon(0.02));
+    panels.state().document.undo();
+    CHECK(panels.state().document.family().domain->vertices()[4].at == glm::dvec2(0, 0));
+    CHECK(panels.state().document.undo_step() == nullptr);
+}
+
+TEST_CASE("showing the panels changes nothing") {
+    Panels panels;
+    panels.state().selected_key = 1;
+    const auto family = panels.state().document.snapshot();
+    for (int frame = 0; frame < 3; ++frame) panels.frame({640, 300}, false);
+    CHECK(panels.state().document.snapshot() == family);
+    CHECK(panels.state().session.weights() == Weights{{0, 1}, {1, 0}});
+    CHECK(panels.state().selected_key == 1);
+    CHECK(panels.state().session.display == Display());
+}

@@ -1,0 +1,96 @@
+// Tests of the timeline: what dragging names and scrubbing come to, at times that a float cannot hold.
+#include "ui/panels/timeline_panel.h"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "family/key_edits.h"
+#include "ui/headless_gui.h"
+
+using namespace interleaf;
+
+namespace {
+
+constexpr Rect panel{0, 700, 1280, 82};
+
+/// Seconds. Around there, neighboring floats are 8 apart.
+constexpr double begin = 123456789.5;
+
+Family late_family() {
+    Family family;
+    family.name = "late";
+    for (const char* name : {"a", "b", "c"}) family.keys.push_back({name, {}});
+    family.timeline.emplace(std::vector<TimelineKey>{{begin, 0}, {begin + 4, 1}, {begin + 10, 2}});
+    return family;
+}
+
+TimelineResult show(HeadlessGui& gui, const Family& family, const std::optional<TimeDrag>& drag,
+                    glm::vec2 pointer, bool is_down) {
+    gui.begin_frame(pointer, is_down);
+    const TimelineResult result = timeline_panel(
+        panel, family,
+        {.time = begin, .playing = false, .loops = false, .drives = true, .remark = "", .drag = drag});
+    gui.end_frame();
+    return result;
+}
+
+/// The place of the name of the key at \p part of the track.
+glm::vec2 name_at(const Rect& track, double part) {
+    return {track.x + track.width * static_cast<float>(part), track.bottom() + 6};
+}
+
+}  // namespace
+
+TEST_CASE("a name is dragged to the time under the pointer, however large times are") {
+    HeadlessGui gui({1280, 800});
+    Family family = late_family();
+    const Rect track = show(gui, family, {}, {0, 0}, false).track;
+    show(gui, family, {}, name_at(track, 0.4), false);
+    std::optional<TimeDrag> drag = show(gui, family, {}, name_at(track, 0.4), true).drag;
+    REQUIRE(drag);
+    CHECK(drag->place == 1);
+    for (const double part : {0.45, 0.7, 0.25}) {
+        CAPTURE(part);
+        const TimelineResult result = show(gui, family, drag, name_at(track, part), true);
+        REQUIRE(result.moved);
+        CHECK(result.moved->place == 1);
+        CHECK(std::abs(result.moved->to - (begin + 10 * part)) <= 0.1);
+        family = with_time_moved(family, result.moved->place, result.moved->to);
+        drag = result.drag;
+        REQUIRE(drag);
+    }
+    CHECK_FALSE(show(gui, family, drag, name_at(track, 0.25), false).drag);
+}
+
+TEST_CASE("dragging the last name does not move the scale under the pointer") {
+    HeadlessGui gui({1280, 800});
+    Family family = late_family();
+    const Rect track = show(gui, family, {}, {0, 0}, false).track;
+    show(gui, family, {}, name_at(track, 1), false);
+    std::optional<TimeDrag> drag = show(gui, family, {}, name_at(track, 1), true).drag;
+    for (int frame = 0; frame < 4; ++frame) {
+        CAPTURE(frame);
+        const TimelineResult result = show(gui, family, drag, name_at(track, 0.8), true);
+        REQUIRE(result.moved);
+        CHECK(result.moved->place == 2);
+        CHECK(std::abs(result.moved->to - (begin + 8)) <= 0.1);
+        family = with_time_moved(family, result.moved->place, result.moved->to);
+        drag = result.drag;
+    }
+    CHECK(std::abs(family.timeline->end() - (begin + 8)) <= 0.1);
+}
+
+TEST_CASE("scrubbing goes to the time under the pointer, and to a key's own time near a key") {
+    HeadlessGui gui({1280, 800});
+    const Family family = late_family();
+    const Rect track = show(gui, family, {}, {0, 0}, false).track;
+    const glm::vec2 middle{track.x + track.width / 2, track.y + track.height / 2};
+    show(gui, family, {}, middle, false);
+    const TimelineResult pressed = show(gui, family, {}, middle, true);
+    REQUIRE(pressed.seek_to);
+    CHECK(std::abs(*pressed.seek_to - (begin + 5)) < 0.01);
+    const TimelineResult dragged = show(gui, family, {}, {track.x + 0.4F * track.width + 2, middle.y}, true);
+    CHECK(dragged.seek_to == begin + 4);
+    CHECK_FALSE(show(gui, family, {}, middle, false).seek_to);
+}
