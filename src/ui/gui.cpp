@@ -21,7 +21,7 @@ namespace interleaf {
 namespace {
 
 /// Between the two passes of a frame; seconds.
-constexpr float least_delta = 1e-6F;
+constexpr float min_delta = 1e-6F;
 
 void follow_modifiers() {
     ImGuiIO& io = ImGui::GetIO();
@@ -81,7 +81,7 @@ void Gui::begin_drawing() {
     ImGui::EndFrame();
     release_taps();
     // Not through the backends, which would ask for the pointer anew. Dear ImGui wants some time to pass.
-    ImGui::GetIO().DeltaTime = least_delta;
+    ImGui::GetIO().DeltaTime = min_delta;
     follow_menu();
     give_keys_to_menu();
     ImGui::NewFrame();

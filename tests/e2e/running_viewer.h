@@ -37,7 +37,7 @@ class RunningViewer {
     /// All lines of the trace: the state of each frame that showed something new.
     std::vector<State> states() const;
 
-    /// Waits until the state fulfils \p condition.
+    /// Waits until the state fulfills \p condition.
     State wait_for(const std::string& what, const Condition& condition) const;
 
     /// What the view shows, once it has stopped changing.

@@ -15,7 +15,7 @@ glm::vec2 device_coordinates(const Rect& view, glm::vec2 point);
 float aspect_of(const Rect& view);
 
 /// Turns and shifts \p camera; comes nearer to what is under the pointer in \p picture, which fills \p view;
-/// null for no picture yet. ViewTarget is left to the caller.
+/// null for no picture yet. The caller handles `view_all`.
 void move_camera(Camera& camera, const ViewInput& input, const Rect& view, OffscreenTarget* picture);
 
 }  // namespace interleaf

@@ -307,7 +307,7 @@ constexpr Command table[] = {
      .name = "Frame model",
      .shortcuts = {{{GLFW_KEY_F}}},
      .description = "See the whole surface that is shown (or double-click it)",
-     .run = [](ViewerState& state, double) { state.framing = Framing::surface; }},
+     .run = [](ViewerState& state, double) { state.view_target = ViewTarget::surface; }},
     {.id = CommandId::smooth_shading,
      .menu = "View",
      .name = "Smooth shading",

@@ -23,7 +23,8 @@ bool is_in_scope(CommandScope scope, const ViewerState& state) {
 
 const Command* find_command(Shortcut shortcut) {
     const auto found = std::ranges::find_if(commands(), [shortcut](const Command& command) {
-        return shortcut.key != 0 && std::ranges::find(command.shortcuts, shortcut) != command.shortcuts.end();
+        return shortcut.keyboard_key != 0 &&
+               std::ranges::find(command.shortcuts, shortcut) != command.shortcuts.end();
     });
     return found == commands().end() ? nullptr : &*found;
 }

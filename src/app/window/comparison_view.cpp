@@ -126,8 +126,8 @@ void ComparisonView::follow(ViewerState& state, const Rect& area, const Camera& 
              shown_ ? camera_ : from);
     place(area);
     has_colors_ = state.compares_colors;
-    if (std::exchange(state.framing, Framing::none) != Framing::none) frame_wanted_ = true;
-    if (std::exchange(frame_wanted_, false)) camera_.frame(extent_, aspect_of((*sides_)[0].view));
+    if (std::exchange(state.view_target, ViewTarget::none) != ViewTarget::none) view_all_wanted_ = true;
+    if (std::exchange(view_all_wanted_, false)) camera_.view_all(extent_, aspect_of((*sides_)[0].view));
     is_shown_ = true;
 }
 
@@ -157,7 +157,7 @@ void ComparisonView::apply(const ComparisonActions& actions, ViewerState& state)
     for (std::size_t side = 0; side < sides_->size(); ++side) {
         const ViewInput& input = actions.sides[side];
         move_camera(camera_, input, (*sides_)[side].view, (*sides_)[side].picture.target());
-        if (input.frame) frame_wanted_ = true;
+        if (input.view_all) view_all_wanted_ = true;
         if (!input.pointed_at) continue;
         pointer_ = input.pointer;
         pointed_at_ = side;

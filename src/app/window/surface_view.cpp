@@ -24,11 +24,12 @@ void SurfaceView::follow(const Session& session, const FamilyField* field) {
     surface_.update(session.family(), session.weights(), field != nullptr ? &field->label : nullptr);
 }
 
-void SurfaceView::frame(Framing framing, const Session& session, const Extent& all_keys, const Rect& view) {
-    if (framing == Framing::surface)
-        camera_.frame(surface_.extent(session.weights()), aspect_of(view));
-    else if (framing == Framing::all_keys)
-        camera_.frame(all_keys, aspect_of(view));
+void SurfaceView::aim(ViewTarget view_target, const Session& session, const Extent& all_keys,
+                      const Rect& view) {
+    if (view_target == ViewTarget::surface)
+        camera_.view_all(surface_.extent(session.weights()), aspect_of(view));
+    else if (view_target == ViewTarget::all_keys)
+        camera_.view_all(all_keys, aspect_of(view));
 }
 
 bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui, float window_height) {

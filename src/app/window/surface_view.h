@@ -30,10 +30,10 @@ class SurfaceView {
     /// \param field  that the session's display shows; null for none
     void follow(const Session& session, const FamilyField* field);
 
-    /// Frames what \p framing says in \p view.
+    /// Turns the camera to \p view_target, as large as it fits into \p view.
     /// \param all_keys  extent of all keys
     /// \pre follow() has been called for \p session
-    void frame(Framing framing, const Session& session, const Extent& all_keys, const Rect& view);
+    void aim(ViewTarget view_target, const Session& session, const Extent& all_keys, const Rect& view);
 
     /// Draws the surface into the window, \p window_height high, at \p view, behind the panels.
     /// \return whether the picture is as good as it gets; otherwise draw again soon

@@ -195,7 +195,7 @@ void Viewer::frame() {
 // ---- input ----
 
 FrameInput Viewer::read_input() {
-    gui_.begin_frame(std::exchange(input_.keys, {}));
+    gui_.begin_frame(std::exchange(input_.keyboard_keys, {}));
     FrameInput input;
     input.pressed = std::exchange(input_.pressed, {});
     input.dropped = std::exchange(input_.dropped, {});

@@ -16,7 +16,7 @@ namespace interleaf {
 /// family's folder. Keys whose roots are numbered differently than those of the first are put over these. The
 /// family has passed check(). \param  changes     gets a sentence for each key that was changed for that
 /// \throw InputError   naming the file, the place and what was expected; MismatchError where keys have other
-///                     roots than the first (synchronise_keys.h)
+///                     roots than the first (synchronize_keys.h)
 /// \throw MachineError when a file cannot be opened or read
 Family read_family(const std::filesystem::path& path, std::vector<std::string>* changes = nullptr);
 
