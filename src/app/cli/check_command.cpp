@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "text/shown_text.h"
 #include <fmt/core.h>
 
 #include "app/cli/error_message.h"
 #include "app/cli/mesh_figures.h"
-#include "app/cli/shown_text.h"
 #include "app/document/open_family.h"
 #include "app/fitting/fit_files.h"
 #include "hierarchy/error.h"

@@ -97,12 +97,7 @@ std::array<DomainVertex, 2> box_corners(const ParameterDomain& domain) {
         return {{{{storage.GetFloat(ids[0]), storage.GetFloat(ids[1])}, 0},
                  {{storage.GetFloat(ids[2]), storage.GetFloat(ids[3])}, 0}}};
     }
-    glm::dvec2 low = domain.vertices().front().at;
-    glm::dvec2 high = low;
-    for (const DomainVertex& vertex : domain.vertices()) {
-        low = glm::min(low, vertex.at);
-        high = glm::max(high, vertex.at);
-    }
+    const auto [low, high] = box_of(domain.vertices());
     storage.SetFloat(ids[0], static_cast<float>(low.x));
     storage.SetFloat(ids[1], static_cast<float>(low.y));
     storage.SetFloat(ids[2], static_cast<float>(high.x));
