@@ -33,8 +33,9 @@ struct Family {
 /// Index of the key called \p name; none when there is no such key.
 std::optional<std::size_t> find_key(const Family& family, std::string_view name);
 
-/// Every violation of what a family promises: at least one key, names unique and not empty, the same root
-/// complex (constraints (B), naming the keys), timeline and domain naming keys that exist. One sentence each.
+/// Every violation of what a family promises, one sentence each: at least one key; names that are printable
+/// (text/characters.h), those of keys unique and not empty; the same root complex (constraints (B), naming
+/// the keys); timeline and domain naming keys that exist.
 std::vector<std::string> check(const Family& family);
 
 /// The union of the active keys of \p weights, one position stream a weight, in their order.

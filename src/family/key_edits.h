@@ -1,5 +1,5 @@
-// Edits of a family's keys and of their times. Each takes a family and gives the changed one; copying a
-// family copies no hierarchy. What names keys by index, timeline and domain, is kept in step.
+// Edits of a family's keys, of their times and of its name. Each takes a family and gives the changed one;
+// copying a family copies no hierarchy. What names keys by index, timeline and domain, is kept in step.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace interleaf {
 
-/// \p wanted, or with a number after it, so that no key of \p family is called so; "key" for an empty one.
+/// The same as unused_name() (names.h), where the names of \p family's keys are taken.
 std::string unused_name(const Family& family, std::string_view wanted);
 
 /// With \p key as the last one, under a name of its own.
@@ -25,8 +25,12 @@ Family with_key_duplicated(Family family, std::size_t key);
 /// \throw InputError if it is the only key, or as without_vertex()
 Family with_key_removed(Family family, std::size_t key);
 
-/// \throw InputError if \p name is empty, taken, or holds control characters
+/// \throw InputError if \p name is taken, or fault_of_name() (names.h) finds fault
 Family with_key_renamed(Family family, std::size_t key, std::string name);
+
+/// With the name \p name of the family itself.
+/// \throw InputError if fault_of_name() finds fault
+Family with_family_renamed(Family family, std::string name);
 
 /// With the key \p from at the place \p to, and those between moved up or down by one.
 Family with_key_moved(Family family, std::size_t from, std::size_t to);

@@ -1,18 +1,18 @@
 // A family made from keys alone: what a timeline and a parameter domain are when nobody has said.
 #pragma once
 
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "family/family.h"
 
 namespace interleaf {
 
-/// The family of \p keys, whose names are made unique by numbers. With two keys or more it has a linear
-/// timeline of one second from key to key. With three it has a triangle as its domain; with four to nine a
-/// regular polygon with the first key in the middle and the others around it, so that the first blends with
-/// any two neighbours. With more keys there is no domain: they are a series in time. \pre  there is a key,
-/// and they have the same roots
-Family family_of_keys(std::string name, std::vector<Key> keys);
+/// The family \p name of \p keys. Names have what is not printable escaped (names.h); those of keys are made
+/// unique by numbers. With two keys or more it has a linear timeline of one second from key to key. With
+/// three it has a triangle as its domain; with four to nine a regular polygon with the first key in the
+/// middle and the others around it, so that the first blends with any two neighbours. With more keys there is
+/// no domain: they are a series in time. \pre there is a key, and they have the same roots
+Family family_of_keys(std::string_view name, std::vector<Key> keys);
 
 }  // namespace interleaf

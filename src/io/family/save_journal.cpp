@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "text/characters.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -26,7 +27,7 @@ constexpr std::uint64_t largest_journal = 1 << 20;
 
 /// Whether \p name is that of a key file in the family's folder itself, and fits on a line.
 bool is_key_name(const fs::path& name) {
-    return name == name.filename() && name.extension() == ".ilh" && family_format::is_name(name.string());
+    return name == name.filename() && name.extension() == ".ilh" && is_printable(name.string());
 }
 
 /// What the journal in \p folder lists: on each line checksum, size and name.
