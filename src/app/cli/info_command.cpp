@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/figures.h"
 #include "app/cli/mesh_figures.h"
-#include "app/cli/shown_text.h"
 #include "app/document/open_family.h"
 #include "app/fitting/fit_files.h"
 #include "family/family_fields.h"
@@ -103,10 +103,6 @@ Json json_of(const Figures& figures) {
                  {"box", {json_of(figures.box.min), json_of(figures.box.max)}}};
     if (!figures.form.empty()) json["form"] = figures.form;
     return json;
-}
-
-std::string_view name_of(FieldKind kind) {
-    return kind == FieldKind::color ? "color" : "scalar";
 }
 
 Json json_of(const FamilyField& field) {

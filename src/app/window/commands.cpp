@@ -30,24 +30,8 @@ void cycle_coloring(ViewerState& state, double) {
         state.compares_colors = !state.compares_colors;
         return;
     }
-    Coloring& coloring = state.session.display.coloring;
-    switch (coloring) {
-        case Coloring::plain:
-            coloring = Coloring::level;
-            break;
-        case Coloring::level:
-            coloring = Coloring::origin;
-            break;
-        case Coloring::origin:
-            coloring = Coloring::checker;
-            break;
-        case Coloring::checker:
-            coloring = state.session.display.field.empty() ? Coloring::plain : Coloring::field;
-            break;
-        case Coloring::field:
-            coloring = Coloring::plain;
-            break;
-    }
+    Display& display = state.session.display;
+    display.coloring = next_coloring(display.coloring, !display.field.empty());
 }
 
 void toggle_shading(ViewerState& state, double) {
