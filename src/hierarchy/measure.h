@@ -19,7 +19,7 @@ struct Box {
 
 Box bounding_box(std::span<const glm::vec3> positions);
 
-/// What a camera frames: everything lies in the box, and in the sphere about the box's centre.
+/// What a camera frames: everything lies in the box, and in the sphere about the box's center.
 struct Extent {
     Box box;
     float radius = 0;
@@ -27,6 +27,10 @@ struct Extent {
 
 /// The box alone: the sphere goes through its corners.
 Extent extent_of(const Box& box);
+
+/// The box of all positions of \p parts, and the smallest sphere about its center that contains them.
+Extent extent_of(std::span<const std::span<const glm::vec3>> parts);
+Extent extent_of(std::span<const glm::vec3> positions);
 
 struct Measures {
     double area = 0;       ///< in squared units of the positions
