@@ -169,7 +169,7 @@ void choose_in_browser(const RunningViewer& viewer, const std::string& letters, 
 }  // namespace
 
 TEST_CASE("a composed family undone, done again, saved and opened is the same family") {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     State composed;
     {
         RunningViewer viewer(home.path());

@@ -161,8 +161,8 @@ class Run {
         }
     }
 
-    TemporaryFolder folder_;
-    TemporaryFolder files_;  ///< outside of the program's home: it cannot change them
+    ScratchFolder folder_;
+    ScratchFolder files_;  ///< outside of the program's home: it cannot change them
     RandomPerson person_;
     std::size_t events_;
     std::vector<std::string> done_;

@@ -19,6 +19,9 @@ void repair_checksum(Bytes& bytes);
 /// What parse_hierarchy() says of \p bytes, called "key.ilh"; empty if it takes them.
 std::string error_of(const Bytes& bytes);
 
+/// Checks that error_of() finds a random change of each single byte of \p whole.
+void check_damage_is_found(const Bytes& whole);
+
 /// Refused with an error that names the file, or a sound hierarchy. \return whether it is one
 bool is_sound_or_refused(const Bytes& bytes);
 

@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <functional>
 
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sched.h>
@@ -17,7 +19,6 @@
 #include "io/file_size_limit.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "io/samples.h"
-#include "io/scratch_folder.h"
 
 namespace interleaf {
 

@@ -4,6 +4,8 @@
 #include <string>
 
 #include "messages.h"
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -14,7 +16,6 @@
 #include "io/mesh/mesh_file.h"
 #include "io/mesh/surface_file.h"
 #include "io/samples.h"
-#include "io/scratch_folder.h"
 
 namespace interleaf {
 
