@@ -2,12 +2,12 @@
 // which are bisected once more, a different half in each. Prints one line of JSON. The morph is read against
 // a triad of the same size, for its speed follows that of the memory level it fits in.
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <random>
 #include <vector>
 
 #include "json_line.h"
+#include "text/parsed_number.h"
 #include <glm/geometric.hpp>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -61,7 +61,7 @@ long page_faults() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const unsigned depth = argc == 2 ? static_cast<unsigned>(std::strtoul(argv[1], nullptr, 10)) : 0;
+    const unsigned depth = argc == 2 ? parsed_number<unsigned>(argv[1]).value_or(0) : 0;
     if (depth < 1 || depth > 20) {
         std::fprintf(stderr, "usage: %s DEPTH (1 to 20: 20 * 2^DEPTH leaves a key, and half as many again)\n",
                      argv[0]);
