@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "e2e/person.h"
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "e2e/person.h"
+#include "scratch_folder.h"
 #include <X11/keysym.h>
 #include <doctest/doctest.h>
 #include <fmt/core.h>

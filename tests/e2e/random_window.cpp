@@ -16,6 +16,7 @@
 #include "e2e/confinement.h"
 #include "e2e/person.h"
 #include "e2e/random_person.h"
+#include "scratch_folder.h"
 #include <fmt/core.h>
 
 namespace interleaf {
