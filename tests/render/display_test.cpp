@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <string>
 
 #include <doctest/doctest.h>
 
 using namespace interleaf;
 
 TEST_CASE("every coloring has a name and a label of its own, and is found by its name") {
-    std::set<std::string_view> names;
+    std::set<std::string> names;
     std::size_t place = 0;
     for (const Coloring coloring : colorings(true)) {
         CHECK(static_cast<std::size_t>(coloring) == place++);
