@@ -3,13 +3,13 @@
 // processor time, which other work on the machine disturbs least.
 #include "fit/fit.h"
 
-#include <cstdlib>
 #include <ctime>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "json_line.h"
+#include "text/parsed_number.h"
 
 #include "fit/clean_up/clean_up.h"
 #include "fit/sampling/surface_sampling.h"
@@ -56,7 +56,7 @@ double sampling_seconds(const SurfaceMesh& mesh, std::vector<glm::dvec3> points,
 
 int main(int argc, char** argv) {
     const Shape* shape = argc == 3 ? find_shape(argv[1]) : nullptr;
-    const auto vertices = argc == 3 ? static_cast<Index>(std::strtoul(argv[2], nullptr, 10)) : 0;
+    const auto vertices = argc == 3 ? parsed_number<Index>(argv[2]).value_or(0) : 0;
     if (shape == nullptr || vertices < 12 || vertices > 2'000'000) {
         std::fprintf(stderr, "usage: %s SHAPE VERTICES (12 to 2000000)\n", argv[0]);
         return 2;

@@ -1,12 +1,12 @@
 // The program's own work per frame: Renderer::draw() with the calls that draw and clear replaced by no-ops,
 // because without a graphics card these calls are the rendering. Counts the uploaded bytes. Prints one line
 // of JSON.
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
 #include "json_line.h"
 #include "keys.h"
+#include "text/parsed_number.h"
 #include <glad/gl.h>
 
 #include "hierarchy/measure.h"
@@ -31,14 +31,13 @@ void GLAD_API_PTR count_upload(GLenum target, GLsizeiptr size, const void* data,
 }  // namespace
 
 int main(int argc, char** argv) {
-    const unsigned long leaves = argc == 2 ? std::strtoul(argv[1], nullptr, 10) : 0;
+    const Index leaves = argc == 2 ? parsed_number<Index>(argv[1]).value_or(0) : 0;
     if (leaves < 20 || leaves > 5'000'000) {
         std::fprintf(stderr, "usage: %s LEAVES (a key; 20 to 5000000)\n", argv[0]);
         return 2;
     }
     std::vector<Hierarchy> keys;
-    for (const unsigned seed : {1U, 2U, 3U})
-        keys.push_back(bench::random_key(static_cast<Index>(leaves), seed));
+    for (const unsigned seed : {1U, 2U, 3U}) keys.push_back(bench::random_key(leaves, seed));
     const std::vector<const Hierarchy*> pointers = {&keys[0], &keys[1], &keys[2]};
     const UnionMesh mesh = unite(pointers);
 

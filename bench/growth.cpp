@@ -2,12 +2,13 @@
 // half of its leaves are bisected once more, a different half in each key. Prints one line of JSON. The morph
 // is compared with a triad of the same size, because its speed depends on the memory level that the data fit
 // in.
-#include <cstdlib>
+#include <algorithm>
 #include <filesystem>
 #include <random>
 #include <vector>
 
 #include "json_line.h"
+#include "text/parsed_number.h"
 #include "triad.h"
 #include <glm/geometric.hpp>
 #include <sys/resource.h>
@@ -52,7 +53,7 @@ long page_faults() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const unsigned depth = argc == 2 ? static_cast<unsigned>(std::strtoul(argv[1], nullptr, 10)) : 0;
+    const unsigned depth = argc == 2 ? parsed_number<unsigned>(argv[1]).value_or(0) : 0;
     if (depth < 1 || depth > 20) {
         std::fprintf(stderr, "usage: %s DEPTH (1 to 20: 20 * 2^DEPTH leaves a key, and half as many again)\n",
                      argv[0]);

@@ -1,6 +1,5 @@
 // Refines the icosahedron by one of the workloads and coarsens it back to its roots, each once, in fresh
 // memory. Prints one line of JSON. The peers in bench/peers do the same work and print the same line.
-#include <cstdlib>
 #include <vector>
 
 #include "json_line.h"
@@ -35,12 +34,9 @@ void mark_all(const AdaptiveMesh& mesh, std::vector<Index>& marks) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const auto workload = argc == 3 ? bench::workload_named(argv[1]) : std::nullopt;
-    const unsigned depth = argc == 3 ? static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10)) : 0;
-    if (!workload || depth > 24) {
-        std::fprintf(stderr, "usage: %s uniform|point|curve DEPTH (up to 24)\n", argv[0]);
-        return 2;
-    }
+    const auto arguments = bench::workload_arguments(argc, argv);
+    if (!arguments) return 2;
+    const auto [workload, depth] = *arguments;
     const Hierarchy roots = icosahedron();
     const AdaptiveMesh* self = nullptr;
     AdaptiveMesh mesh(roots.roots, roots.positions, [&](Index a, Index b, Index) {
@@ -50,7 +46,7 @@ int main(int argc, char** argv) {
 
     std::vector<Index> marks;
     double refining = 0;
-    for (mark(mesh, *workload, depth, marks); !marks.empty(); mark(mesh, *workload, depth, marks))
+    for (mark(mesh, workload, depth, marks); !marks.empty(); mark(mesh, workload, depth, marks))
         refining += bench::seconds_of([&] { mesh.refine(marks); });
     const Index leaves = mesh.leaf_count();
     const double bytes = static_cast<double>(mesh.byte_count()) / leaves;

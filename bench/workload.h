@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <string_view>
+
+#include "text/parsed_number.h"
 
 namespace interleaf::bench {
 
@@ -22,6 +25,21 @@ inline std::optional<Workload> workload_named(std::string_view name) {
     if (name == "uniform") return Workload::uniform;
     if (name == "point") return Workload::point;
     if (name == "curve") return Workload::curve;
+    return std::nullopt;
+}
+
+/// What a program that runs a workload is told on its command line.
+struct WorkloadArguments {
+    Workload workload;
+    unsigned depth;  ///< at most 24, since the peers count in int
+};
+
+/// The arguments "uniform|point|curve DEPTH". None, after the usage on standard error, if they are others.
+inline std::optional<WorkloadArguments> workload_arguments(int argc, char** argv) {
+    const auto workload = argc == 3 ? workload_named(argv[1]) : std::nullopt;
+    const auto depth = argc == 3 ? parsed_number<unsigned>(argv[2]) : std::nullopt;
+    if (workload && depth && *depth <= 24) return WorkloadArguments{*workload, *depth};
+    std::fprintf(stderr, "usage: %s uniform|point|curve DEPTH (at most 24)\n", argv[0]);
     return std::nullopt;
 }
 

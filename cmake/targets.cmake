@@ -52,7 +52,7 @@ function(interleaf_library name)
   add_library(interleaf_${name} STATIC ${arg_SOURCES})
   target_link_libraries(interleaf_${name} PUBLIC interleaf_options ${arg_LINK} PRIVATE ${arg_LINK_PRIVATE})
   # Under the sanitizers the layers that compute are optimized a little; for the others that takes longer than it gains.
-  if(INTERLEAF_SANITIZE AND name MATCHES "^(hierarchy|family|shapes|fit|io)$")
+  if(INTERLEAF_SANITIZE AND name MATCHES "^(text|hierarchy|family|shapes|fit|io)$")
     target_compile_options(interleaf_${name} PRIVATE -O1)
   elseif(INTERLEAF_SANITIZE)
     target_compile_options(interleaf_${name} PRIVATE -O0)

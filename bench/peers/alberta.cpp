@@ -6,16 +6,11 @@
 // The program adds nothing to ALBERTA's own work: no finite elements, no vectors. ALBERTA computes positions
 // on its way down from the macro triangulation, and projected positions in EL::new_coord. refine() always
 // numbers vertices.
-#include <charconv>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <optional>
 #include <vector>
 
+#include "peers/peer.h"
 #include "workload.h"
 #include <alberta/alberta.h>
 #include <malloc.h>
@@ -24,30 +19,11 @@
 namespace {
 
 using namespace interleaf::bench;
-using Clock = std::chrono::steady_clock;
 
-constexpr int corner_count = 12, root_count = 20;
-
-/// As in src/shapes/icosahedron.cpp: the refinement edge is opposite the first corner.
-constexpr int roots[root_count][3] = {{8, 0, 2},  {9, 2, 0},  {6, 0, 4},  {8, 4, 0},  {0, 6, 9},
-                                      {10, 3, 1}, {11, 1, 3}, {4, 1, 6},  {1, 4, 10}, {11, 6, 1},
-                                      {5, 2, 7},  {2, 5, 8},  {9, 7, 2},  {7, 3, 5},  {10, 5, 3},
-                                      {3, 7, 11}, {8, 10, 4}, {10, 8, 5}, {11, 9, 6}, {9, 11, 7}};
+constexpr int corner_count = 12;
 
 [[noreturn]] void fail(const char* what) {
-    std::fprintf(stderr, "peer_alberta: %s\n", what);
-    std::exit(1);
-}
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Resident bytes of this process.
-double resident_bytes() {
-    double total = 0, resident = 0;
-    std::ifstream("/proc/self/statm") >> total >> resident;
-    return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+    interleaf::bench::fail("peer_alberta", what);
 }
 
 double radius(const REAL_D point) {
@@ -164,34 +140,22 @@ long checked_euler_number(MESH* mesh) {
     return vertices - sides / 2 + leaves;
 }
 
-std::optional<unsigned> depth_from(const char* text) {
-    unsigned depth = 0;
-    const char* end = text + std::strlen(text);
-    const auto [rest, error] = std::from_chars(text, end, depth);
-    // ALBERTA counts in int.
-    if (error != std::errc() || rest != end || depth > 24) return std::nullopt;
-    return depth;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-    const auto workload = argc == 3 ? workload_named(argv[1]) : std::nullopt;
-    const auto depth = argc == 3 ? depth_from(argv[2]) : std::nullopt;
-    if (!workload || !depth) {
-        std::fprintf(stderr, "usage: %s uniform|point|curve DEPTH (at most 24)\n", argv[0]);
-        return 2;
-    }
-    // refine() mostly copies one array to another. malloc places them 20 KiB and 16 bytes apart, the worst
-    // possible distance for copying (4 KiB aliasing). On pages of their own, refine() is up to twice as fast.
+    const auto arguments = workload_arguments(argc, argv);
+    if (!arguments) return 2;
+    const auto [workload, depth] = *arguments;
+    // refine() mostly copies one array to another. malloc puts them 20 KiB and 16 bytes apart, for copying
+    // the worst of distances (4 KiB aliasing); on pages of their own refine() is up to twice as fast.
     mallopt(M_MMAP_THRESHOLD, 8 * 1024);
     open_msg_file("/dev/null", "w");  // standard output is only for the one line
     MESH* mesh = icosahedron();
     const double bytes_before = resident_bytes();
-    const double refine_seconds = refine_to(mesh, *workload, *depth);
+    const double refine_seconds = refine_to(mesh, workload, depth);
     const double bytes = resident_bytes() - bytes_before;
     const int leaves = mesh->n_elements, vertices = mesh->n_vertices;
-    if (*workload == Workload::uniform && leaves != root_count << *depth) fail("wrong number of leaves");
+    if (workload == Workload::uniform && leaves != root_count << depth) fail("wrong number of leaves");
     const long euler = checked_euler_number(mesh);
     if (euler != 2) fail("the mesh is no sphere");
     const double coarsen_seconds = coarsen_to_roots(mesh);
@@ -201,6 +165,6 @@ int main(int argc, char** argv) {
         "{\"program\":\"alberta\",\"version\":\"%s\",\"workload\":\"%s\",\"depth\":%u,\"leaves\":%d,"
         "\"vertices\":%d,\"euler\":%ld,\"refine_seconds\":%.6f,\"coarsen_seconds\":%.6f,"
         "\"leaves_after_coarsening\":%d,\"bytes_per_leaf\":%.1f}\n",
-        ALBERTA_PACKAGE_VERSION, argv[1], *depth, leaves, vertices, euler, refine_seconds, coarsen_seconds,
+        ALBERTA_PACKAGE_VERSION, argv[1], depth, leaves, vertices, euler, refine_seconds, coarsen_seconds,
         mesh->n_elements, bytes / leaves);
 }

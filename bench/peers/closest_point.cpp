@@ -11,10 +11,8 @@
 // Prints one line of JSON. Errors are fractions of the diagonal of the true blend's box.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <functional>
 #include <optional>
@@ -23,6 +21,7 @@
 #include <vector>
 
 #include "closest_surface.h"
+#include "text/parsed_number.h"
 #include <CGAL/version.h>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -224,9 +223,7 @@ Json measure(const Shape& first_shape, const Shape& second_shape, Index leaves) 
 int main(int argument_count, char** arguments) {
     Index leaves = 20000;
     if (argument_count > 1) {
-        const char* end = arguments[1] + std::strlen(arguments[1]);
-        const auto [stop, fault] = std::from_chars(arguments[1], end, leaves);
-        if (argument_count > 2 || fault != std::errc() || stop != end) {
+        if (argument_count > 2 || parse_all(arguments[1], leaves) != std::errc()) {
             std::fputs("usage: peer_closest_point [LEAVES]\n", stderr);
             return 2;
         }

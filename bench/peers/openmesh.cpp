@@ -7,16 +7,11 @@
 // edge, which therefore takes no memory and no look-up. Coarsening is left out: it would be a collapse of
 // edges, with status attributes and garbage collection. Debian builds split() with assertions. Without them
 // and with -O3, the program refines 1.3 (curve) to 1.7 times (uniform) as fast.
-#include <charconv>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <optional>
 #include <vector>
 
+#include "peers/peer.h"
 #include "workload.h"
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <unistd.h>
@@ -24,35 +19,14 @@
 namespace {
 
 using namespace interleaf::bench;
-using Clock = std::chrono::steady_clock;
 
 struct Traits : OpenMesh::DefaultTraits {
     FaceTraits { unsigned char level = 0; };
 };
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
-constexpr int root_count = 20;
-
-/// As in src/shapes/icosahedron.cpp: the refinement edge is opposite the first corner.
-constexpr int roots[root_count][3] = {{8, 0, 2},  {9, 2, 0},  {6, 0, 4},  {8, 4, 0},  {0, 6, 9},
-                                      {10, 3, 1}, {11, 1, 3}, {4, 1, 6},  {1, 4, 10}, {11, 6, 1},
-                                      {5, 2, 7},  {2, 5, 8},  {9, 7, 2},  {7, 3, 5},  {10, 5, 3},
-                                      {3, 7, 11}, {8, 10, 4}, {10, 8, 5}, {11, 9, 6}, {9, 11, 7}};
-
 [[noreturn]] void fail(const char* what) {
-    std::fprintf(stderr, "peer_openmesh: %s\n", what);
-    std::exit(1);
-}
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Resident bytes of this process.
-double resident_bytes() {
-    double total = 0, resident = 0;
-    std::ifstream("/proc/self/statm") >> total >> resident;
-    return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+    interleaf::bench::fail("peer_openmesh", what);
 }
 
 Mesh icosahedron() {
@@ -148,40 +122,28 @@ void check(const Mesh& mesh) {
         if (mesh.face_handle(mesh.halfedge_handle(face)) != face) fail("a face's halfedge is not its");
 }
 
-std::optional<unsigned> depth_from(const char* text) {
-    unsigned depth = 0;
-    const char* end = text + std::strlen(text);
-    const auto [rest, error] = std::from_chars(text, end, depth);
-    // OpenMesh's handles are int.
-    if (error != std::errc() || rest != end || depth > 24) return std::nullopt;
-    return depth;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-    const auto workload = argc == 3 ? workload_named(argv[1]) : std::nullopt;
-    const auto depth = argc == 3 ? depth_from(argv[2]) : std::nullopt;
-    if (!workload || !depth) {
-        std::fprintf(stderr, "usage: %s uniform|point|curve DEPTH (at most 24)\n", argv[0]);
-        return 2;
-    }
+    const auto arguments = workload_arguments(argc, argv);
+    if (!arguments) return 2;
+    const auto [workload, depth] = *arguments;
     Mesh mesh = icosahedron();
-    const std::size_t uniform_count = std::size_t{root_count} << *depth;
-    // Only for this workload does a user know the size of the mesh in advance.
-    if (*workload == Workload::uniform)
+    const std::size_t uniform_count = std::size_t{root_count} << depth;
+    // Only here does a user know how large the mesh becomes.
+    if (workload == Workload::uniform)
         mesh.reserve(uniform_count / 2 + 2, uniform_count / 2 * 3, uniform_count);
     const double bytes_before = resident_bytes();
-    const double refine_seconds = refine_to(mesh, *workload, *depth);
+    const double refine_seconds = refine_to(mesh, workload, depth);
     const double bytes = resident_bytes() - bytes_before;
     const std::size_t leaves = mesh.n_faces(), vertices = mesh.n_vertices(), edges = mesh.n_edges();
-    if (*workload == Workload::uniform && leaves != uniform_count) fail("wrong number of leaves");
+    if (workload == Workload::uniform && leaves != uniform_count) fail("wrong number of leaves");
     check(mesh);
     const long euler = static_cast<long>(vertices + leaves) - static_cast<long>(edges);
     if (euler != 2) fail("the mesh is no sphere");
     std::printf(
         "{\"program\":\"openmesh\",\"version\":\"%d.%d\",\"workload\":\"%s\",\"depth\":%u,\"leaves\":%zu,"
         "\"vertices\":%zu,\"euler\":%ld,\"refine_seconds\":%.6f,\"bytes_per_leaf\":%.1f}\n",
-        OM_GET_VER, OM_GET_MAJ, argv[1], *depth, leaves, vertices, euler, refine_seconds,
+        OM_GET_VER, OM_GET_MAJ, argv[1], depth, leaves, vertices, euler, refine_seconds,
         bytes / static_cast<double>(leaves));
 }

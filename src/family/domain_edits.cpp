@@ -93,13 +93,8 @@ double longest_edge(const Vertices& vertices, const Triangle& triangle) {
 
 /// The height up to which ParameterDomain regards a triangle as flat, in a domain of these vertices.
 double flat_height(const Vertices& vertices) {
-    glm::dvec2 low = vertices.front().at;
-    glm::dvec2 high = low;
-    for (const DomainVertex& vertex : vertices) {
-        low = glm::min(low, vertex.at);
-        high = glm::max(high, vertex.at);
-    }
-    return 1e-9 * glm::distance(low, high);
+    const DomainBox box = box_of(vertices);
+    return 1e-9 * glm::distance(box.low, box.high);
 }
 
 /// Whether \p vertex is inside \p ear, which is counter-clockwise, or outside by less than \p margin. With a

@@ -3,18 +3,24 @@
 #include <algorithm>
 #include <array>
 
+#include "text/characters.h"
 #include <fmt/core.h>
 
+#include "family/names.h"
 #include "hierarchy/checker.h"
 
 namespace interleaf {
 namespace {
 
 void check_names(const Family& family, std::vector<std::string>& violations) {
+    if (!is_printable(family.name))
+        violations.emplace_back("the family's name is not UTF-8 without control characters");
     for (std::size_t i = 0; i < family.keys.size(); ++i) {
         const std::string& name = family.keys[i].name;
         if (name.empty()) {
             violations.push_back(fmt::format("key {} has no name", i));
+        } else if (const std::string fault = fault_of_name(name, fmt::format("key {}", i)); !fault.empty()) {
+            violations.push_back(fault);
         } else if (find_key(family, name) != i) {
             violations.push_back(fmt::format("two keys are called \"{}\"", name));
         }

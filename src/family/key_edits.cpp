@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "family/domain_edits.h"
+#include "family/names.h"
 #include "hierarchy/checker.h"
 #include "hierarchy/error.h"
 
@@ -16,27 +17,17 @@ namespace interleaf {
 
 namespace {
 
-/// If two entries have the same time, the error names the later one in \p keys.
-void set_times(Family& family, std::vector<TimelineKey> keys) {
-    std::ranges::stable_sort(keys, {}, &TimelineKey::time);
-    const auto same = std::ranges::adjacent_find(keys, {}, &TimelineKey::time);
-    if (same != keys.end())
-        throw InputError(fmt::format("the time {:.10g} s is already taken by key \"{}\"", same->time,
-                                     family.keys[same->key].name));
-    family.timeline.reset();
-    if (!keys.empty()) family.timeline.emplace(std::move(keys));
-}
-
-std::vector<TimelineKey> times_of(const Family& family) {
-    if (!family.timeline) return {};
-    return {family.timeline->keys().begin(), family.timeline->keys().end()};
+void check_time_is_free(const Family& family, double time, std::optional<std::size_t> moved = {}) {
+    if (!family.timeline) return;
+    const auto place = family.timeline->place_at(time);
+    if (place && place != moved)
+        throw InputError(fmt::format("at {:.10g} s there is the key \"{}\" already", time,
+                                     family.keys[family.timeline->keys()[*place].key].name));
 }
 
 /// Replaces the key indices in timeline and domain by the new ones.
 void renumber_keys(Family& family, const std::function<std::size_t(std::size_t)>& new_index) {
-    std::vector<TimelineKey> times = times_of(family);
-    for (TimelineKey& time : times) time.key = new_index(time.key);
-    set_times(family, std::move(times));
+    if (family.timeline) family.timeline = family.timeline->with_keys_renumbered(new_index);
     if (!family.domain) return;
     std::vector<DomainVertex> vertices(family.domain->vertices().begin(), family.domain->vertices().end());
     for (DomainVertex& vertex : vertices) vertex.key = new_index(vertex.key);
@@ -55,18 +46,10 @@ void remove_from_domain(Family& family, std::size_t key) {
     while (const auto vertex = vertex_of_key()) family.domain = without_vertex(*family.domain, *vertex);
 }
 
-bool has_control_characters(std::string_view name) {
-    return std::ranges::any_of(name,
-                               [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
-}
-
 }  // namespace
 
 std::string unused_name(const Family& family, std::string_view wanted) {
-    const std::string_view stem = wanted.empty() ? "key" : wanted;
-    std::string name(stem);
-    for (unsigned number = 2; find_key(family, name); ++number) name = fmt::format("{} {}", stem, number);
-    return name;
+    return unused_name(wanted, [&](const std::string& name) { return find_key(family, name).has_value(); });
 }
 
 Family with_key_added(Family family, Key key) {
@@ -90,9 +73,7 @@ Family with_key_duplicated(Family family, std::size_t key) {
 
 Family with_key_removed(Family family, std::size_t key) {
     if (family.keys.size() == 1) throw InputError("a family needs at least one key");
-    std::vector<TimelineKey> times = times_of(family);
-    std::erase_if(times, [&](const TimelineKey& time) { return time.key == key; });
-    set_times(family, std::move(times));
+    if (family.timeline) family.timeline = family.timeline->without_key(key);
     remove_from_domain(family, key);
     renumber_keys(family, [&](std::size_t index) { return index > key ? index - 1 : index; });
     family.keys.erase(family.keys.begin() + static_cast<std::ptrdiff_t>(key));
@@ -100,8 +81,7 @@ Family with_key_removed(Family family, std::size_t key) {
 }
 
 Family with_key_renamed(Family family, std::size_t key, std::string name) {
-    if (name.empty()) throw InputError("a key needs a name");
-    if (has_control_characters(name)) throw InputError("the name of a key holds no control characters");
+    if (const std::string fault = fault_of_name(name, "a key"); !fault.empty()) throw InputError(fault);
     const auto same = find_key(family, name);
     if (same && *same != key) throw InputError(fmt::format("another key is already called \"{}\"", name));
     family.keys[key].name = std::move(name);
@@ -126,22 +106,27 @@ Family with_key_moved(Family family, std::size_t from, std::size_t to) {
     return family;
 }
 
+Family with_family_renamed(Family family, std::string name) {
+    if (const std::string fault = fault_of_name(name, "a family"); !fault.empty()) throw InputError(fault);
+    family.name = std::move(name);
+    return family;
+}
+
 Family with_time_added(Family family, std::size_t key, double time) {
-    std::vector<TimelineKey> times = times_of(family);
-    times.push_back({time, key});
-    set_times(family, std::move(times));
+    check_time_is_free(family, time);
+    const TimelineKey added{time, key};
+    family.timeline = family.timeline ? family.timeline->with_entry(added) : Timeline({added});
     return family;
 }
 
 Family with_time_moved(Family family, std::size_t place, double time) {
-    const std::size_t key = family.timeline->keys()[place].key;
-    return with_time_added(with_time_removed(std::move(family), place), key, time);
+    check_time_is_free(family, time, place);
+    family.timeline = family.timeline->with_time(place, time);
+    return family;
 }
 
 Family with_time_removed(Family family, std::size_t place) {
-    std::vector<TimelineKey> times = times_of(family);
-    times.erase(times.begin() + static_cast<std::ptrdiff_t>(place));
-    set_times(family, std::move(times));
+    family.timeline = family.timeline->without_entry(place);
     return family;
 }
 

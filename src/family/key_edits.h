@@ -32,6 +32,10 @@ Family with_key_removed(Family family, std::size_t key);
 /// \throw InputError if \p name is empty, taken, or contains control characters
 Family with_key_renamed(Family family, std::size_t key, std::string name);
 
+/// With the name \p name of the family itself.
+/// \throw InputError if fault_of_name() finds fault
+Family with_family_renamed(Family family, std::string name);
+
 /// The family with the key \p from moved to the place \p to; the keys between move up or down by one.
 Family with_key_moved(Family family, std::size_t from, std::size_t to);
 

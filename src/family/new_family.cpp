@@ -5,7 +5,9 @@
 #include <set>
 #include <utility>
 
-#include <fmt/core.h>
+#include "text/shown_text.h"
+
+#include "family/names.h"
 
 namespace interleaf {
 
@@ -16,11 +18,8 @@ constexpr std::size_t max_domain_keys = 9;
 void make_unique(std::vector<Key>& keys) {
     std::set<std::string> taken;
     for (Key& key : keys) {
-        std::string name = key.name.empty() ? "key" : key.name;
-        const std::string stem = name;
-        for (unsigned number = 2; !taken.insert(name).second; ++number)
-            name = fmt::format("{} {}", stem, number);
-        key.name = name;
+        key.name = unused_name(key.name, [&](const std::string& name) { return taken.contains(name); });
+        taken.insert(key.name);
     }
 }
 
@@ -50,9 +49,9 @@ ParameterDomain domain_of(std::size_t key_count) {
 
 }  // namespace
 
-Family family_of_keys(std::string name, std::vector<Key> keys) {
+Family family_of_keys(std::string_view name, std::vector<Key> keys) {
     make_unique(keys);
-    Family family{.name = std::move(name), .keys = std::move(keys), .timeline = {}, .domain = {}};
+    Family family{.name = shown_text(name), .keys = std::move(keys), .timeline = {}, .domain = {}};
     const std::size_t count = family.keys.size();
     if (count >= 2) {
         std::vector<TimelineKey> times;

@@ -40,13 +40,7 @@ double min_height(const Corners& corners) {
     return std::abs(double_area(corners[0], corners[1], corners[2])) / longest;
 }
 
-/// A rectangle with sides parallel to the axes.
-struct Rectangle {
-    glm::dvec2 low;
-    glm::dvec2 high;
-};
-
-Rectangle rectangle_about(const Corners& corners) {
+DomainBox rectangle_about(const Corners& corners) {
     const auto& [a, b, c] = corners;
     return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
@@ -105,13 +99,8 @@ Corners corners_of(std::span<const DomainVertex> vertices, const Triangle& trian
 }
 
 double diagonal(std::span<const DomainVertex> vertices) {
-    glm::dvec2 low = vertices.front().at;
-    glm::dvec2 high = low;
-    for (const DomainVertex& vertex : vertices) {
-        low = glm::min(low, vertex.at);
-        high = glm::max(high, vertex.at);
-    }
-    return glm::distance(low, high);
+    const DomainBox box = box_of(vertices);
+    return glm::distance(box.low, box.high);
 }
 
 /// Tolerance for touching, as a fraction of the domain's diagonal: far above rounding, far below a pixel.
@@ -143,7 +132,7 @@ void check_vertices(std::span<const DomainVertex> vertices, std::span<const Tria
     }
 }
 
-bool meet(const Rectangle& a, const Rectangle& b) {
+bool meet(const DomainBox& a, const DomainBox& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
@@ -257,7 +246,7 @@ class TriangleChecks {
 
     bool lies_on(Index vertex, Index triangle) const {
         const glm::dvec2 at = vertices_[vertex].at;
-        const Rectangle about{at - slack_, at + slack_};
+        const DomainBox about{at - slack_, at + slack_};
         return meet(about, rectangles_[triangle]) && !has_corner(triangle, vertex) &&
                nearest_in_triangle(corners_[triangle], at).distance <= slack_;
     }
@@ -266,7 +255,7 @@ class TriangleChecks {
     std::span<const Triangle> triangles_;
     double slack_;
     std::vector<Corners> corners_;
-    std::vector<Rectangle> rectangles_;
+    std::vector<DomainBox> rectangles_;
 };
 
 /// Triangles may share vertices and edges, and nothing else: weights would jump at a vertex inside an edge.
@@ -280,6 +269,15 @@ void require_fit(const std::optional<std::size_t>& flat, const Misfit& overlap, 
 }
 
 }  // namespace
+
+DomainBox box_of(std::span<const DomainVertex> vertices) {
+    DomainBox box{vertices.front().at, vertices.front().at};
+    for (const DomainVertex& vertex : vertices) {
+        box.low = glm::min(box.low, vertex.at);
+        box.high = glm::max(box.high, vertex.at);
+    }
+    return box;
+}
 
 ParameterDomain::ParameterDomain(std::vector<DomainVertex> vertices, std::vector<Triangle> triangles)
     : vertices_(std::move(vertices)), triangles_(std::move(triangles)) {

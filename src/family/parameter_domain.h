@@ -22,6 +22,16 @@ struct DomainVertex {
     bool operator==(const DomainVertex&) const = default;
 };
 
+/// Corners of an upright rectangle in the plane.
+struct DomainBox {
+    glm::dvec2 low;
+    glm::dvec2 high;
+};
+
+/// The bounding box of \p vertices.
+/// \pre there is a vertex
+DomainBox box_of(std::span<const DomainVertex> vertices);
+
 /// A point of the domain and its location in a triangle.
 struct DomainPoint {
     glm::dvec2 at;   ///< the point itself, or the nearest point of the domain if it was outside

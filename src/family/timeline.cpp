@@ -9,7 +9,21 @@
 
 namespace interleaf {
 
-Timeline::Timeline(std::vector<TimelineKey> keys) : keys_(std::move(keys)) {
+namespace {
+
+/// Inserts \p added behind the entries that are not later.
+void insert(std::vector<TimelineKey>& keys, const TimelineKey& added) {
+    keys.insert(std::ranges::upper_bound(keys, added.time, {}, &TimelineKey::time), added);
+}
+
+}  // namespace
+
+Timeline::Timeline(std::vector<TimelineKey> keys, Interpolation interpolation)
+    : keys_(std::move(keys)), interpolation_(interpolation) {
+    check();
+}
+
+void Timeline::check() const {
     if (keys_.empty()) throw InputError("the timeline has no key; it needs at least one");
     for (std::size_t i = 0; i < keys_.size(); ++i) {
         if (!std::isfinite(keys_[i].time)) {
@@ -29,17 +43,53 @@ Timeline::Timeline(std::vector<TimelineKey> keys) : keys_(std::move(keys)) {
 
 Weights Timeline::at(double time) const {
     if (std::isnan(time)) throw InputError("the time is not a number");
-    if (keys_.size() == 1) return {{keys_.front().key, 1}};
+    return weights_at(interpolation_, keys_, std::clamp(time, begin(), end()));
+}
 
-    time = std::clamp(time, begin(), end());
-    // The end belongs to the last interval, so the search excludes it.
-    const auto after = std::upper_bound(keys_.begin() + 1, keys_.end() - 1, time,
-                                        [](double t, const TimelineKey& key) { return t < key.time; });
-    const TimelineKey& from = *(after - 1);
-    const TimelineKey& to = *after;
-    if (from.key == to.key) return {{from.key, 1}};
-    const double s = (time - from.time) / (to.time - from.time);
-    return sorted_weights({{from.key, 1 - s}, {to.key, s}});
+std::optional<std::size_t> Timeline::place_at(double time) const {
+    const auto found = std::ranges::find(keys_, time, &TimelineKey::time);
+    if (found == keys_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - keys_.begin());
+}
+
+Timeline Timeline::with_entries(std::vector<TimelineKey> keys) const {
+    Timeline edited = *this;
+    edited.keys_ = std::move(keys);
+    edited.check();
+    return edited;
+}
+
+Timeline Timeline::with_entry(TimelineKey added) const {
+    std::vector<TimelineKey> keys = keys_;
+    insert(keys, added);
+    return with_entries(std::move(keys));
+}
+
+Timeline Timeline::with_time(std::size_t place, double time) const {
+    std::vector<TimelineKey> keys = keys_;
+    keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(place));
+    insert(keys, {time, keys_[place].key});
+    return with_entries(std::move(keys));
+}
+
+std::optional<Timeline> Timeline::without_entry(std::size_t place) const {
+    if (keys_.size() == 1) return std::nullopt;
+    std::vector<TimelineKey> keys = keys_;
+    keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(place));
+    return with_entries(std::move(keys));
+}
+
+std::optional<Timeline> Timeline::without_key(std::size_t key) const {
+    std::vector<TimelineKey> keys = keys_;
+    std::erase_if(keys, [&](const TimelineKey& entry) { return entry.key == key; });
+    if (keys.empty()) return std::nullopt;
+    return with_entries(std::move(keys));
+}
+
+Timeline Timeline::with_keys_renumbered(const std::function<std::size_t(std::size_t)>& new_index) const {
+    std::vector<TimelineKey> keys = keys_;
+    for (TimelineKey& entry : keys) entry.key = new_index(entry.key);
+    return with_entries(std::move(keys));
 }
 
 }  // namespace interleaf

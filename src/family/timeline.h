@@ -1,25 +1,24 @@
 // The timeline: keys at given times, and the weights between them (paper, section 3.1, equation (2)).
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "family/interpolation.h"
 #include "family/weights.h"
 
 namespace interleaf {
 
-struct TimelineKey {
-    double time;      ///< in seconds
-    std::size_t key;  ///< index of the key in its family
-    bool operator==(const TimelineKey&) const = default;
-};
 
 class Timeline {
   public:
     /// \throw InputError unless there is at least one key and times are finite and strictly ascending
-    explicit Timeline(std::vector<TimelineKey> keys);
+    explicit Timeline(std::vector<TimelineKey> keys, Interpolation interpolation = Interpolation::linear);
 
     std::span<const TimelineKey> keys() const { return keys_; }
+    Interpolation interpolation() const { return interpolation_; }
     double begin() const { return keys_.front().time; }
     double end() const { return keys_.back().time; }
 
@@ -29,10 +28,40 @@ class Timeline {
     /// \throw InputError if \p time is not a number
     Weights at(double time) const;
 
+    /// The place of the entry at \p time; none when there is no such entry.
+    std::optional<std::size_t> place_at(double time) const;
+
+    /// Edits. Each gives the changed timeline, which keeps everything but the entries that the edit names. So
+    /// whatever a timeline comes to hold, an edit loses none of it.
+    /// @{
+
+    /// With \p added, too.
+    /// \throw InputError as the constructor
+    Timeline with_entry(TimelineKey added) const;
+
+    /// With the entry \p place at \p time. The entry may pass others.
+    /// \throw InputError as the constructor
+    Timeline with_time(std::size_t place, double time) const;
+
+    /// Without the entry \p place; none if it is the only one.
+    std::optional<Timeline> without_entry(std::size_t place) const;
+
+    /// Without the entries of \p key; none if there are no others.
+    std::optional<Timeline> without_key(std::size_t key) const;
+
+    /// With the index \p new_index(i) for each key index i.
+    Timeline with_keys_renumbered(const std::function<std::size_t(std::size_t)>& new_index) const;
+
+    /// @}
+
     bool operator==(const Timeline&) const = default;
 
   private:
+    Timeline with_entries(std::vector<TimelineKey> keys) const;
+    void check() const;
+
     std::vector<TimelineKey> keys_;
+    Interpolation interpolation_;
 };
 
 }  // namespace interleaf

@@ -21,6 +21,11 @@ enum class FieldKind : std::uint8_t {
     color = 3,  ///< red, green, blue, sRGB-encoded, each from 0 to 1
 };
 
+/// "scalar".
+constexpr std::string_view name_of(FieldKind kind) {
+    return kind == FieldKind::color ? "color" : "scalar";
+}
+
 constexpr std::size_t component_count(FieldKind kind) {
     return static_cast<std::size_t>(kind);
 }
@@ -49,7 +54,7 @@ struct Field {
 inline constexpr std::size_t max_field_count = 64;
 inline constexpr std::size_t max_field_name = 255;
 
-/// Whether \p text can name a field: UTF-8 of 1 to max_field_name bytes, without control characters.
+/// Whether \p text can name a field: 1 to max_field_name bytes, is_printable() (text/characters.h).
 bool is_field_name(std::string_view text);
 
 /// The names and kinds of \p fields.

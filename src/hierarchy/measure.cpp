@@ -52,6 +52,25 @@ Extent extent_of(const Box& box) {
     return {box, box.diagonal() / 2};
 }
 
+Extent extent_of(std::span<const std::span<const glm::vec3>> parts) {
+    std::vector<glm::vec3> corners;
+    for (const auto& part : parts) {
+        if (part.empty()) continue;
+        const Box box = bounding_box(part);
+        corners.insert(corners.end(), {box.min, box.max});
+    }
+    Extent extent{bounding_box(corners), 0};
+    const glm::vec3 center = extent.box.center();
+    for (const auto& part : parts)
+        for (const glm::vec3& position : part)
+            extent.radius = std::max(extent.radius, glm::distance(position, center));
+    return extent;
+}
+
+Extent extent_of(std::span<const glm::vec3> positions) {
+    return extent_of(std::span(&positions, 1));
+}
+
 Box bounding_box(std::span<const glm::vec3> positions) {
     if (positions.empty()) return {};
     Box box{positions[0], positions[0]};

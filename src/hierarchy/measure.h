@@ -28,6 +28,10 @@ struct Extent {
 /// The extent of the box alone: the sphere passes through the box's corners.
 Extent extent_of(const Box& box);
 
+/// The box of all positions of \p parts, and the smallest sphere about its center that contains them.
+Extent extent_of(std::span<const std::span<const glm::vec3>> parts);
+Extent extent_of(std::span<const glm::vec3> positions);
+
 struct Measures {
     double area = 0;  ///< in squared units of the positions
     /// The enclosed volume, for closed meshes. It is positive if the triangles are counter-clockwise seen

@@ -2,13 +2,20 @@
 // them.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "render/color_map.h"
 
 namespace interleaf {
 
 enum class Shading { smooth, flat };
+
+/// "smooth": on the command line and in traces.
+std::string_view name_of(Shading shading);
+std::optional<Shading> shading_named(std::string_view name);
 
 enum class Coloring {
     plain,    ///< one color
@@ -17,6 +24,22 @@ enum class Coloring {
     checker,  ///< a checkerboard over the roots, carried along by level maps
     field,    ///< by a field of the keys
 };
+
+/// All colorings, in the order in which they are offered; Coloring::field only where there are fields.
+std::vector<Coloring> colorings(bool has_fields);
+
+/// The one that follows \p coloring in this order, around its end.
+Coloring next_coloring(Coloring coloring, bool has_fields);
+
+/// "plain": on the command line and in traces.
+std::string_view name_of(Coloring coloring);
+std::optional<Coloring> coloring_named(std::string_view name);
+
+/// "Plain": on a button.
+const char* label_of(Coloring coloring);
+
+/// The names, and what they mean, for the help; without Coloring::field.
+std::string colorings_in_words();
 
 struct Display {
     Shading shading = Shading::smooth;

@@ -36,6 +36,16 @@ std::string with_definitions(const std::string& source, std::string_view definit
                        source.substr(end_of_version));
 }
 
+/// The compiler's or the linker's message about the object \p name.
+std::string log_of(GLuint name, PFNGLGETSHADERIVPROC get, PFNGLGETSHADERINFOLOGPROC get_log) {
+    GLint length = 0;
+    get(name, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(length), '\0');
+    get_log(name, length, &length, log.data());
+    log.resize(static_cast<std::size_t>(length));
+    return log;
+}
+
 /// A shader object, which lives until its program is linked.
 class Stage {
   public:
@@ -56,12 +66,7 @@ class Stage {
         GLint compiled = 0;
         glGetShaderiv(name_, GL_COMPILE_STATUS, &compiled);
         if (compiled != 0) return std::nullopt;
-        GLint length = 0;
-        glGetShaderiv(name_, GL_INFO_LOG_LENGTH, &length);
-        std::string log(static_cast<std::size_t>(length), '\0');
-        glGetShaderInfoLog(name_, length, &length, log.data());
-        log.resize(static_cast<std::size_t>(length));
-        return log;
+        return log_of(name_, glGetShaderiv, glGetShaderInfoLog);
     }
 
   private:
@@ -69,12 +74,7 @@ class Stage {
 };
 
 std::string link_failure(GLuint program) {
-    GLint length = 0;
-    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-    std::string log(static_cast<std::size_t>(length), '\0');
-    glGetProgramInfoLog(program, length, &length, log.data());
-    log.resize(static_cast<std::size_t>(length));
-    return log;
+    return log_of(program, glGetProgramiv, glGetProgramInfoLog);
 }
 
 /// Removes the first \p count characters from \p text and returns them.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/process.h"
-#include "cli/temporary_folder.h"
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
@@ -159,15 +159,15 @@ class FamilyFolder {
     fs::path family() const { return folder_.path() / "families" / "f"; }
     fs::path folder() const { return folder_.path(); }
     Outcome check_with(const std::string& name) const {
-        set_content(family() / "family.json",
-                    R"({"format": "interleaf-family", "version": 1, "name": "f", "keys":
+        put(family() / "family.json",
+            R"({"format": "interleaf-family", "version": 1, "name": "f", "keys":
             [{"name": "a", "file": "a.ilh"}, {"name": "k", "file": ")" +
-                        name + "\"}]}");
+                name + "\"}]}");
         return run_interleaf({"check", family()});
     }
 
   private:
-    TemporaryFolder folder_;
+    ScratchFolder folder_;
 };
 
 TEST_CASE("every kind of damage exits with 1 and names the file, the place and what was expected") {
@@ -264,7 +264,7 @@ TEST_CASE("a pipe, a device or a folder in the place of a file is refused at onc
 
 TEST_CASE(
     "names of files are shown as they are in UTF-8, and escaped where they are none or move the cursor") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::map<std::string, std::string> names = {
         {"Würfel 三 \xf0\x9f\x8e\xb2.ilh", "Würfel 三 \xf0\x9f\x8e\xb2.ilh"},
         {"two\nlines.ilh", "two\\x0alines.ilh"},
@@ -281,13 +281,13 @@ TEST_CASE(
     for (const auto& [name, shown] : names) {
         CAPTURE(shown);
         const std::string file = folder / name;
-        set_content(file, "no key");
+        put(file, "no key");
         const Outcome bad = run_interleaf({"check", file});
         CHECK(bad.status == 1);
-        CHECK(bad.errors ==
-              "interleaf: " + (folder / shown) + ": signature: is not that of a hierarchy file (.ilh)\n");
+        CHECK(bad.errors == "interleaf: " + (folder / shown).string() +
+                                ": signature: is not that of a hierarchy file (.ilh)\n");
         fs::copy_file(INTERLEAF_FIVE_KEYS "/icosahedron.ilh", file, fs::copy_options::overwrite_existing);
-        CHECK(run_interleaf({"check", file}).output == (folder / shown) + ": sound, 1 key\n");
+        CHECK(run_interleaf({"check", file}).output == (folder / shown).string() + ": sound, 1 key\n");
         const Outcome info = run_interleaf({"info", file});
         CHECK(info.status == 0);
         CHECK(contains(info.output, shown.substr(0, shown.size() - 4) + "\n"));

@@ -1,6 +1,6 @@
 // The command line as a whole: help, version, exit statuses and messages.
 #include "cli/process.h"
-#include "cli/temporary_folder.h"
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 
 #include "io/formats.h"
@@ -133,8 +133,8 @@ TEST_CASE("a faulty command line exits with 2 and one message that names the wor
 }
 
 TEST_CASE("a file that is missing or not what it should be exits with 1 and one message that names it") {
-    const TemporaryFolder folder;
-    set_content(folder / "text.ilh", "not a hierarchy");
+    const ScratchFolder folder;
+    put(folder / "text.ilh", "not a hierarchy");
     CHECK(run_interleaf({"view", folder / "missing.off"}).status == 1);
     CHECK(run_interleaf({folder / "missing.ply", folder / "missing.obj"}).status == 1);
     for (const std::string name : {"missing.ilh", "missing.json", "text.ilh"}) {
@@ -160,8 +160,8 @@ TEST_CASE("a file that is missing or not what it should be exits with 1 and one 
 }
 
 TEST_CASE("without a display the viewer exits with 3 and says how to draw without one") {
-    const TemporaryFolder folder;
-    set_content(folder / "mesh.off", "OFF\n0 0 0\n");
+    const ScratchFolder folder;
+    put(folder / "mesh.off", "OFF\n0 0 0\n");
     const std::vector<std::vector<std::string>> lines = {
         {}, {"view"}, {INTERLEAF_FIVE_KEYS}, {folder / "mesh.off"}};
     for (const std::vector<std::string>& line : lines) {
@@ -184,15 +184,15 @@ TEST_CASE("a display that cannot be opened is the machine's fault, too") {
 }
 
 TEST_CASE("a full disk exits with 3 and leaves the old file whole and nothing beside it") {
-    const TemporaryFolder folder;
-    set_content(folder / "u.obj", "old");
+    const ScratchFolder folder;
+    put(folder / "u.obj", "old");
     const Outcome outcome = run_interleaf({"export", "--time", "1", "-o", folder / "u.obj"},
                                           {.standard_output = {}, .max_file_size = 8192, .display = {}});
     CAPTURE(outcome.errors);
     CHECK(outcome.status == 3);
     CHECK(is_one_message(outcome.errors));
-    CHECK(contains(outcome.errors, folder / "u.obj"));
-    CHECK(content_of(folder / "u.obj") == "old");
+    CHECK(contains(outcome.errors, (folder / "u.obj").string()));
+    CHECK(content(folder / "u.obj") == "old");
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
 }
 
@@ -212,8 +212,8 @@ TEST_CASE("what cannot be written to standard output exits with 3") {
 }
 
 TEST_CASE("a file that cannot be made exits with 3 and one message that names it") {
-    const TemporaryFolder folder;
-    set_content(folder / "file", "");
+    const ScratchFolder folder;
+    put(folder / "file", "");
     const std::vector<std::string> targets = {folder / "missing/a", folder / "file/a"};
     for (const std::string& target : targets) {
         const std::vector<std::vector<std::string>> lines = {

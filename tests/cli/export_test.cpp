@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "cli/process.h"
-#include "cli/temporary_folder.h"
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 
 #include "hierarchy/measure.h"
@@ -36,7 +36,7 @@ Outcome export_to(const std::string& file, std::vector<std::string> choice) {
 }
 
 TEST_CASE("an exported OBJ is the morphed union, closed, each refinement edge opposite the first vertex") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Outcome outcome = export_to(folder / "u.obj", {"--at", "0.3,0.4"});
     REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
     CHECK(outcome.output.empty());
@@ -56,7 +56,7 @@ TEST_CASE("an exported OBJ is the morphed union, closed, each refinement edge op
 }
 
 TEST_CASE("at each corner of the domain the exported surface has the key's area and volume") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Family family = read_family(INTERLEAF_FIVE_KEYS);
     for (const DomainVertex& vertex : family.domain->vertices()) {
         const Key& key = family.keys[vertex.key];
@@ -74,7 +74,7 @@ TEST_CASE("at each corner of the domain the exported surface has the key's area 
 }
 
 TEST_CASE("an exported key has the faces of the exported OBJ, in their order") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     REQUIRE(export_to(folder / "u.obj", {"--at", "0.3,0.4"}).status == 0);
     REQUIRE(export_to(folder / "u.ilh", {"--at", "0.3,0.4"}).status == 0);
     const Hierarchy key = read_hierarchy(folder / "u.ilh");
@@ -83,11 +83,11 @@ TEST_CASE("an exported key has the faces of the exported OBJ, in their order") {
 }
 
 TEST_CASE("an exported PLY announces the union and has the size that it announces") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     REQUIRE(export_to(folder / "u.ply", {"--time", "1"}).status == 0);
     REQUIRE(export_to(folder / "u.obj", {"--time", "1"}).status == 0);
     const Hierarchy obj = read_obj(folder / "u.obj");
-    const std::string ply = content_of(folder / "u.ply");
+    const std::string ply = content(folder / "u.ply");
     const std::string end = "end_header\n";
     CHECK(contains(ply, "element vertex " + std::to_string(obj.vertex_count()) + "\n"));
     CHECK(contains(ply, "element face " + std::to_string(obj.leaf_count()) + "\n"));
@@ -95,18 +95,18 @@ TEST_CASE("an exported PLY announces the union and has the size that it announce
 }
 
 TEST_CASE("standard output gets the bytes that a file gets") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     for (const std::string format : {"obj", "ply", "ilh"}) {
         CAPTURE(format);
-        REQUIRE(export_to(folder / "u." + format, {"--at", "-0.2,0.1"}).status == 0);
+        REQUIRE(export_to(folder / ("u." + format), {"--at", "-0.2,0.1"}).status == 0);
         const Outcome outcome = export_to("-", {"--at", "-0.2,0.1", "--format", format});
         CHECK(outcome.status == 0);
-        CHECK(outcome.output == content_of(folder / "u." + format));
+        CHECK(outcome.output == content(folder / ("u." + format)));
     }
 }
 
 TEST_CASE("a key exported compressed is the key exported plain") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     REQUIRE(export_to(folder / "plain.ilh", {"--at", "0.3,0.4"}).status == 0);
     REQUIRE(export_to(folder / "compressed.ilh", {"--at", "0.3,0.4", "--compress"}).status == 0);
     CHECK(std::filesystem::file_size(folder / "compressed.ilh") <
@@ -117,7 +117,7 @@ TEST_CASE("a key exported compressed is the key exported plain") {
     CHECK(compressed.bits == plain.bits);
     CHECK(compressed.positions == plain.positions);
     const Outcome outcome = export_to("-", {"--at", "0.3,0.4", "--format", "ilh", "--compress"});
-    CHECK(outcome.output == content_of(folder / "compressed.ilh"));
+    CHECK(outcome.output == content(folder / "compressed.ilh"));
 }
 
 TEST_CASE("an export names the formats that it knows, and those that hold a key") {
@@ -149,7 +149,7 @@ TEST_CASE("points and times outside are clamped, and time 0 is where nothing is 
 }
 
 TEST_CASE("weights are used as given: negative, and of any sum") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     REQUIRE(export_to(folder / "w.obj", {"--weights", "star=1.5,sphere=-0.75"}).status == 0);
     const Family family = read_family(INTERLEAF_FIVE_KEYS);
     const Weights weights = sorted_weights(
@@ -159,13 +159,13 @@ TEST_CASE("weights are used as given: negative, and of any sum") {
 }
 
 TEST_CASE("one key or one mesh needs no choice") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     REQUIRE(run_interleaf({"export", INTERLEAF_FIVE_KEYS "/star.ilh", "-o", folder / "star.obj"}).status ==
             0);
     const Hierarchy star = read_hierarchy(INTERLEAF_FIVE_KEYS "/star.ilh");
     CHECK(corners_of(read_obj(folder / "star.obj")) == corners_of(star));
     REQUIRE(run_interleaf({"export", folder / "star.obj", "-o", folder / "again.obj"}).status == 0);
-    CHECK(content_of(folder / "again.obj") == content_of(folder / "star.obj"));
+    CHECK(content(folder / "again.obj") == content(folder / "star.obj"));
 
     const Outcome outcome =
         run_interleaf({"export", folder / "star.obj", "--at", "0,0", "-o", folder / "a.obj"});

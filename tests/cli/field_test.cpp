@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "cli/process.h"
-#include "cli/temporary_folder.h"
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
@@ -30,7 +30,7 @@ Hierarchy key_with_fields(const std::string& name) {
 }
 
 /// Sphere and bone, of which only the sphere has the fields "plain" and "a\"b".
-std::string write_sample(const TemporaryFolder& folder) {
+std::string write_sample(const ScratchFolder& folder) {
     Family family{.name = "fields", .keys = {}, .timeline = {}, .domain = {}};
     Hierarchy sphere = key_with_fields("sphere");
     const Buffer<float> ones(sphere.vertex_count(), 1);
@@ -50,7 +50,7 @@ std::string render(std::vector<std::string> choice) {
 }
 
 TEST_CASE("info lists fields with the range over all keys, and each key's own") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string family = write_sample(folder);
     const Outcome text = run_interleaf({"info", family});
     REQUIRE_MESSAGE(text.status == 0, text.errors);
@@ -73,7 +73,7 @@ TEST_CASE("info lists fields with the range over all keys, and each key's own") 
 }
 
 TEST_CASE("every way to color by a field is another picture") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string family = write_sample(folder);
     const std::vector<std::vector<std::string>> choices = {{},
                                                            {"--color", "checker"},
@@ -97,7 +97,7 @@ TEST_CASE("every way to color by a field is another picture") {
 }
 
 TEST_CASE("a field that there is not is refused, and what there is, is named") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string family = write_sample(folder);
     const auto error_of = [&](std::vector<std::string> choice) {
         choice.insert(choice.begin(), {"render", "-o", folder / "a.png"});
@@ -125,7 +125,7 @@ TEST_CASE("a field that there is not is refused, and what there is, is named") {
 }
 
 TEST_CASE("exports carry the fields that the active keys share") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string family = write_sample(folder);
     for (const std::string name : {"u.obj", "u.ply", "u.ilh"})
         REQUIRE(run_interleaf({"export", family, "--time", "0.3", "-o", folder / name}).status == 0);
@@ -142,7 +142,7 @@ TEST_CASE("exports carry the fields that the active keys share") {
     const Hierarchy mesh = read_obj(folder / "u.obj");
     REQUIRE(mesh.fields.size() == 1);
     CHECK(mesh.fields[0].values.size() == key.fields[1].values.size());
-    CHECK(contains(content_of(folder / "u.ply"),
+    CHECK(contains(content(folder / "u.ply"),
                    "property float z\nproperty float height\nproperty uchar red\nproperty uchar green\n"
                    "property uchar blue\nelement face"));
 
@@ -151,10 +151,10 @@ TEST_CASE("exports carry the fields that the active keys share") {
 }
 
 TEST_CASE("colors of an OBJ can be seen") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Hierarchy key = key_with_fields("icosahedron");
     const std::string text = obj_text(key.roots.triangles(), key.positions, key.fields);
-    set_content(folder / "m.obj", text);
+    put(folder / "m.obj", text);
     CHECK_FALSE(render({folder / "m.obj", "--color", "color"}) == render({folder / "m.obj"}));
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cli/process.h"
-#include "cli/temporary_folder.h"
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -59,7 +59,7 @@ TEST_CASE("the timeline of figure 9 visits all keys, keeps to the domain, and en
 }
 
 TEST_CASE("bone and sphere of figure 9 are what the commands of make-figure-9 make, to the last bit") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     for (const auto& [shape, leaves] : {std::pair{"bone", "14000"}, std::pair{"sphere", "6000"}}) {
         CAPTURE(shape);
         const std::string made = folder / (std::string(shape) + "-made.ilh");
@@ -68,7 +68,7 @@ TEST_CASE("bone and sphere of figure 9 are what the commands of make-figure-9 ma
         REQUIRE(run_interleaf({"make", shape, "--leaves", "40000", "-o", made}).status == 0);
         REQUIRE(run_interleaf({"export", made, "-o", mesh}).status == 0);
         REQUIRE(run_interleaf({"fit", mesh, "--leaves", leaves, "-o", key, "--compress"}).status == 0);
-        CHECK(content_of(key) == content_of(shipped_folder / (std::string(shape) + ".ilh")));
+        CHECK(content(key) == content(shipped_folder / (std::string(shape) + ".ilh")));
     }
 }
 

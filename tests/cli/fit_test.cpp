@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "cli/process.h"
-#include "cli/temporary_folder.h"
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ namespace interleaf {
 namespace {
 
 /// Makes an OBJ of a shape's key: a closed mesh of genus 0.
-std::string shape_obj(const TemporaryFolder& folder, const std::string& shape, int leaves) {
+std::string shape_obj(const ScratchFolder& folder, const std::string& shape, int leaves) {
     const std::string key = folder / (shape + "-made.ilh");
     const std::string mesh = folder / (shape + ".obj");
     REQUIRE(run_interleaf({"make", shape, "--leaves", std::to_string(leaves), "-o", key}).status == 0);
@@ -59,7 +59,7 @@ std::string torus_off() {
 }
 
 TEST_CASE("a mesh becomes a key over the cube's roots, near to it, with a report") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string mesh = shape_obj(folder, "cushion", 800);
     const Outcome outcome =
         run_interleaf({"fit", mesh, "-o", folder / "key.ilh", "--leaves", "4000", "--report", "json"});
@@ -83,23 +83,23 @@ TEST_CASE("a mesh becomes a key over the cube's roots, near to it, with a report
 }
 
 TEST_CASE("the same mesh gives the same file; standard output gets it alone") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string mesh = shape_obj(folder, "star", 500);
     REQUIRE(run_interleaf({"fit", mesh, "-o", folder / "key.ilh", "--leaves", "1000"}).status == 0);
     const Outcome outcome = run_interleaf({"fit", mesh, "-o", "-", "--leaves", "1000"});
     CHECK(outcome.status == 0);
-    CHECK(outcome.output == content_of(folder / "key.ilh"));
+    CHECK(outcome.output == content(folder / "key.ilh"));
 }
 
 TEST_CASE("a tolerance is met, and roots of one's own are taken") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string mesh = shape_obj(folder, "cushion", 800);
     for (const std::string& roots :
          std::vector<std::string>{"icosahedron", "octahedron", folder / "roots.obj"}) {
         CAPTURE(roots);
-        set_content(folder / "roots.obj",
-                    "v 1 1 1\nv -1 -1 1\nv 1 -1 -1\nv -1 1 -1\n"
-                    "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
+        put(folder / "roots.obj",
+            "v 1 1 1\nv -1 -1 1\nv 1 -1 -1\nv -1 1 -1\n"
+            "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
         const Outcome outcome = run_interleaf({"fit", mesh, "-o", folder / "key.ilh", "--tolerance", "0.002",
                                                "--roots", roots, "--report", "json"});
         REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
@@ -111,7 +111,7 @@ TEST_CASE("a tolerance is met, and roots of one's own are taken") {
 }
 
 TEST_CASE("several meshes become a family over the same roots, three of them with a domain") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string star = shape_obj(folder, "star", 500);
     const std::string cushion = shape_obj(folder, "cushion", 500);
     const std::string sphere = shape_obj(folder, "sphere", 300);
@@ -158,9 +158,9 @@ nlohmann::json fit_report(std::vector<std::string> arguments) {
 }
 
 TEST_CASE("parts and holes beyond a little are refused with what they are, unless an option says so") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string two = folder / "two.obj";
-    set_content(two, box_obj({0, 0, 0}, {2, 2, 2}) + box_obj({5, 0, 0}, {6, 1, 1}, 8));
+    put(two, box_obj({0, 0, 0}, {2, 2, 2}) + box_obj({5, 0, 0}, {6, 1, 1}, 8));
     Outcome refused = run_interleaf({"fit", two, "-o", folder / "key.ilh"});
     CHECK(refused.status == 1);
     CHECK(is_one_message(refused.errors));
@@ -173,7 +173,7 @@ TEST_CASE("parts and holes beyond a little are refused with what they are, unles
     CHECK(kept["hausdorff_as_brought"].get<double>() > 10 * kept["quality"]["hausdorff"].get<double>());
 
     const std::string open = folder / "open.obj";
-    set_content(open, box_obj({0, 0, 0}, {2, 2, 2}, 0, 5));
+    put(open, box_obj({0, 0, 0}, {2, 2, 2}, 0, 5));
     refused = run_interleaf({"fit", open, "-o", folder / "key2.ilh"});
     CHECK(refused.status == 1);
     CHECK(contains(refused.errors, "has 1 hole"));
@@ -185,11 +185,11 @@ TEST_CASE("parts and holes beyond a little are refused with what they are, unles
 }
 
 TEST_CASE("bodies of other sizes and places are told of, and brought together when asked") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string first = folder / "first.obj";
     const std::string second = folder / "second.obj";
-    set_content(first, box_obj({0, 0, 0}, {1, 1, 1}));
-    set_content(second, box_obj({90, 0, 0}, {110, 10, 10}));
+    put(first, box_obj({0, 0, 0}, {1, 1, 1}));
+    put(second, box_obj({90, 0, 0}, {110, 10, 10}));
     const Outcome apart = run_interleaf({"fit", first, second, "-o", folder / "apart", "--leaves", "500"});
     CHECK(apart.status == 0);
     CHECK(contains(apart.errors, "second.obj: warning: is 12.9 times as large as the first"));
@@ -210,10 +210,10 @@ TEST_CASE("bodies of other sizes and places are told of, and brought together wh
 }
 
 TEST_CASE("meshes far from 0 keep their digits, through family and export") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const glm::dvec3 corner(512358.286, 5412347.178, 311.5);
     for (const char* name : {"a.obj", "b.obj"})
-        set_content(folder / name, box_obj(corner, corner + glm::dvec3(2, 3, 4)));
+        put(folder / name, box_obj(corner, corner + glm::dvec3(2, 3, 4)));
     const auto report = fit_report({folder / "a.obj", folder / "b.obj", "-o", folder / "far"});
     CHECK(contains(report[0]["remarks"][0].get<std::string>(), "was subtracted from all positions"));
     const Family family = read_family(folder / "far");
@@ -232,7 +232,7 @@ TEST_CASE("meshes far from 0 keep their digits, through family and export") {
 }
 
 TEST_CASE("a message about a mesh whose digits were lost says that they were") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     std::string stl(80, ' ');
     const auto append = [&](const auto& value) {
         stl.append(reinterpret_cast<const char*>(&value), sizeof(value));
@@ -246,7 +246,7 @@ TEST_CASE("a message about a mesh whose digits were lost says that they were") {
         for (const int corner : face) append(points[static_cast<std::size_t>(corner)]);
         append(std::uint16_t{0});
     }
-    set_content(folder / "far.stl", stl);
+    put(folder / "far.stl", stl);
     const auto info = nlohmann::json::parse(run_interleaf({"info", folder / "far.stl", "--json"}).output);
     REQUIRE(info["remarks"].size() == 1);
     CHECK(contains(info["remarks"][0].get<std::string>(), "digits were lost"));
@@ -254,7 +254,7 @@ TEST_CASE("a message about a mesh whose digits were lost says that they were") {
 }
 
 TEST_CASE("meshes that no key can stand for are refused with exit status 1, the file and the reason") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::vector<std::array<double, 3>> tetrahedron = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     struct Case {
         std::string name;
@@ -273,7 +273,7 @@ TEST_CASE("meshes that no key can stand for are refused with exit status 1, the 
     };
     for (const Case& each : cases) {
         CAPTURE(each.name);
-        set_content(folder / each.name, each.content);
+        put(folder / each.name, each.content);
         const Outcome outcome = run_interleaf({"fit", folder / each.name, "-o", folder / "key.ilh"});
         CAPTURE(outcome.errors);
         CHECK(outcome.status == 1);
@@ -285,9 +285,9 @@ TEST_CASE("meshes that no key can stand for are refused with exit status 1, the 
 }
 
 TEST_CASE("roots that do not cover the sphere are refused, naming their file") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string mesh = shape_obj(folder, "sphere", 500);
-    set_content(folder / "roots.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    put(folder / "roots.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const Outcome outcome =
         run_interleaf({"fit", mesh, "-o", folder / "key.ilh", "--roots", folder / "roots.obj"});
     CHECK(outcome.status == 1);
@@ -295,7 +295,7 @@ TEST_CASE("roots that do not cover the sphere are refused, naming their file") {
 }
 
 TEST_CASE("a command line that makes no sense has exit status 2") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string mesh = shape_obj(folder, "sphere", 500);
     const std::string key = folder / "key.ilh";
     const std::vector<std::vector<std::string>> lines = {
@@ -323,7 +323,7 @@ TEST_CASE("a command line that makes no sense has exit status 2") {
 }
 
 TEST_CASE("an interrupt ends the work and leaves nothing behind") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string mesh = shape_obj(folder, "star", 60000);
     const std::string key = folder / "key.ilh";
     const auto entries = [&] {

@@ -1,6 +1,6 @@
 // `interleaf info` and `interleaf check`.
 #include "cli/process.h"
-#include "cli/temporary_folder.h"
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
@@ -73,7 +73,7 @@ TEST_CASE("the figures of a family list its keys, its timeline and its domain") 
 }
 
 TEST_CASE("the form of a file is told, for each key of a family as well") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     std::filesystem::copy(INTERLEAF_FIVE_KEYS, folder.path(), std::filesystem::copy_options::recursive);
     const std::string star = folder / "star.ilh";
     CHECK(info(star).at("form") == "plain");
@@ -99,8 +99,8 @@ TEST_CASE("the form of a file is told, for each key of a family as well") {
 }
 
 TEST_CASE("an open mesh has level 0 and boundary edges") {
-    const TemporaryFolder folder;
-    set_content(folder / "square.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 4 3 2\n");
+    const ScratchFolder folder;
+    put(folder / "square.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 4 3 2\n");
     const json figures = info(folder / "square.obj");
     CHECK(figures.at("kind") == "mesh");
     CHECK_FALSE(figures.contains("form"));
@@ -134,39 +134,39 @@ TEST_CASE("check accepts sound files, one line each") {
 }
 
 TEST_CASE("check names the file at fault and goes on with the others") {
-    const TemporaryFolder folder;
-    std::string bytes = content_of(INTERLEAF_FIVE_KEYS "/star.ilh");
+    const ScratchFolder folder;
+    std::string bytes = content(INTERLEAF_FIVE_KEYS "/star.ilh");
     bytes[bytes.size() / 2] ^= 1;
-    set_content(folder / "damaged.ilh", bytes);
+    put(folder / "damaged.ilh", bytes);
     const Outcome outcome = run_interleaf(
         {"check", folder / "damaged.ilh", folder / "missing.ilh", INTERLEAF_FIVE_KEYS "/star.ilh"});
     CHECK(outcome.status == 1);
-    CHECK(contains(outcome.errors, "interleaf: " + (folder / "damaged.ilh") + ": "));
-    CHECK(contains(outcome.errors, "interleaf: " + (folder / "missing.ilh") + ": "));
+    CHECK(contains(outcome.errors, "interleaf: " + (folder / "damaged.ilh").string() + ": "));
+    CHECK(contains(outcome.errors, "interleaf: " + (folder / "missing.ilh").string() + ": "));
     CHECK(outcome.output == INTERLEAF_FIVE_KEYS "/star.ilh: sound, 1 key\n");
 }
 
 TEST_CASE("check names a file that cannot be opened, goes on, and exits with 3, whatever else is at fault") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     std::filesystem::create_symlink("loop.ilh", folder.path() / "loop.ilh");
-    set_content(folder / "damaged.ilh", "not a hierarchy");
+    put(folder / "damaged.ilh", "not a hierarchy");
     const std::string star = INTERLEAF_FIVE_KEYS "/star.ilh";
     const Outcome outcome =
         run_interleaf({"check", folder / "loop.ilh", star, folder / "damaged.ilh", folder / "loop.ilh"});
     CHECK(outcome.status == 3);
     CHECK(outcome.output == star + ": sound, 1 key\n");
     CHECK(std::ranges::count(outcome.errors, '\n') == 3);
-    const std::string loop = "interleaf: " + (folder / "loop.ilh") + ": cannot open: ";
+    const std::string loop = "interleaf: " + (folder / "loop.ilh").string() + ": cannot open: ";
     CHECK(outcome.errors.starts_with(loop));
     CHECK(outcome.errors.rfind(loop) > outcome.errors.find(folder / "damaged.ilh"));
     CHECK(run_interleaf({"check", star, folder / "loop.ilh"}).status == 3);
 }
 
 TEST_CASE("check names every damaged key of a family") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     std::filesystem::copy(INTERLEAF_FIVE_KEYS, folder.path(), std::filesystem::copy_options::recursive);
-    set_content(folder / "bone.ilh", "damaged");
-    set_content(folder / "star.ilh", "damaged");
+    put(folder / "bone.ilh", "damaged");
+    put(folder / "star.ilh", "damaged");
     const Outcome outcome = run_interleaf({"check", folder.path().string()});
     CHECK(outcome.status == 1);
     CHECK(contains(outcome.errors, "bone.ilh: signature"));
@@ -175,7 +175,7 @@ TEST_CASE("check names every damaged key of a family") {
 }
 
 TEST_CASE("a mesh of any form has its area, volume, parts, openings and handles, and is checked") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string star = INTERLEAF_FIVE_KEYS "/star.ilh";
     REQUIRE(run_interleaf({"export", star, "-o", folder / "star.ply"}).status == 0);
     const json key = info(star);
@@ -192,7 +192,7 @@ TEST_CASE("a mesh of any form has its area, volume, parts, openings and handles,
     }
     CHECK(contains(run_interleaf({"info", folder / "star.ply"}).output, "1, closed, without handles"));
 
-    set_content(folder / "open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n");
+    put(folder / "open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n");
     const json open = info(folder / "open.off");
     CHECK(open.at("openings") == 1);
     CHECK(open.at("volume").is_null());
@@ -203,7 +203,7 @@ TEST_CASE("a mesh of any form has its area, volume, parts, openings and handles,
 }
 
 TEST_CASE("the kind of a file does not depend on the case of its extension") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_hierarchy(square(), folder / "SQUARE.ILH");
     CHECK(info(folder / "SQUARE.ILH").at("kind") == "hierarchy");
 }
@@ -216,12 +216,12 @@ TEST_CASE("a message is one line, whatever a file is called") {
 }
 
 TEST_CASE("check names the keys that do not share their roots: constraints (B)") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_hierarchy(square(), folder / "square.ilh");
     std::filesystem::copy(INTERLEAF_FIVE_KEYS "/star.ilh", folder.path());
-    set_content(folder / "family.json",
-                R"({"format": "interleaf-family", "version": 1, "name": "mixed", "keys": [)"
-                R"({"name": "star", "file": "star.ilh"}, {"name": "square", "file": "square.ilh"}]})");
+    put(folder / "family.json",
+        R"({"format": "interleaf-family", "version": 1, "name": "mixed", "keys": [)"
+        R"({"name": "star", "file": "star.ilh"}, {"name": "square", "file": "square.ilh"}]})");
     const Outcome outcome = run_interleaf({"check", folder.path().string()});
     CHECK(outcome.status == 1);
     CHECK(outcome.output.empty());

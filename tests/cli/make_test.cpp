@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "cli/process.h"
-#include "cli/temporary_folder.h"
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -15,7 +15,7 @@ namespace interleaf {
 namespace {
 
 Hierarchy make(const std::vector<std::string>& arguments) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     std::vector<std::string> line = {"make", "-o", folder / "key.ilh"};
     line.insert(line.end(), arguments.begin(), arguments.end());
     const Outcome outcome = run_interleaf(line);
@@ -40,7 +40,7 @@ TEST_CASE("a budget of leaves is kept and nearly used up") {
 }
 
 TEST_CASE("fewer leaves than a shape has roots are refused") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Outcome outcome = run_interleaf({"make", "brezel", "--leaves", "143", "-o", folder / "brezel.ilh"});
     CHECK(outcome.status == 2);
     CHECK(contains(outcome.errors, "144 roots"));
@@ -53,7 +53,7 @@ TEST_CASE("a smaller tolerance makes more leaves") {
 }
 
 TEST_CASE("a compressed key is the same key in fewer bytes; rounded it takes fewer still") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const auto write = [&](const std::string& name, const std::vector<std::string>& options) {
         std::vector<std::string> line = {"make", "star", "--leaves", "5000", "-o", folder / name};
         line.insert(line.end(), options.begin(), options.end());
@@ -84,18 +84,18 @@ TEST_CASE("a compressed key is the same key in fewer bytes; rounded it takes few
 }
 
 TEST_CASE("standard output gets the bytes that a file gets") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     REQUIRE(run_interleaf({"make", "bone", "--leaves", "200", "-o", folder / "bone.ilh"}).status == 0);
     const Outcome outcome = run_interleaf({"make", "bone", "--leaves", "200", "-o", "-"});
     CHECK(outcome.status == 0);
-    CHECK(outcome.output == content_of(folder / "bone.ilh"));
+    CHECK(outcome.output == content(folder / "bone.ilh"));
 }
 
 TEST_CASE("the shipped family is what `make five-keys` writes") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Outcome outcome = run_interleaf({"make", "five-keys", "-o", folder / "made"});
     REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
-    CHECK(content_of(folder / "made/family.json") == content_of(INTERLEAF_FIVE_KEYS "/family.json"));
+    CHECK(content(folder / "made/family.json") == content(INTERLEAF_FIVE_KEYS "/family.json"));
 
     const Family made = read_family(folder / "made");
     const Family shipped = read_family(INTERLEAF_FIVE_KEYS);

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "cli/process.h"
-#include "cli/temporary_folder.h"
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 
 #include "io/family/family_file.h"
@@ -15,17 +15,17 @@ constexpr std::array<const char*, 3> names = {
     INTERLEAF_FIVE_KEYS "/sphere.ilh", INTERLEAF_FIVE_KEYS "/star.ilh", INTERLEAF_FIVE_KEYS "/bone.ilh"};
 
 /// flow.1.obj, flow.2.obj and flow.10.obj: the same faces, moved by 1, 2 and 10 along x.
-void write_series(const TemporaryFolder& folder) {
+void write_series(const ScratchFolder& folder) {
     for (const std::string number : {"1", "2", "10"}) {
         std::string text = "v ";
         text.append(number).append(" 0 0\nv ").append(number).append(" 1 0\nv ");
         text.append(number).append(" 0 1\nf 1 2 3\n");
-        set_content(folder / ("flow." + number + ".obj"), text);
+        put(folder / ("flow." + number + ".obj"), text);
     }
 }
 
 TEST_CASE("family makes a folder of keys that can be opened") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Outcome made = run_interleaf({"family", names[0], names[1], names[2], "-o", folder / "three"});
     CHECK(made.status == 0);
     CHECK(made.output.empty());
@@ -37,12 +37,25 @@ TEST_CASE("family makes a folder of keys that can be opened") {
     CHECK(family.keys[2].name == "bone");
     CHECK(family.timeline->end() == 2);
     CHECK(family.domain->triangles().size() == 1);
-    CHECK(run_interleaf({"check", folder / "three"}).output == folder / "three" + ": sound, 3 keys\n");
+    CHECK(run_interleaf({"check", folder / "three"}).output ==
+          (folder / "three").string() + ": sound, 3 keys\n");
     CHECK(run_interleaf({"export", folder / "three", "--at", "0,0", "-o", folder / "u.obj"}).status == 0);
 }
 
+TEST_CASE("family takes files of any name, and writes names that can be read") {
+    const ScratchFolder folder;
+    const std::filesystem::path odd = folder / "a\u009b2J\n.ilh";
+    std::filesystem::copy_file(names[0], odd);
+    const Outcome made = run_interleaf({"family", odd, names[1], "-o", folder / "two"});
+    CHECK(made.status == 0);
+    CHECK(made.errors.empty());
+    const Family family = read_family(folder / "two");
+    CHECK(family.keys[0].name == "a\\xc2\\x9b2J\\x0a");
+    CHECK(family.name == "a\\xc2\\x9b2J\\x0a to star");
+}
+
 TEST_CASE("a family of compressed keys is the same family in fewer bytes") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     REQUIRE(run_interleaf({"family", names[0], names[1], "-o", folder / "plain"}).status == 0);
     REQUIRE(run_interleaf({"family", names[0], names[1], "--compress", "-o", folder / "small"}).status == 0);
     const Family plain = read_family(folder / "plain");
@@ -54,11 +67,12 @@ TEST_CASE("a family of compressed keys is the same family in fewer bytes") {
     }
     CHECK(is_compressed_hierarchy(folder / "small/star.ilh"));
     CHECK_FALSE(is_compressed_hierarchy(folder / "plain/star.ilh"));
-    CHECK(run_interleaf({"check", folder / "small"}).output == folder / "small" + ": sound, 2 keys\n");
+    CHECK(run_interleaf({"check", folder / "small"}).output ==
+          (folder / "small").string() + ": sound, 2 keys\n");
 }
 
 TEST_CASE("keys in another numbering are put over the roots of the first, and check and family say so") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Hierarchy star = read_hierarchy(names[1]);
     // The same key with its root vertices in reverse.
     const Index count = star.roots.vertex_count();
@@ -71,9 +85,9 @@ TEST_CASE("keys in another numbering are put over the roots of the first, and ch
     std::filesystem::create_directory(folder / "f");
     write_hierarchy(reversed, folder / "f/star.ilh");
     std::filesystem::copy_file(names[0], folder / "f/sphere.ilh");
-    set_content(folder / "f/family.json",
-                R"({"format": "interleaf-family", "version": 1, "name": "f", "keys": [)"
-                R"({"name": "sphere", "file": "sphere.ilh"}, {"name": "star", "file": "star.ilh"}]})");
+    put(folder / "f/family.json",
+        R"({"format": "interleaf-family", "version": 1, "name": "f", "keys": [)"
+        R"({"name": "sphere", "file": "sphere.ilh"}, {"name": "star", "file": "star.ilh"}]})");
     const Outcome checked = run_interleaf({"check", folder / "f"});
     CHECK(checked.status == 0);
     CHECK(contains(checked.output, "/f: sound, 2 keys\n"));
@@ -83,7 +97,7 @@ TEST_CASE("keys in another numbering are put over the roots of the first, and ch
     CHECK(made.status == 0);
     CHECK(is_one_message(made.errors));
     CHECK(contains(made.errors, "key star: its roots were renumbered to match key sphere"));
-    CHECK(content_of(folder / "g/sphere.ilh") == content_of(names[0]));
+    CHECK(content(folder / "g/sphere.ilh") == content(names[0]));
     const Family family = read_family(folder / "g");
     CHECK(family.keys[1].hierarchy->roots == star.roots);
     CHECK(family.keys[1].hierarchy->leaf_count() == star.leaf_count());
@@ -91,7 +105,7 @@ TEST_CASE("keys in another numbering are put over the roots of the first, and ch
 }
 
 TEST_CASE("a series of meshes is opened by a pattern or by name, in the order of its numbers") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_series(folder);
     const std::string pattern = folder / "flow.*.obj";
     CHECK(run_interleaf({"check", pattern}).output == pattern + ": sound, 3 keys\n");
@@ -101,7 +115,7 @@ TEST_CASE("a series of meshes is opened by a pattern or by name, in the order of
 
     // Half a second after flow.2 comes the middle between it and flow.10.
     CHECK(run_interleaf({"export", pattern, "--time", "1.5", "-o", folder / "u.obj"}).status == 0);
-    CHECK(content_of(folder / "u.obj") == "v 6 0 0\nv 6 1 0\nv 6 0 1\nf 1 2 3\n");
+    CHECK(content(folder / "u.obj") == "v 6 0 0\nv 6 1 0\nv 6 0 1\nf 1 2 3\n");
 
     for (const std::vector<std::string>& words :
          {std::vector<std::string>{pattern},
@@ -118,9 +132,9 @@ TEST_CASE("a series of meshes is opened by a pattern or by name, in the order of
 }
 
 TEST_CASE("several keys that do not fit exit with 1 and say which and where") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_series(folder);
-    set_content(folder / "flow.2.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 1\n");
+    put(folder / "flow.2.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 1\n");
     struct Fault {
         std::vector<std::string> arguments;
         std::string part;
@@ -148,9 +162,9 @@ TEST_CASE("several keys that do not fit exit with 1 and say which and where") {
 }
 
 TEST_CASE("meshes with other faces are no family, and the viewer offers to fit them") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_series(folder);
-    set_content(folder / "flow.2.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 1\n");
+    put(folder / "flow.2.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 1\n");
     const Outcome family = run_interleaf({"family", folder / "flow.*.obj", "-o", folder / "f"});
     CHECK(family.status == 1);
     CHECK(is_one_message(family.errors));

@@ -4,7 +4,7 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "cli/temporary_folder.h"
+#include "scratch_folder.h"
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -46,15 +46,15 @@ void limit_files(std::size_t bytes) {
 }  // namespace
 
 Outcome run_interleaf(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::filesystem::path output = surroundings.standard_output.value_or(folder.path() / "output");
     const std::filesystem::path errors = folder.path() / "errors";
     const pid_t child = ::fork();
     if (child == 0) become_interleaf(arguments, surroundings, output, errors);
     int status = 0;
     ::waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-            surroundings.standard_output ? "" : content_of(output), content_of(errors)};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, surroundings.standard_output ? "" : content(output),
+            content(errors)};
 }
 
 bool is_one_message(const std::string& text) {

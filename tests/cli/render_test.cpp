@@ -4,7 +4,7 @@
 #include <span>
 
 #include "cli/process.h"
-#include "cli/temporary_folder.h"
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 #include <stb/stb_image.h>
 
@@ -53,14 +53,14 @@ double difference(const Picture& a, const Picture& b) {
 }
 
 TEST_CASE("the picture is a PNG of the size asked for, 1280x720 if nothing is said") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     REQUIRE(run_interleaf({"render", "--at", "0.3,0.4", "-o", folder / "a.png"}).status == 0);
-    const Picture standard = decode(content_of(folder / "a.png"));
+    const Picture standard = decode(content(folder / "a.png"));
     CHECK(standard.width == 1280);
     CHECK(standard.height == 720);
     REQUIRE(run_interleaf({"render", "--at", "0.3,0.4", "-o", folder / "a.png", "--size", "33x17"}).status ==
             0);
-    const Picture small = decode(content_of(folder / "a.png"));
+    const Picture small = decode(content(folder / "a.png"));
     CHECK(small.width == 33);
     CHECK(small.height == 17);
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "e2e/person.h"
+#include "scratch_folder.h"
 #include <X11/keysym.h>
 #include <doctest/doctest.h>
 #include <fmt/core.h>
@@ -169,7 +170,7 @@ void choose_in_browser(const RunningViewer& viewer, const std::string& letters, 
 }  // namespace
 
 TEST_CASE("a composed family undone, done again, saved and opened is the same family") {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     State composed;
     {
         RunningViewer viewer(home.path());

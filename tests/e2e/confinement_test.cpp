@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "e2e/person.h"
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -29,8 +30,8 @@ bool holds_confined(const fs::path& folder, const std::function<bool()>& act) {
 
 TEST_CASE("a confined program writes, renames and removes in its folder and nowhere else") {
     if (!can_confine_writes()) return;  // random_window says so
-    const TemporaryFolder own;
-    const TemporaryFolder other;
+    const ScratchFolder own;
+    const ScratchFolder other;
     const fs::path file = other.path() / "file";
     std::ofstream(file) << "text";
     const auto can_write = [](const fs::path& path) { return std::ofstream(path).put('x').flush().good(); };

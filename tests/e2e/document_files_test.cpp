@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "e2e/person.h"
+#include "scratch_folder.h"
 #include <X11/keysym.h>
 #include <doctest/doctest.h>
 #include <fmt/core.h>
@@ -75,7 +76,7 @@ const std::vector<std::string>& awkward_names() {
 }  // namespace
 
 TEST_CASE("files dropped on the view are a new family; dropped on the list, they are keys of it") {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     const fs::path folder = home.path() / "a folder, 100%";
     fs::create_directory(folder);
     std::vector<fs::path> files;
@@ -132,7 +133,7 @@ TEST_CASE("files dropped on the view are a new family; dropped on the list, they
 TEST_CASE(
     "a folder that is a family is opened by its typed path, and by Ctrl+Enter in the list; Enter goes into "
     "it") {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     const fs::path folder = family_copy(home.path() / "mine");
     fs::create_directories(home.path() / "other" / "inner");
     const RunningViewer viewer(home.path());
@@ -178,7 +179,7 @@ TEST_CASE(
 
 TEST_CASE(
     "leaving unsaved changes asks: cancelled it goes on, declined they are gone, saved they are there") {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     const fs::path folder = family_copy(home.path() / "family");
     {
         RunningViewer viewer(home.path(), {folder});
@@ -211,7 +212,7 @@ TEST_CASE(
 }
 
 TEST_CASE("what a crash has left is offered, recovered unsaved, and offered no more once saved") {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     const fs::path folder = family_copy(home.path() / "family");
     State composed;
     {
@@ -265,7 +266,7 @@ TEST_CASE("what a crash has left is offered, recovered unsaved, and offered no m
 }
 
 TEST_CASE("a file that another program has changed is named, and Ctrl+R reads it again") {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     const fs::path folder = family_copy(home.path() / "family");
     const RunningViewer viewer(home.path(), {folder});
     const State before = family_of(viewer.state());

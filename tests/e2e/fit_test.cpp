@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "e2e/person.h"
+#include "scratch_folder.h"
 #include <X11/keysym.h>
 #include <doctest/doctest.h>
 #include <fmt/core.h>
@@ -114,7 +115,7 @@ void compare_and_return(const RunningViewer& viewer) {
 }  // namespace
 
 TEST_CASE("dropped meshes whose faces differ are fitted by Enter alone, unless that is declined") {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     const std::vector<fs::path> meshes = unlike_meshes(home.path());
     const RunningViewer viewer(home.path());
     const State before = family_of(viewer.state());
@@ -145,7 +146,7 @@ TEST_CASE("dropped meshes whose faces differ are fitted by Enter alone, unless t
 }
 
 TEST_CASE("in the offer, leaves, roots and the turn of each mesh are chosen by the keyboard") {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     const std::vector<fs::path> meshes = unlike_meshes(home.path());
     const RunningViewer viewer(home.path(), meshes);
     wait_for_offer(viewer);
@@ -193,7 +194,7 @@ TEST_CASE("in the offer, leaves, roots and the turn of each mesh are chosen by t
 }
 
 TEST_CASE("a mesh dropped on the list is fitted over the family's roots, a refused one changes nothing") {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     const std::vector<fs::path> meshes = unlike_meshes(home.path());
     const fs::path& bone = meshes.back();
     const RunningViewer viewer(home.path());
@@ -237,7 +238,7 @@ TEST_CASE("a mesh dropped on the list is fitted over the family's roots, a refus
 }
 
 TEST_CASE("what would be lost and made is shown, and Fit waits until that is allowed") {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     // A box without a lid, and a small one beside it.
     const fs::path mesh = home.path() / "boxes.obj";
     std::ofstream file(mesh);
@@ -274,7 +275,7 @@ TEST_CASE("what would be lost and made is shown, and Fit waits until that is all
 
 TEST_CASE(
     "unsaved changes are asked for before a fit is offered, and a fit that is cancelled leaves them alone") {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     const std::vector<fs::path> meshes = unlike_meshes(home.path());
     const RunningViewer viewer(home.path());
     viewer.point_at(view_middle(viewer.state()));

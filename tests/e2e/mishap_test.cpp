@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "e2e/person.h"
+#include "scratch_folder.h"
 #include <X11/keysym.h>
 #include <doctest/doctest.h>
 
@@ -51,7 +52,7 @@ TEST_CASE("colored by origin, the key that is shown may be undone, and done agai
 }
 
 TEST_CASE("a document of fewer keys may replace one that is shown by origin, or by a field that it lacks") {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     const RunningViewer viewer(home.path());
     color_by(viewer, "origin");
     State state = viewer.state();
@@ -127,7 +128,7 @@ TEST_CASE("what is typed in one question cannot be taken back in the next") {
 
 #ifndef INTERLEAF_SANITIZE
 TEST_CASE("where memory runs out the window goes on with what it had, which is put aside for recovery") {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     RunningViewer viewer(home.path());
     viewer.point_at(view_middle(viewer.state()));
     viewer.press(XK_k, XK_Control_L);

@@ -1,10 +1,6 @@
 #include "e2e/person.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <stdexcept>
-
-#include <unistd.h>
 
 namespace interleaf {
 
@@ -22,17 +18,6 @@ Part part_of(const State& state, const char* name) {
 }
 
 }  // namespace
-
-TemporaryFolder::TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "interleaf-e2e-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
 
 std::filesystem::path builtin_file(const std::string& name) {
     return std::filesystem::path(INTERLEAF_BUILTIN_FAMILY) / name;

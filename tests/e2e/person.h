@@ -9,20 +9,6 @@
 
 namespace interleaf {
 
-/// A folder of its own below the system's for temporary files, removed at the end.
-class TemporaryFolder {
-  public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
-
 /// A file of the built-in family.
 std::filesystem::path builtin_file(const std::string& name);
 

@@ -16,6 +16,7 @@
 #include "e2e/confinement.h"
 #include "e2e/person.h"
 #include "e2e/random_person.h"
+#include "scratch_folder.h"
 #include <fmt/core.h>
 
 namespace interleaf {
@@ -161,8 +162,8 @@ class Run {
         }
     }
 
-    TemporaryFolder folder_;
-    TemporaryFolder files_;  ///< outside of the program's home: it cannot change them
+    ScratchFolder folder_;
+    ScratchFolder files_;  ///< outside of the program's home: it cannot change them
     RandomPerson person_;
     std::size_t events_;
     std::vector<std::string> done_;

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "numbers.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 
 #include "family/domain_edits.h"
-#include "hierarchy/error.h"
 #include "hierarchy/random_families.h"
 
 using namespace interleaf;
@@ -75,15 +75,6 @@ std::vector<const Hierarchy*> hierarchies(const Family& family) {
     return found;
 }
 
-std::string fault_of(const std::function<void()>& edit) {
-    try {
-        edit();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
 }  // namespace
 
 TEST_CASE("a copy of a family shares its hierarchies; an equal hierarchy is not the same one") {
@@ -108,7 +99,17 @@ TEST_CASE("an unused name is the wanted one, or that name with the first free nu
     CHECK(unused_name(family, "") == "key 2");
 }
 
-TEST_CASE("a key is added last, under a unique name, and nothing else changes") {
+TEST_CASE("a name from outside becomes one that every family may have") {
+    const Family family = with_key_added(sample(), {"a\u009b2J\n\xff", surface(1)});
+    CHECK(family.keys.back().name == "a\\xc2\\x9b2J\\x0a\\xff");
+    CHECK(check(family).empty());
+    CHECK(with_key_added(family, {"a\u009b2J\n\xff", surface(1)}).keys.back().name ==
+          family.keys.back().name + " 2");
+    CHECK(with_family_renamed(sample(), "other").name == "other");
+    CHECK(input_error_of([] { with_family_renamed(sample(), ""); }) == "a family needs a name");
+}
+
+TEST_CASE("a key is added last, under a name of its own, and nothing else changes") {
     const Family before = sample();
     const SharedHierarchy added = surface(1);
     const Family after = with_key_added(before, {"b", added});
@@ -119,8 +120,8 @@ TEST_CASE("a key is added last, under a unique name, and nothing else changes") 
     CHECK(names(with_key_added(before, {"", added})).back() == "key");
 }
 
-TEST_CASE("a key with different roots is rejected, naming both keys") {
-    const std::string fault = fault_of([] { with_key_added(sample(), {"turned", other_surface()}); });
+TEST_CASE("a key with other roots is refused, naming both keys") {
+    const std::string fault = input_error_of([] { with_key_added(sample(), {"turned", other_surface()}); });
     CHECK(fault.find("\"turned\"") != std::string::npos);
     CHECK(fault.find("\"a\"") != std::string::npos);
     CHECK(fault.find("root") != std::string::npos);
@@ -167,19 +168,27 @@ TEST_CASE("timeline and domain are removed with their last key, and the last key
     family = with_key_removed(family, 0);
     CHECK(names(family) == std::vector<std::string>{"d"});
     CHECK_FALSE(family.timeline);
-    CHECK(fault_of([&] { with_key_removed(family, 0); }).find("at least one key") != std::string::npos);
+    CHECK(input_error_of([&] { with_key_removed(family, 0); }).find("at least one key") != std::string::npos);
 }
 
 TEST_CASE("a key may get any name that is not empty, not taken, and without control characters") {
     CHECK(names(with_key_renamed(sample(), 1, "B, \"b\" \xc3\xbc")) ==
           std::vector<std::string>{"a", "B, \"b\" \xc3\xbc", "c", "d"});
     CHECK(names(with_key_renamed(sample(), 1, "b")) == names(sample()));
-    CHECK(fault_of([] { with_key_renamed(sample(), 1, ""); }) == "a key needs a name");
-    CHECK(fault_of([] { with_key_renamed(sample(), 1, "c"); }).find("\"c\"") != std::string::npos);
-    for (const char* const name : {"x\n", "\t", "\x7f", "a\x1b[0m"}) {
-        CHECK_FALSE(fault_of([&] { with_key_renamed(sample(), 1, name); }).empty());
+    CHECK(input_error_of([] { with_key_renamed(sample(), 1, ""); }) == "a key needs a name");
+    CHECK(input_error_of([] { with_key_renamed(sample(), 1, "c"); }).find("\"c\"") != std::string::npos);
+    for (const char* const name : {"x\n", "\t", "\x7f", "a\x1b[0m", "a\u009b0m", "\xff", "cut \xc3"}) {
+        CAPTURE(name);
+        CHECK_FALSE(input_error_of([&] { with_key_renamed(sample(), 1, name); }).empty());
+        CHECK_FALSE(input_error_of([&] { with_family_renamed(sample(), name); }).empty());
+        Family forced = sample();
+        forced.keys[1].name = name;
+        CHECK(check(forced).size() == 1);
+        forced = sample();
+        forced.name = name;
+        CHECK(check(forced).size() == 1);
     }
-    CHECK_FALSE(fault_of([] { with_key_renamed(sample(), 1, std::string("x\0y", 3)); }).empty());
+    CHECK_FALSE(input_error_of([] { with_key_renamed(sample(), 1, std::string("x\0y", 3)); }).empty());
 }
 
 TEST_CASE("a moved key is at its new place, the others keep their order, and all references stay valid") {
@@ -216,18 +225,20 @@ TEST_CASE("a time may be moved past others, and back") {
     CHECK(with_time_moved(sample(), 1, 1).timeline == sample().timeline);
 }
 
-TEST_CASE("a time that is taken, not finite, or too far away is rejected") {
-    CHECK(fault_of([] { with_time_added(sample(), 3, 2); }).find("\"b\"") != std::string::npos);
-    CHECK(fault_of([] { with_time_moved(sample(), 0, 2); }).find("\"b\"") != std::string::npos);
-    CHECK_FALSE(fault_of([] { with_time_added(sample(), 3, -0.0); }).empty());
+TEST_CASE("a time that is taken, not finite, or too far off is refused") {
+    CHECK(input_error_of([] { with_time_added(sample(), 3, 2); }).find("\"b\"") != std::string::npos);
+    CHECK(input_error_of([] { with_time_moved(sample(), 0, 2); }).find("\"b\"") != std::string::npos);
+    CHECK_FALSE(input_error_of([] { with_time_added(sample(), 3, -0.0); }).empty());
     for (const double time : {std::nan(""), infinity, -infinity}) {
         for (std::size_t place = 0; place < 5; ++place)
-            CHECK(fault_of([&] { with_time_moved(sample(), place, time); }).find("finite") !=
+            CHECK(input_error_of([&] { with_time_moved(sample(), place, time); }).find("finite") !=
                   std::string::npos);
-        CHECK(fault_of([&] { with_time_added(sample(), 0, time); }).find("finite") != std::string::npos);
+        CHECK(input_error_of([&] { with_time_added(sample(), 0, time); }).find("finite") !=
+              std::string::npos);
     }
     const double most = std::numeric_limits<double>::max();
-    CHECK_FALSE(fault_of([&] { with_time_added(with_time_added(sample(), 3, most), 3, -most); }).empty());
+    CHECK_FALSE(
+        input_error_of([&] { with_time_added(with_time_added(sample(), 3, most), 3, -most); }).empty());
 }
 
 TEST_CASE("the timeline is removed with its last time") {
@@ -239,6 +250,30 @@ TEST_CASE("the timeline is removed with its last time") {
     }
     CHECK_FALSE(with_time_removed(family, 0).timeline);
     CHECK(check(with_time_removed(family, 0)).empty());
+}
+
+TEST_CASE("whatever else a timeline holds, every edit of a family keeps it") {
+    // No basis of this number is known, so that none of the edits can have made it.
+    constexpr auto other = static_cast<Interpolation>(200);
+    Family family = sample();
+    const auto keys = family.timeline->keys();
+    family.timeline = Timeline({keys.begin(), keys.end()}, other);
+    const auto keeps = [&](const Family& edited) {
+        return edited.timeline && edited.timeline->interpolation() == other &&
+               !(*edited.timeline ==
+                 Timeline({edited.timeline->keys().begin(), edited.timeline->keys().end()}));
+    };
+    CHECK(keeps(with_time_added(family, 3, 1.5)));
+    CHECK(keeps(with_time_moved(family, 0, 2.5)));
+    CHECK(keeps(with_time_removed(family, 2)));
+    CHECK(keeps(with_key_added(family, {"new", surface(1)})));
+    CHECK(keeps(with_key_duplicated(family, 0)));
+    CHECK(keeps(with_key_moved(family, 0, 3)));
+    CHECK(keeps(with_key_renamed(family, 0, "new")));
+    for (std::size_t key = 0; key < family.keys.size(); ++key) CHECK(keeps(with_key_removed(family, key)));
+    // Also where the only entry moves.
+    family.timeline = Timeline({{1, 2}}, other);
+    CHECK(keeps(with_time_moved(family, 0, 3)));
 }
 
 namespace {

@@ -59,3 +59,12 @@ TEST_CASE("duplicate names get a number, empty names a default") {
     CHECK(family.keys[2].name == "k 3");
     CHECK(family.keys[3].name == "key");
 }
+
+TEST_CASE("names that nobody may have are escaped, so that the family can be saved") {
+    std::vector<Key> keys = family_of(1).keys;
+    keys[0].name = "a\nb\xff";
+    const Family family = family_of_keys("c\u009bd", keys);
+    CHECK(family.name == "c\\xc2\\x9bd");
+    CHECK(family.keys[0].name == "a\\x0ab\\xff");
+    CHECK(check(family).empty());
+}

@@ -91,6 +91,15 @@ std::vector<double> dense(const Weights& weights, std::size_t key_count) {
 
 }  // namespace
 
+TEST_CASE("the box of vertices has their least and greatest coordinates") {
+    const ParameterDomain domain = hook();
+    const DomainBox box = box_of(domain.vertices());
+    CHECK(box.low == glm::dvec2(0, 0));
+    CHECK(box.high == glm::dvec2(3, 3));
+    CHECK(box_of(domain.vertices().subspan(5, 1)).low == glm::dvec2(2, 1));
+    CHECK(box_of(domain.vertices().subspan(5, 1)).high == glm::dvec2(2, 1));
+}
+
 TEST_CASE(
     "locate gives the nearest point of the domain, inside and outside, even if the domain is not convex") {
     const unsigned seed = 5;

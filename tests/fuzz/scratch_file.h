@@ -5,21 +5,20 @@
 #include <string_view>
 
 #include "fuzz/target.h"
+#include "scratch_folder.h"
 
 namespace interleaf::fuzz {
 
 class ScratchFile {
   public:
     explicit ScratchFile(std::string_view name);
-    ScratchFile(const ScratchFile&) = delete;
-    ScratchFile& operator=(const ScratchFile&) = delete;
-    ~ScratchFile();
 
     const std::filesystem::path& path() const { return path_; }
-    std::filesystem::path folder() const { return path_.parent_path(); }
+    const std::filesystem::path& folder() const { return folder_.path(); }
     void set_content(ByteSpan bytes) const;
 
   private:
+    ScratchFolder folder_;
     std::filesystem::path path_;
 };
 

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "fuzz/target.h"
+#include "text/characters.h"
 
 #include "app/storage/recovery.h"
 #include "io/family/family_format.h"
@@ -13,7 +14,7 @@ namespace {
 constexpr std::string_view name = "recovery.json";
 
 std::string inspected(const RecoveryNote& note) {
-    if (!family_format::is_name(note.name)) return "unsound: name";
+    if (!is_printable(note.name)) return "unsound: name";
     if (!note.document_folder.empty() && !note.document_folder.is_absolute()) return "unsound: folder";
     if (note.time < 0) return "unsound: time";
     return parse_recovery_note(recovery_note_text(note), name) == note ? ""

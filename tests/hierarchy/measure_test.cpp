@@ -1,9 +1,13 @@
 #include "hierarchy/measure.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <glm/geometric.hpp>
 
 #include "hierarchy/random_families.h"
 
@@ -19,6 +23,28 @@ TEST_CASE("area, volume, angle and box of the octahedron") {
     CHECK(measures.volume == doctest::Approx(4.0 / 3.0));
     CHECK(measures.min_angle == doctest::Approx(60));
     CHECK(bounding_box(points).diagonal() == doctest::Approx(2 * std::sqrt(3.0)));
+}
+
+TEST_CASE("an extent has the box and the smallest sphere about its center, in parts or whole") {
+    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+        CAPTURE(seed);
+        Random random(seed);
+        std::vector<glm::vec3> all(1 + random.below(20));
+        for (glm::vec3& p : all)
+            for (int axis = 0; axis < 3; ++axis) p[axis] = static_cast<float>(10 * random.unit() - 5);
+        const Extent extent = extent_of(all);
+        CHECK(extent.box.min == bounding_box(all).min);
+        CHECK(extent.box.max == bounding_box(all).max);
+        float farthest = 0;
+        for (const glm::vec3& p : all) farthest = std::max(farthest, glm::distance(p, extent.box.center()));
+        CHECK(extent.radius == farthest);
+        const std::span<const glm::vec3> whole(all);
+        const std::size_t cut = random.below(all.size());
+        const std::array parts{whole.first(cut), whole.subspan(cut)};
+        CHECK(extent_of(parts).box.min == extent.box.min);
+        CHECK(extent_of(parts).box.max == extent.box.max);
+        CHECK(extent_of(parts).radius == extent.radius);
+    }
 }
 
 TEST_CASE(

@@ -2,14 +2,16 @@
 
 #include <cstdint>
 #include <cstring>
+#include <random>
 #include <string_view>
 
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <libdeflate.h>
 
 #include "hierarchy/checker.h"
 #include "hierarchy/error.h"
-#include "io/scratch_folder.h"
 
 namespace interleaf {
 
@@ -21,6 +23,16 @@ void repair_checksum(Bytes& bytes) {
 
 std::string error_of(const Bytes& bytes) {
     return input_error_of([&] { parse_hierarchy(bytes, "key.ilh"); });
+}
+
+void check_damage_is_found(const Bytes& whole) {
+    std::mt19937 random(5);
+    for (std::size_t place = 0; place < whole.size(); ++place) {
+        CAPTURE(place);
+        Bytes damaged = whole;
+        damaged[place] ^= static_cast<std::byte>(1 + random() % 255);
+        CHECK_FALSE(error_of(damaged).empty());
+    }
 }
 
 bool is_sound_or_refused(const Bytes& bytes) {

@@ -11,15 +11,16 @@ from pathlib import Path
 
 # What of ours each layer may include besides itself.
 LAYERS = {
-    "hierarchy": set(),
-    "family": {"hierarchy"},
-    "shapes": {"hierarchy"},
-    "fit": {"hierarchy"},
-    "sequence": {"hierarchy", "family"},
-    "io": {"hierarchy", "family"},
-    "render": {"hierarchy", "family"},
-    "ui": {"hierarchy", "family", "render"},
-    "app": {"hierarchy", "family", "shapes", "fit", "sequence", "io", "render", "ui"},
+    "text": set(),
+    "hierarchy": {"text"},
+    "family": {"text", "hierarchy"},
+    "shapes": {"text", "hierarchy"},
+    "fit": {"text", "hierarchy"},
+    "sequence": {"text", "hierarchy", "family"},
+    "io": {"text", "hierarchy", "family"},
+    "render": {"text", "hierarchy", "family"},
+    "ui": {"text", "hierarchy", "family", "render"},
+    "app": {"text", "hierarchy", "family", "shapes", "fit", "sequence", "io", "render", "ui"},
 }
 # What other rooms of its layer each room may include; "" are the files beside the rooms. Layers that are not named
 # have no rooms.

@@ -8,11 +8,11 @@
 #include <variant>
 #include <vector>
 
+#include "text/shown_text.h"
 #include <fmt/core.h>
 
 #include "app/cli/error_message.h"
 #include "app/cli/mesh_figures.h"
-#include "app/cli/shown_text.h"
 #include "app/document/opening.h"
 #include "hierarchy/error.h"
 

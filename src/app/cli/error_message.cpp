@@ -2,9 +2,8 @@
 
 #include <cstdio>
 
+#include "text/shown_text.h"
 #include <fmt/core.h>
-
-#include "app/cli/shown_text.h"
 
 namespace interleaf {
 

@@ -8,12 +8,12 @@
 #include <variant>
 #include <vector>
 
+#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/figures.h"
 #include "app/cli/mesh_figures.h"
-#include "app/cli/shown_text.h"
 #include "app/document/opening.h"
 #include "family/family_fields.h"
 #include "hierarchy/error.h"
@@ -97,10 +97,6 @@ Json json_of(const Figures& figures) {
                  {"box", {json_of(figures.box.min), json_of(figures.box.max)}}};
     if (!figures.form.empty()) json["form"] = figures.form;
     return json;
-}
-
-std::string_view name_of(FieldKind kind) {
-    return kind == FieldKind::color ? "color" : "scalar";
 }
 
 Json json_of(const FamilyField& field) {

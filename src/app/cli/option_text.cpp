@@ -7,9 +7,10 @@
 #include <string>
 #include <utility>
 
+#include "text/parsed_number.h"
 #include <fmt/core.h>
 
-#include "app/document/typed_number.h"
+#include "app/document/typed_count.h"
 #include "hierarchy/error.h"
 #include "io/text/joined_text.h"
 
@@ -32,7 +33,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 std::optional<std::vector<double>> numbers(std::string_view text) {
     std::vector<double> values;
     for (const std::string_view part : split(text, ',')) {
-        const std::optional<double> value = typed_number<double>(part);
+        const std::optional<double> value = parsed_number<double>(part);
         if (!value || !std::isfinite(*value)) return {};
         values.push_back(*value);
     }
@@ -67,7 +68,7 @@ Index parse_count(std::string_view text) {
 }
 
 unsigned parse_bits(std::string_view text) {
-    const unsigned bits = typed_number<unsigned>(text).value_or(0);
+    const unsigned bits = parsed_number<unsigned>(text).value_or(0);
     if (bits < 8 || bits > 24) expected("a whole number from 8 to 24", text);
     return bits;
 }
@@ -83,7 +84,7 @@ std::vector<NamedWeight> parse_weights(std::string_view text) {
     for (const std::string_view part : split(text, ',')) {
         const std::size_t equals = part.rfind('=');
         if (equals == std::string_view::npos) expected("NAME=WEIGHT,...", text);
-        const std::optional<double> value = typed_number<double>(part.substr(equals + 1));
+        const std::optional<double> value = parsed_number<double>(part.substr(equals + 1));
         if (!value || !std::isfinite(*value)) expected("NAME=WEIGHT,...", text);
         weights.push_back({std::string(part.substr(0, equals)), *value});
     }
@@ -93,7 +94,7 @@ std::vector<NamedWeight> parse_weights(std::string_view text) {
 PictureSize parse_size(std::string_view text) {
     const std::vector<std::string_view> sides = split(text, 'x');
     const auto side = [&](std::size_t i) {
-        return i < sides.size() ? typed_number<int>(sides[i]).value_or(0) : 0;
+        return i < sides.size() ? parsed_number<int>(sides[i]).value_or(0) : 0;
     };
     const auto is_allowed = [](int length) { return length >= 1 && length <= max_side; };
     if (sides.size() != 2 || !is_allowed(side(0)) || !is_allowed(side(1))) {
@@ -118,7 +119,7 @@ AxisTurn parse_axis_turn(std::string_view text) {
     constexpr std::string_view axes = "xyz";
     const std::vector<std::string_view> parts = split(text, ',');
     const std::size_t axis = parts[0].size() == 1 ? axes.find(parts[0]) : std::string_view::npos;
-    const std::optional<double> degrees = parts.size() == 2 ? typed_number<double>(parts[1]) : std::nullopt;
+    const std::optional<double> degrees = parts.size() == 2 ? parsed_number<double>(parts[1]) : std::nullopt;
     if (axis == std::string_view::npos || !degrees || !(std::abs(*degrees) <= 360))
         expected("AXIS,DEGREES with the axis x, y or z, from -360 to 360 degrees", text);
     return {static_cast<int>(axis), *degrees};
@@ -132,21 +133,17 @@ UpAxis parse_up(std::string_view text) {
 }
 
 Shading parse_shading(std::string_view text) {
-    if (text == "smooth") return Shading::smooth;
-    if (text == "flat") return Shading::flat;
-    expected("smooth or flat", text);
+    const std::optional<Shading> shading = shading_named(text);
+    if (!shading) expected("smooth or flat", text);
+    return *shading;
 }
 
 void parse_coloring(std::string_view text, Display& display) {
-    constexpr std::pair<std::string_view, Coloring> words[] = {{"plain", Coloring::plain},
-                                                               {"level", Coloring::level},
-                                                               {"origin", Coloring::origin},
-                                                               {"checker", Coloring::checker}};
-    for (const auto& [word, coloring] : words)
-        if (text == word) {
-            display.coloring = coloring;
-            return;
-        }
+    const std::optional<Coloring> coloring = coloring_named(text);
+    if (coloring && *coloring != Coloring::field) {
+        display.coloring = *coloring;
+        return;
+    }
     constexpr std::string_view prefix = "field:";
     display.coloring = Coloring::field;
     display.field = text.starts_with(prefix) ? text.substr(prefix.size()) : text;

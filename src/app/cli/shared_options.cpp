@@ -108,8 +108,7 @@ void add_display(CLI::App& command, Display& display) {
         ->default_str("smooth");
     CLI::Option* color =
         add_text_option(command, "--color",
-                        "Color: plain, level (of each leaf), origin (which keys bisect this far), checker "
-                        "(over the roots), or a field of the keys",
+                        fmt::format("Color: {}, or a field of the keys", colorings_in_words()),
                         [&display](const std::string& text) { parse_coloring(text, display); });
     color->type_name("NAME")->default_str("plain");
     add_text_option(command, "--color-map", "Colors of a scalar field: " + color_maps_in_words(),

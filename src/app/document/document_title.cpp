@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "text/characters.h"
+#include "text/shown_text.h"
 #include <fmt/core.h>
-
-#include "ui/widgets/file_name.h"
 
 namespace interleaf {
 

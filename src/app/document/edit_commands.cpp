@@ -4,11 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "text/parsed_number.h"
 #include <fmt/core.h>
 
-#include "app/document/typed_number.h"
 #include "family/domain_edits.h"
 #include "family/key_edits.h"
+#include "family/names.h"
 #include "family/new_family.h"
 #include "family/origin.h"
 #include "family/synchronize_keys.h"
@@ -48,7 +49,7 @@ void change_document(ViewerState& state, double now, Change change) {
 }
 
 std::optional<double> time_in(const std::string& text) {
-    const std::optional<double> time = typed_number<double>(text);
+    const std::optional<double> time = parsed_number<double>(text);
     return time && std::isfinite(*time) ? time : std::nullopt;
 }
 
@@ -188,24 +189,18 @@ void ask_for_key_name(ViewerState& state) {
 
 void ask_for_family_name(ViewerState& state) {
     const std::string old_name = state.document.family().name;
-    state.question = TextQuestion{.text = "Rename the family",
-                                  .entry = old_name,
-                                  .button = "Rename",
-                                  .fault = [](const std::string& name) -> std::string {
-                                      return name.empty() ? "a family needs a name" : "";
-                                  },
-                                  .answer =
-                                      [old_name](ViewerState& changed, const std::string& name, double now) {
-                                          if (name == old_name) return;
-                                          edit(
-                                              changed, "Rename family",
-                                              [&](const Family& family) {
-                                                  Family renamed = family;
-                                                  renamed.name = name;
-                                                  return renamed;
-                                              },
-                                              now);
-                                      }};
+    state.question = TextQuestion{
+        .text = "Rename the family",
+        .entry = old_name,
+        .button = "Rename",
+        .fault = [](const std::string& name) -> std::string { return fault_of_name(name, "a family"); },
+        .answer =
+            [old_name](ViewerState& changed, const std::string& name, double now) {
+                if (name == old_name) return;
+                edit(
+                    changed, "Rename family",
+                    [&](const Family& family) { return with_family_renamed(family, name); }, now);
+            }};
 }
 
 void ask_for_new_time(ViewerState& state) {

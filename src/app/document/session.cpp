@@ -5,6 +5,18 @@
 
 namespace interleaf {
 
+std::string_view name_of(Driver driver) {
+    switch (driver) {
+        case Driver::timeline:
+            return "timeline";
+        case Driver::point:
+            return "point";
+        case Driver::key:
+            return "key";
+    }
+    return "";
+}
+
 Session::Session(std::shared_ptr<const Family> family) : family_(std::move(family)) {
     if (family_->timeline) playback_.set_interval(family_->timeline->begin(), family_->timeline->end(), 0);
     drive_with_what_there_is();

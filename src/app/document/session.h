@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "family/family.h"
 #include "family/playback.h"
@@ -20,6 +21,9 @@ enum class Driver {
     point,  ///< of the parameter domain
     key,    ///< alone
 };
+
+/// "timeline".
+std::string_view name_of(Driver driver);
 
 class Session {
   public:

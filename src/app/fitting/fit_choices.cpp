@@ -3,10 +3,11 @@
 #include <cmath>
 #include <optional>
 
+#include "text/parsed_number.h"
 #include <fmt/core.h>
 #include <glm/matrix.hpp>
 
-#include "app/document/typed_number.h"
+#include "app/document/typed_count.h"
 #include "app/fitting/axis_turn.h"
 
 namespace interleaf {
@@ -19,8 +20,8 @@ constexpr double max_percent = 100;
 constexpr double max_degrees = 360;
 
 std::optional<double> degrees_of(const FitChoices::Turn& turn) {
-    const std::optional<double> degrees = typed_number<double>(turn.degrees);
-    if (!degrees || !(std::abs(*degrees) <= max_degrees)) return {};
+    const std::optional<double> degrees = parsed_number<double>(turn.degrees);
+    if (!degrees || !(std::abs(*degrees) <= most_degrees)) return {};
     return degrees;
 }
 
@@ -29,10 +30,10 @@ std::optional<double> degrees_of(const FitChoices::Turn& turn) {
 std::string fault_of(const FitChoices& choices, const SphereRoots& roots,
                      const std::vector<std::string>& names) {
     if (choices.by_tolerance) {
-        const std::optional<double> percent = typed_number<double>(choices.tolerance);
-        if (!percent || !(*percent >= min_percent && *percent <= max_percent))
-            return fmt::format("Tolerance: expected {} to {} % of the box diagonal", min_percent,
-                               max_percent);
+        const std::optional<double> percent = parsed_number<double>(choices.tolerance);
+        if (!percent || !(*percent >= least_percent && *percent <= most_percent))
+            return fmt::format("Tolerance: expected {} to {} % of the box diagonal", least_percent,
+                               most_percent);
     } else {
         const std::optional<Index> leaves = typed_count(choices.leaves);
         const Index least = roots.complex.triangle_count();
@@ -49,7 +50,7 @@ FitOptions fit_options(const FitChoices& choices, const SphereRoots& roots) {
     FitOptions options{
         .roots = roots, .keep_largest = choices.keep_largest, .fill_holes = choices.fill_holes};
     if (choices.by_tolerance)
-        options.tolerance = *typed_number<double>(choices.tolerance) / 100;
+        options.tolerance = *parsed_number<double>(choices.tolerance) / 100;
     else
         options.leaves = typed_count(choices.leaves);
     return options;

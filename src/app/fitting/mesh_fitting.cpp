@@ -5,12 +5,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "text/shown_text.h"
 #include <fmt/core.h>
 
 #include "app/document/message.h"
 #include "app/fitting/tile_places.h"
 #include "ui/dialogs/progress_dialog.h"
-#include "ui/widgets/file_name.h"
 #include "ui/widgets/number_text.h"
 
 namespace interleaf {

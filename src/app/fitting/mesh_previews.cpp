@@ -15,7 +15,7 @@
 #include "hierarchy/vertex_normals.h"
 #include "io/read_files.h"
 #include "render/image_texture.h"
-#include "render/offscreen_target.h"
+#include "render/lone_picture.h"
 #include "render/palette.h"
 #include "render/plain_mesh.h"
 #include "ui/dialogs/fit_tiles.h"
@@ -186,15 +186,16 @@ void MeshPreviews::draw(std::size_t mesh, const Drawn& as) {
         body.ball_center = turned(body.ball_center);
 
         if (!renderer_) renderer_.emplace();
-        renderer_->upload(drawn, normal_form(drawn));
-        renderer_->set_field(&drawn.fields.front());
-        const int samples_a_side = static_cast<int>(subpixels) * as.side;
-        OffscreenTarget target(samples_a_side, samples_a_side, 1);
-        constexpr std::array<float, 1> weight{1};
-        Display display;
-        display.coloring = Coloring::field;
-        display.field = drawn.fields.front().label.name;
-        renderer_->draw(target, tile_camera(), weight, display);
+        const UnionField& colors = drawn.fields.front();
+        const int fine_side = static_cast<int>(subpixels) * as.side;
+        LonePicture picture{.size = {fine_side, fine_side},
+                            .samples = 1,
+                            .camera = tile_camera(),
+                            .display = {},
+                            .field = &colors};
+        picture.display.coloring = Coloring::field;
+        picture.display.field = colors.label.name;
+        OffscreenTarget target = draw_alone(*renderer_, drawn, normal_form(drawn), picture);
         previews_[mesh].picture = image_texture(as.side, as.side, without_background(target));
     } catch (const MachineError& error) {
         previews_[mesh].fault = fmt::format("{}: {}", files_[mesh].string(), error.what());

@@ -7,15 +7,11 @@
 #include "app/document/family_extent.h"
 #include "hierarchy/union_mesh.h"
 #include "hierarchy/vertex_normals.h"
-#include "render/camera.h"
-#include "render/image_texture.h"
-#include "render/offscreen_target.h"
+#include "render/lone_picture.h"
 
 namespace interleaf {
 
 namespace {
-
-constexpr int samples = 4;
 
 KeyPortrait portrait_of(const SharedHierarchy& hierarchy) {
     const std::vector<Leaf> leaves = leaves_of(*hierarchy);
@@ -57,14 +53,10 @@ bool KeyPortraits::draw_next(std::size_t begin, std::size_t end, int side) {
 
     const std::array<const Hierarchy*, 1> key{&*missing->hierarchy};
     const UnionMesh mesh = unite(key);
-    renderer_.upload(mesh, normal_form(mesh));
-    Camera camera;
-    camera.look_from(30, 20);
-    camera.view_all(missing->extent, 1);
-    OffscreenTarget target(side, side, samples);
-    constexpr std::array<float, 1> weight{1};
-    renderer_.draw(target, camera, weight, {});
-    missing->picture = image_texture(side, side, target.read_rgba());
+    LonePicture picture{.size = {side, side}, .camera = {}, .display = {}};
+    picture.camera.look_from(30, 20);
+    picture.camera.view_all(missing->extent, 1);
+    missing->picture = texture_alone(renderer_, mesh, normal_form(mesh), picture);
     return true;
 }
 

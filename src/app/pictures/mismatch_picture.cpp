@@ -32,13 +32,6 @@ constexpr float max_reach = 0.75F;
 /// Triangles that are looked at to find a view: about a second's worth.
 constexpr std::size_t max_tests = 100'000'000;
 
-Extent extent_of(const Hierarchy& key) {
-    Extent extent{bounding_box(key.positions), 0};
-    for (const glm::vec3 position : key.positions)
-        extent.radius = std::max(extent.radius, glm::distance(position, extent.box.center()));
-    return extent;
-}
-
 std::vector<std::size_t> leaves_in(const UnionMesh& mesh, Index root) {
     const std::vector<LeafPath> paths = leaf_paths(mesh.tags);
     std::vector<std::size_t> leaves;
@@ -248,7 +241,7 @@ MismatchPicture mismatch_picture(const Hierarchy& key, const RootPlace& place, f
     for (std::size_t vertex = 0; vertex < picture.mesh.vertex_count(); ++vertex)
         append_color(picture.colors.values.front(), plain_color);
 
-    const Extent extent = extent_of(key);
+    const Extent extent = extent_of(key.positions);
     if (place.root == no_index) {
         picture.camera.look_from(30, 20);
         picture.camera.view_all(extent, aspect);

@@ -1,8 +1,7 @@
 #include "app/pictures/mismatch_pictures.h"
 
 #include "hierarchy/error.h"
-#include "render/image_texture.h"
-#include "render/offscreen_target.h"
+#include "render/lone_picture.h"
 
 namespace interleaf {
 
@@ -23,18 +22,12 @@ void MismatchPictures::update(const std::shared_ptr<const MismatchedKeys>& keys,
 }
 
 void MismatchPictures::draw(const Key& key, const RootPlace& place, glm::ivec2 size) {
-    constexpr int samples = 4;
-    constexpr std::array<float, 1> weight{1};
     const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
     const MismatchPicture picture = mismatch_picture(*key.hierarchy, place, aspect);
-    renderer_->upload(picture.mesh, picture.form);
-    renderer_->set_field(&picture.colors);
-    Display display;
-    display.coloring = Coloring::field;
-    display.root_edges = true;
-    OffscreenTarget target(size.x, size.y, samples);
-    renderer_->draw(target, picture.camera, weight, display);
-    textures_.push_back(image_texture(size.x, size.y, target.read_rgba()));
+    LonePicture drawn{.size = size, .camera = picture.camera, .display = {}, .field = &picture.colors};
+    drawn.display.coloring = Coloring::field;
+    drawn.display.root_edges = true;
+    textures_.push_back(texture_alone(*renderer_, picture.mesh, picture.form, drawn));
     shown_.push_back({textures_.back().name(), caption_of(key.name, place)});
 }
 

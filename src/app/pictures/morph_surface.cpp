@@ -1,10 +1,7 @@
 #include "app/pictures/morph_surface.h"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
-
-#include <glm/geometric.hpp>
 
 #include "family/family_fields.h"
 #include "hierarchy/morph.h"
@@ -72,12 +69,7 @@ void MorphSurface::update_field(const Family& family, const Weights& weights, co
 }
 
 Extent MorphSurface::extent(const Weights& weights) const {
-    const Buffer<glm::vec3> positions = morph(mesh_, weight_values(weights));
-    Extent extent{bounding_box(positions), 0};
-    const glm::vec3 center = extent.box.center();
-    for (const glm::vec3& position : positions)
-        extent.radius = std::max(extent.radius, glm::distance(position, center));
-    return extent;
+    return extent_of(morph(mesh_, weight_values(weights)));
 }
 
 std::optional<glm::vec3> MorphSurface::field_at(const Ray& ray, const Weights& weights) {

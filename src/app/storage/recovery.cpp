@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <system_error>
 
+#include "text/characters.h"
+#include "text/parsed_number.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
@@ -30,15 +31,13 @@ constexpr double latest_time = 253'402'300'800;  // the year 10000
 
 /// Whose folder \p name is: "PID-START" and perhaps more after another '-'.
 std::optional<ProcessIdentity> owner_of(std::string_view name) {
-    ProcessIdentity owner{.number = 0, .start_time = 0};
-    const char* const begin = name.data();
-    const char* const end = begin + name.size();
-    const auto number = std::from_chars(begin, end, owner.number);
-    if (number.ec != std::errc() || owner.number <= 0 || number.ptr == end || *number.ptr != '-')
-        return std::nullopt;
-    const auto start = std::from_chars(number.ptr + 1, end, owner.start_time);
-    if (start.ec != std::errc() || (start.ptr != end && *start.ptr != '-')) return std::nullopt;
-    return owner;
+    const std::size_t dash = name.find('-');
+    if (dash == std::string_view::npos) return std::nullopt;
+    const std::string_view rest = name.substr(dash + 1);
+    const auto number = parsed_number<decltype(ProcessIdentity::number)>(name.substr(0, dash));
+    const auto start = parsed_number<decltype(ProcessIdentity::start_time)>(rest.substr(0, rest.find('-')));
+    if (!number || *number <= 0 || !start) return std::nullopt;
+    return ProcessIdentity{.number = *number, .start_time = *start};
 }
 
 /// The names this process may give a folder, in the order to try them. What has a name already may be from
@@ -71,7 +70,7 @@ RecoveryNote parse_recovery_note(std::string_view json, std::string_view name) {
     RecoveryNote note;
     const JsonPlace title = root.member("name");
     note.name = title.string();
-    if (!family_format::is_name(note.name)) title.fail_expecting("a name without control characters");
+    if (!is_printable(note.name)) title.fail_expecting("a name without control characters");
     if (const auto folder = root.optional_member("folder")) {
         const std::string text = folder->string();
         note.document_folder = family_format::path_of(text);
@@ -86,9 +85,9 @@ RecoveryNote parse_recovery_note(std::string_view json, std::string_view name) {
 }
 
 std::string recovery_note_text(const RecoveryNote& note) {
-    nlohmann::ordered_json document{{"name", family_format::is_name(note.name) ? note.name : "Unnamed"}};
+    nlohmann::ordered_json document{{"name", is_printable(note.name) ? note.name : "Unnamed"}};
     const std::string folder = family_format::utf8_of(note.document_folder);
-    if (!folder.empty() && family_format::is_utf8(folder)) document["folder"] = folder;
+    if (!folder.empty() && is_utf8(folder)) document["folder"] = folder;
     document["time"] = note.time;
     return document.dump(2) + "\n";
 }

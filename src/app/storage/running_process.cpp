@@ -1,11 +1,11 @@
 #include "app/storage/running_process.h"
 
-#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <string>
 
+#include "text/parsed_number.h"
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -26,10 +26,9 @@ std::optional<ProcessIdentity> running_process(pid_t number) {
     constexpr int state = 3;
     constexpr int start_time = 22;
     for (int i = state; i < start_time; ++i) fields >> field;
-    ProcessIdentity process{.number = number, .start_time = 0};
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), process.start_time);
-    if (!fields || error != std::errc() || end != field.data() + field.size()) return std::nullopt;
-    return process;
+    const auto started = parsed_number<decltype(ProcessIdentity::start_time)>(field);
+    if (!fields || !started) return std::nullopt;
+    return ProcessIdentity{.number = number, .start_time = *started};
 }
 
 ProcessIdentity this_process() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "text/characters.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -52,7 +53,7 @@ ordered_json array_of(const std::vector<fs::path>& paths) {
     ordered_json array = ordered_json::array();
     for (const fs::path& path : paths) {
         std::string text = family_format::utf8_of(path);
-        if (family_format::is_utf8(text)) array.push_back(std::move(text));
+        if (is_utf8(text)) array.push_back(std::move(text));
     }
     return array;
 }
@@ -62,7 +63,7 @@ std::string settings_text(const Settings& settings) {
     document["recent files"] = array_of(settings.recent_files);
     document["recent folders"] = array_of(settings.recent_folders);
     const std::string last = family_format::utf8_of(settings.last_folder);
-    if (!last.empty() && family_format::is_utf8(last)) document["last folder"] = last;
+    if (!last.empty() && is_utf8(last)) document["last folder"] = last;
     if (settings.window_size)
         document["window"] = {{"width", settings.window_size->x}, {"height", settings.window_size->y}};
     return document.dump(2) + "\n";

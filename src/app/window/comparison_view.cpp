@@ -1,9 +1,12 @@
 #include "app/window/comparison_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
+#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
@@ -11,7 +14,7 @@
 #include "hierarchy/vertex_normals.h"
 #include "render/pick.h"
 #include "render/plain_mesh.h"
-#include "ui/widgets/file_name.h"
+#include "ui/panels/comparison_panel.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/value_label.h"
@@ -45,15 +48,6 @@ UnionMesh key_side(const FitComparison& comparison) {
         values[mesh.own_vertices.front()[v]] = comparison.key_distances[v];
     mesh.fields.push_back(distance_field(std::move(values)));
     return mesh;
-}
-
-Extent extent_of_both(const FitComparison& comparison) {
-    std::vector<glm::vec3> positions = comparison.positions;
-    positions.insert(positions.end(), comparison.key->positions.begin(), comparison.key->positions.end());
-    Extent extent{bounding_box(positions), 0};
-    for (const glm::vec3& position : positions)
-        extent.radius = std::max(extent.radius, glm::distance(position, extent.box.center()));
-    return extent;
 }
 
 /// The value of \p mesh's only field where \p ray first meets it; none where it does not.
@@ -107,8 +101,9 @@ void ComparisonView::take(std::shared_ptr<const FitComparison> taken, std::strin
         side.renderer.upload(side.mesh, normal_form(side.mesh));
         side.renderer.set_field(&side.mesh.fields.front());
     }
-    scale_ = {.map = ColorMap::viridis, .range = {0, max_distance(comparison)}};
-    extent_ = extent_of_both(comparison);
+    scale_ = {.map = ColorMap::viridis, .range = {0, largest_distance(comparison)}};
+    extent_ =
+        extent_of(std::array<std::span<const glm::vec3>, 2>{comparison.positions, comparison.key->positions});
     camera_ = from;
     view_all_wanted_ = true;
     shown_ = std::move(taken);

@@ -11,34 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(Driver driver) {
-    switch (driver) {
-        case Driver::timeline:
-            return "timeline";
-        case Driver::point:
-            return "point";
-        case Driver::key:
-            return "key";
-    }
-    return "";
-}
-
-const char* name_of(Coloring coloring) {
-    switch (coloring) {
-        case Coloring::plain:
-            return "plain";
-        case Coloring::level:
-            return "level";
-        case Coloring::origin:
-            return "origin";
-        case Coloring::checker:
-            return "checker";
-        case Coloring::field:
-            return "field";
-    }
-    return "";
-}
-
 Json json_of(const Rect& rect) {
     return {rect.x, rect.y, rect.width, rect.height};
 }
@@ -50,7 +22,7 @@ Json json_of(const Weights& weights, const Family& family) {
 }
 
 Json json_of(const Display& display) {
-    return {{"shading", display.shading == Shading::smooth ? "smooth" : "flat"},
+    return {{"shading", name_of(display.shading)},
             {"coloring", name_of(display.coloring)},
             {"field", display.field},
             {"color_map", name_of(display.scale.map)},

@@ -34,8 +34,9 @@ std::vector<std::filesystem::path> key_files(const std::filesystem::path& path);
 
 /// Writes family.json and the keys as NAME.ilh of this form into \p folder, which is made if missing. Key
 /// files that the family.json found there names stay until the new one is in place; then those it does not
-/// name are removed. \throw InputError   if check() finds fault with the family, or a name is not UTF-8
-/// without control characters \throw MachineError when something cannot be written
+/// name are removed.
+/// \throw InputError   if check() finds fault with the family
+/// \throw MachineError when something cannot be written
 void write_family(const Family& family, const std::filesystem::path& folder,
                   const HierarchyFileOptions& form = {});
 

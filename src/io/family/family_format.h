@@ -24,10 +24,4 @@ inline constexpr std::size_t max_domain_triangles = 4096;
 std::filesystem::path path_of(std::string_view utf8);
 std::string utf8_of(const std::filesystem::path& path);
 
-/// Whether \p text can be a name: UTF-8 without control characters, so that showing it moves no terminal's
-/// cursor.
-bool is_name(std::string_view text);
-
-bool is_utf8(std::string_view text);
-
 }  // namespace interleaf::family_format

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "text/characters.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 
 std::string name_at(const JsonPlace& place) {
     std::string name = place.string();
-    if (!family_format::is_name(name)) place.fail_expecting("a name without control characters");
+    if (!is_printable(name)) place.fail_expecting("a name without control characters");
     return name;
 }
 
@@ -142,9 +143,17 @@ class KeyNames {
     std::map<std::string, std::size_t> indices_;
 };
 
+/// Every name in quotation marks: "linear".
+std::string names_of_interpolations() {
+    std::vector<std::string> names;
+    for (const Interpolation each : interpolations()) names.push_back(fmt::format("\"{}\"", name_of(each)));
+    return joined(names, " or ");
+}
+
 Timeline timeline_at(const JsonPlace& place, const KeyNames& names) {
-    const JsonPlace interpolation = place.member("interpolation");
-    if (interpolation.string() != "linear") interpolation.fail_expecting("\"linear\"");
+    const JsonPlace interpolation_place = place.member("interpolation");
+    const auto interpolation = interpolation_named(interpolation_place.string());
+    if (!interpolation) interpolation_place.fail_expecting(names_of_interpolations());
 
     std::vector<TimelineKey> timeline_keys;
     const JsonPlace keys = place.member("keys");
@@ -154,7 +163,7 @@ Timeline timeline_at(const JsonPlace& place, const KeyNames& names) {
         timeline_keys.push_back({key.member("time").number(), names.index_at(key.member("key"))});
     }
     try {
-        return Timeline(std::move(timeline_keys));
+        return Timeline(std::move(timeline_keys), *interpolation);
     } catch (const InputError& error) {
         place.fail(error.what());
     }

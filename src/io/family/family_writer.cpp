@@ -4,6 +4,7 @@
 #include <system_error>
 #include <vector>
 
+#include "text/characters.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -26,13 +27,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 void check_writable(const Family& family, const fs::path& folder) {
-    std::vector<std::string> violations = check(family);
-    if (!family_format::is_name(family.name))
-        violations.emplace_back("the family's name is not UTF-8 without control characters");
-    for (std::size_t i = 0; i < family.keys.size(); ++i)
-        if (!family_format::is_name(family.keys[i].name))
-            violations.push_back(
-                fmt::format("the name of key {} is not UTF-8 without control characters", i));
+    const std::vector<std::string> violations = check(family);
     if (violations.empty()) return;
     throw InputError(fmt::format("{}: {}", folder.string(), joined(violations, "; ")));
 }
@@ -48,8 +43,8 @@ std::string file_stem(std::string_view name) {
         stem += is_kept ? c : '-';
     }
     // Where the name was cut within a character of several bytes, the rest of the character goes, too.
-    if (name.size() > longest && (static_cast<unsigned char>(name[longest]) & 0xc0) == 0x80) {
-        while ((static_cast<unsigned char>(stem.back()) & 0xc0) == 0x80) stem.pop_back();
+    if (name.size() > longest && continues_character(name[longest])) {
+        while (continues_character(stem.back())) stem.pop_back();
         stem.pop_back();
     }
     return stem;
@@ -119,8 +114,8 @@ std::string timeline_text(const Timeline& timeline, const Family& family) {
     keys.reserve(timeline.keys().size());
     for (const TimelineKey& key : timeline.keys())
         keys.push_back({{"time", key.time}, {"key", family.keys[key.key].name}});
-    return fmt::format("  \"timeline\": {{\n    \"interpolation\": \"linear\",\n{}\n  }}",
-                       array_text("    ", "keys", keys));
+    return fmt::format("  \"timeline\": {{\n    \"interpolation\": \"{}\",\n{}\n  }}",
+                       name_of(timeline.interpolation()), array_text("    ", "keys", keys));
 }
 
 std::string domain_text(const ParameterDomain& domain, const Family& family) {

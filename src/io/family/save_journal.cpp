@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "text/characters.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -26,7 +27,7 @@ constexpr std::uint64_t max_journal_size = 1 << 20;
 
 /// Whether \p name names a key file directly in the family's folder, and fits on one line.
 bool is_key_name(const fs::path& name) {
-    return name == name.filename() && name.extension() == ".ilh" && family_format::is_name(name.string());
+    return name == name.filename() && name.extension() == ".ilh" && is_printable(name.string());
 }
 
 /// The files that the journal in \p folder lists. Each line has a checksum, a size and a name.

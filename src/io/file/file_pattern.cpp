@@ -4,6 +4,7 @@
 #include <string>
 #include <system_error>
 
+#include "text/natural_order.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
@@ -13,43 +14,6 @@ namespace interleaf {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view digits = "0123456789";
-
-/// The run of digits, or the one other character, that \p text begins with; taken off it.
-std::string_view take_part(std::string_view& text) {
-    const std::size_t run = std::min(text.find_first_not_of(digits), text.size());
-    const std::string_view part = text.substr(0, std::max<std::size_t>(run, 1));
-    text.remove_prefix(part.size());
-    return part;
-}
-
-bool is_number(std::string_view part) {
-    return digits.find(part.front()) != std::string_view::npos;
-}
-
-std::string_view without_zeros(std::string_view number) {
-    return number.substr(std::min(number.find_first_not_of('0'), number.size()));
-}
-
-/// Negative, 0 or positive as \p a is less than, equal to or greater than \p b.
-int compare_parts(std::string_view a, std::string_view b) {
-    if (!is_number(a) || !is_number(b)) return a.compare(b);
-    a = without_zeros(a);
-    b = without_zeros(b);
-    if (a.size() != b.size()) return a.size() < b.size() ? -1 : 1;
-    return a.compare(b);
-}
-
-/// \p text with each number replaced by one 0.
-std::string without_numbers(std::string_view text) {
-    std::string result;
-    while (!text.empty()) {
-        const std::string_view part = take_part(text);
-        result += is_number(part) ? "0" : part;
-    }
-    return result;
-}
 
 /// Whether \p name matches \p pattern, in which an asterisk stands for any characters.
 bool matches(std::string_view name, std::string_view pattern) {
@@ -76,14 +40,6 @@ bool matches(std::string_view name, std::string_view pattern) {
 
 }  // namespace
 
-bool is_before_naturally(std::string_view a, std::string_view b) {
-    const std::string_view whole_a = a, whole_b = b;
-    while (!a.empty() && !b.empty())
-        if (const int order = compare_parts(take_part(a), take_part(b)); order != 0) return order < 0;
-    if (a.empty() != b.empty()) return a.empty();
-    return whole_a < whole_b;
-}
-
 bool is_numbered_series(const std::vector<fs::path>& files) {
     if (files.empty()) return false;
     const std::string first = without_numbers(files.front().string());
@@ -92,9 +48,11 @@ bool is_numbered_series(const std::vector<fs::path>& files) {
 }
 
 void sort_naturally(std::vector<fs::path>& files) {
-    std::ranges::sort(files, [](const fs::path& a, const fs::path& b) {
-        return is_before_naturally(a.string(), b.string());
-    });
+    std::vector<NaturalName> names;
+    names.reserve(files.size());
+    for (const fs::path& file : files) names.emplace_back(file.string());
+    std::ranges::sort(names);
+    std::ranges::transform(names, files.begin(), &NaturalName::text);
 }
 
 std::vector<fs::path> matching_files(const fs::path& path) {

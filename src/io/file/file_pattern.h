@@ -1,5 +1,4 @@
-// Names of files: a pattern such as flow.*.obj for several, the order in which numbered files follow each
-// other, and the extension.
+// Names of files: a pattern such as flow.*.obj for several, numbered series, and the extension.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +8,10 @@
 
 namespace interleaf {
 
-/// Whether \p a comes before \p b when runs of digits count as numbers: flow.2 before flow.10. Texts that
-/// differ in leading zeros alone are ordered by them, so different texts are never equal.
-bool is_before_naturally(std::string_view a, std::string_view b);
-
-/// Whether \p texts are a numbered series: the same but for the numbers in them, like flow.2 and flow.10.
+/// Whether \p files are a numbered series: the same but for the numbers in them, like flow.2 and flow.10.
 bool is_numbered_series(const std::vector<std::filesystem::path>& files);
 
-/// Puts \p files in the natural order.
+/// Puts \p files in their natural order (text/natural_order.h).
 void sort_naturally(std::vector<std::filesystem::path>& files);
 
 /// The files that \p path stands for, in their natural order. An asterisk in the last component stands for

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "text/parsed_number.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
@@ -155,7 +156,7 @@ class Reader {
     /// the file counts back from the last vertex.
     std::size_t vertex_number(std::string_view word) {
         std::int64_t number = 0;
-        if (parse_word(word.substr(0, word.find('/')), number) != std::errc())
+        if (parse_all(word.substr(0, word.find('/')), number) != std::errc())
             fail(fmt::format("{} is not a corner, expected the number of a vertex", in_quotes(word)));
         const std::int64_t before = static_cast<std::int64_t>(mesh_.positions.size());
         if (number == 0) fail("vertex 0 does not exist, they are counted from 1");

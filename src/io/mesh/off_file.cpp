@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "text/parsed_number.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
@@ -57,7 +58,7 @@ Header read_header(std::string_view text, std::string_view name) {
     const std::size_t place = word.find("OFF");
     const auto parts = parts_of(word.substr(0, place == std::string_view::npos ? 0 : place));
     std::uint32_t count = 0;
-    if (!parts || (place == std::string_view::npos && parse_word(word, count) != std::errc()))
+    if (!parts || (place == std::string_view::npos && parse_all(word, count) != std::errc()))
         throw InputError(fmt::format(
             "{}: line {}: {} begins the file, expected OFF, after ST, C or N for textures, colors or normals",
             name, line, in_quotes(word)));
@@ -111,7 +112,7 @@ class TextReader {
     Index take_count(std::string_view expected) {
         const std::string_view word = take_word(line_);
         Index count = 0;
-        if (parse_word(word, count) != std::errc())
+        if (parse_all(word, count) != std::errc())
             fail(fmt::format("{} found, expected {}", in_quotes(word), expected));
         return count;
     }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "text/parsed_number.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
@@ -175,7 +176,7 @@ class PlyReader {
         const std::string_view name = take_word(line);
         const std::string_view word = take_word(line);
         std::uint64_t count = 0;
-        if (name.empty() || parse_word(word, count) != std::errc())
+        if (name.empty() || parse_all(word, count) != std::errc())
             fail_in_header(fmt::format("{} found, expected an element's name and count", in_quotes(word)));
         constexpr std::size_t max_elements = 1000;
         if (elements_.size() == max_elements) fail_in_header("more than 1000 elements");

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "text/characters.h"
+
 namespace interleaf {
 namespace {
 
@@ -28,27 +30,13 @@ Encoding encoding_of(std::string_view text) {
     return Encoding::utf8;
 }
 
-void append_utf8(std::string& text, unsigned code) {
-    const auto append = [&](unsigned byte) { text += static_cast<char>(byte); };
-    if (code < 0x80) {
-        append(code);
-    } else if (code < 0x800) {
-        append(0xc0 | code >> 6);
-        append(0x80 | (code & 0x3f));
-    } else {
-        append(0xe0 | code >> 12);
-        append(0x80 | (code >> 6 & 0x3f));
-        append(0x80 | (code & 0x3f));
-    }
-}
-
 /// Characters beyond the first 65,536 become two characters of three bytes each. Meshes do not need them.
 std::string utf8_of(std::string_view text, Encoding encoding) {
     const std::size_t low = encoding == Encoding::utf16_little_endian ? 0 : 1;
     std::string result;
     result.reserve(text.size() / 2 + 16);
     for (std::size_t place = 0; place + 1 < text.size(); place += 2)
-        append_utf8(result, byte_at(text, place + low) | byte_at(text, place + 1 - low) << 8);
+        append_character(result, byte_at(text, place + low) | byte_at(text, place + 1 - low) << 8);
     return result;
 }
 
@@ -73,8 +61,10 @@ std::string plain_text(std::string text, std::vector<std::string>& remarks) {
 bool looks_like_text(std::string_view bytes) {
     constexpr std::size_t most = 1024;
     return std::ranges::none_of(bytes.substr(0, most), [](char c) {
+        constexpr std::string_view blanks = "\t\n\v\f\r";
         const auto byte = static_cast<unsigned char>(c);
-        return byte < 0x09 || (byte > 0x0d && byte < 0x20) || byte == 0x7f;
+        // Bytes above ASCII may be letters of an older encoding.
+        return byte < 0x80 && is_control(byte) && blanks.find(c) == std::string_view::npos;
     });
 }
 

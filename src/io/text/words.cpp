@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "text/parsed_number.h"
+
 namespace interleaf {
 namespace {
 
@@ -48,7 +50,7 @@ std::string_view Words::next() {
 std::optional<double> parse_double(std::string_view word) {
     word = without_plus(word);
     double number = 0;
-    std::errc error = parse_word(word, number);
+    std::errc error = parse_all(word, number);
     if (error == std::errc::result_out_of_range) {
         // libstdc++ leaves the number unchanged then. A negative exponent shows that it is too small.
         const std::size_t exponent = word.find_first_of("eE");
@@ -76,7 +78,7 @@ std::optional<double> parse_coordinate(std::string_view word) {
         const float other = std::nextafter(nearest, offset < 0 ? -HUGE_VALF : HUGE_VALF);
         if (offset != 0 && std::abs(double{other} - *number) == std::abs(offset)) {
             float exact = 0;
-            if (parse_word(without_plus(word), exact) == std::errc() && exact != nearest)
+            if (parse_all(without_plus(word), exact) == std::errc() && exact != nearest)
                 number = std::nextafter(*number, double{exact});
         }
         return number;
@@ -85,7 +87,7 @@ std::optional<double> parse_coordinate(std::string_view word) {
         word.substr(word.starts_with('-') || word.starts_with('+') ? 1 : 0);
     double number = 0;
     const bool is_special = unsigned_word.starts_with("1.#") ||
-                            (parse_word(unsigned_word, number) == std::errc() && !std::isfinite(number));
+                            (parse_all(unsigned_word, number) == std::errc() && !std::isfinite(number));
     if (!is_special) return std::nullopt;
     return std::numeric_limits<double>::quiet_NaN();
 }

@@ -1,11 +1,9 @@
 // Lines of text files, the words in them, and the numbers that words stand for.
 #pragma once
 
-#include <charconv>
 #include <cstddef>
 #include <optional>
 #include <string_view>
-#include <system_error>
 
 namespace interleaf {
 
@@ -40,13 +38,6 @@ class Words {
     std::string_view rest_;
     std::size_t line_ = 1;
 };
-
-/// The whole of \p word as a number.
-template <typename Number>
-std::errc parse_word(std::string_view word, Number& number) {
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    return end == word.data() + word.size() ? error : std::errc::invalid_argument;
-}
 
 /// The number nearest to \p word, which may begin with a plus sign; none unless it is finite. What is too
 /// small is 0.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "text/shown_text.h"
 #include <imgui.h>
 
-#include "ui/widgets/file_name.h"
 #include "ui/widgets/modal.h"
 #include "ui/widgets/style.h"
 

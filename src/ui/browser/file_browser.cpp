@@ -4,10 +4,11 @@
 #include <system_error>
 #include <utility>
 
+#include "text/characters.h"
+#include "text/shown_text.h"
 #include <fmt/core.h>
 
 #include "ui/browser/typed_path.h"
-#include "ui/widgets/file_name.h"
 
 namespace interleaf {
 

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 
+#include "text/shown_text.h"
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include "ui/browser/breadcrumbs.h"
 #include "ui/browser/file_browser.h"
 #include "ui/browser/typed_path.h"
-#include "ui/widgets/file_name.h"
 #include "ui/widgets/modal.h"
 
 namespace interleaf {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -10,10 +11,10 @@
 #include "ui/browser/file_browser.h"
 #include "ui/browser/file_list.h"
 #include "ui/browser/typed_path.h"
-#include "ui/widgets/file_name.h"
 #include "ui/widgets/modal.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/text_field.h"
 
 namespace interleaf {
 

@@ -5,10 +5,10 @@
 #include <ctime>
 #include <system_error>
 
+#include "text/characters.h"
+#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <sys/stat.h>
-
-#include "ui/widgets/file_name.h"
 
 namespace interleaf {
 
@@ -26,7 +26,7 @@ EntryKind kind_of(mode_t mode) {
 FolderEntry entry_at(const fs::path& path) {
     FolderEntry entry{.name = path.filename(), .label = {}, .order = {}};
     entry.label = shown_name(entry.name.native());
-    entry.order = folded(entry.label);
+    entry.order = NaturalName(entry.label);
     struct stat status {};
     // A link that leads nowhere, or in a circle, is described itself.
     if (::stat(path.c_str(), &status) != 0 && ::lstat(path.c_str(), &status) != 0) {
@@ -50,7 +50,7 @@ bool is_before(const FolderEntry& a, const FolderEntry& b, SortOrder order) {
     const bool by_name = order.column == SortColumn::name;
     const FolderEntry& left = by_name ? first : a;
     const FolderEntry& right = by_name ? second : b;
-    if (left.order != right.order) return is_naturally_before(left.order, right.order);
+    if (left.order != right.order) return left.order < right.order;
     return left.name.native() < right.name.native();
 }
 
@@ -67,7 +67,7 @@ FolderListing read_folder(const fs::path& folder) {
 
 bool is_of_type(const FolderEntry& entry, const FileType& type) {
     return type.extensions.empty() || std::ranges::any_of(type.extensions, [&](const std::string& extension) {
-               return entry.order.ends_with(folded(extension));
+               return entry.order.folded.ends_with(folded(extension));
            });
 }
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "text/natural_order.h"
+
 namespace interleaf {
 
 enum class EntryKind : std::uint8_t { folder, file, broken_link, other };
@@ -16,7 +18,7 @@ enum class EntryKind : std::uint8_t { folder, file, broken_link, other };
 struct FolderEntry {
     std::filesystem::path name;  ///< in its folder
     std::string label;           ///< the name as shown_name() shows it
-    std::string order;           ///< the label folded, to sort and to find by
+    NaturalName order;           ///< of the label, to sort and to find by
     EntryKind kind = EntryKind::file;
     std::uint64_t size = 0;     ///< bytes; of files
     std::int64_t modified = 0;  ///< seconds since 1970, UTC
@@ -55,8 +57,8 @@ struct ListingFilter {
     bool only_folders = false;
 };
 
-/// The entries to show, as indices in their order: folders first, then by \p order, equal ones by name.
-/// Folders pass every type.
+/// The entries to show, as indices in their order: folders first, then by \p order, equal ones in the natural
+/// order of their names. Folders pass every type.
 std::vector<std::size_t> shown_entries(std::span<const FolderEntry> entries, const ListingFilter& filter,
                                        SortOrder order);
 

@@ -1,6 +1,6 @@
 #include "ui/browser/type_ahead.h"
 
-#include "ui/widgets/file_name.h"
+#include "text/characters.h"
 
 namespace interleaf {
 
@@ -11,7 +11,7 @@ std::optional<std::size_t> find(std::string_view beginning, std::span<const Fold
                                 std::span<const std::size_t> shown, std::size_t from) {
     for (std::size_t i = 0; i < shown.size(); ++i) {
         const std::size_t place = (from + i) % shown.size();
-        if (entries[shown[place]].order.starts_with(beginning)) return place;
+        if (entries[shown[place]].order.folded.starts_with(beginning)) return place;
     }
     return std::nullopt;
 }

@@ -5,7 +5,9 @@
 #include <system_error>
 #include <vector>
 
-#include "ui/widgets/file_name.h"
+#include "text/characters.h"
+
+#include "ui/widgets/text_field.h"
 
 namespace interleaf {
 
@@ -45,11 +47,8 @@ std::string common_beginning(const std::vector<std::string>& names) {
         common = common.substr(0, static_cast<std::size_t>(difference - common.begin()));
     }
     std::size_t size = common.size();
-    const auto is_inside_character = [&](std::size_t place) {
-        const std::string& name = names.front();
-        return place < name.size() && (static_cast<unsigned char>(name[place]) & 0xc0U) == 0x80;
-    };
-    while (size > 0 && is_inside_character(size)) --size;
+    const std::string& name = names.front();
+    while (size > 0 && size < name.size() && continues_character(name[size])) --size;
     return std::string(common.substr(0, size));
 }
 

@@ -1,7 +1,10 @@
 #include "ui/panels/display_panel.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -25,6 +28,21 @@ void choice(const char* name, Choice& value, const std::pair<const char*, Choice
     }
     const std::size_t now = interleaf::choice(name, labels, chosen, ImGui::GetContentRegionAvail().x);
     if (now < count) value = options[now].second;
+}
+
+/// Rows of three buttons.
+void coloring_choice(Coloring& value, bool has_fields) {
+    constexpr std::size_t columns = 3;
+    const std::vector<Coloring> all = colorings(has_fields);
+    for (std::size_t begin = 0; begin < all.size(); begin += columns) {
+        const auto row = std::span(all).subspan(begin, std::min(columns, all.size() - begin));
+        std::vector<const char*> labels;
+        for (const Coloring coloring : row) labels.push_back(label_of(coloring));
+        const auto chosen = static_cast<std::size_t>(std::ranges::find(row, value) - row.begin());
+        const float width = ImGui::GetContentRegionAvail().x;
+        const std::size_t now = interleaf::choice(labels.front(), labels, chosen, width);
+        if (now < row.size()) value = row[now];
+    }
 }
 
 void level_legend(LevelRange levels) {
@@ -87,12 +105,7 @@ Display display_panel(const Display& shown, const Legend& legend) {
     ImGui::Checkbox("Root edges", &display.root_edges);
     section_gap();
     heading("Color");
-    choice("color", display.coloring,
-           {{"Plain", Coloring::plain}, {"Level", Coloring::level}, {"Origin", Coloring::origin}});
-    if (legend.fields.empty())
-        choice("more color", display.coloring, {{"Checker", Coloring::checker}});
-    else
-        choice("more color", display.coloring, {{"Checker", Coloring::checker}, {"Field", Coloring::field}});
+    coloring_choice(display.coloring, !legend.fields.empty());
     if (display.coloring == Coloring::level) level_legend(legend.levels);
     if (display.coloring == Coloring::origin) origin_legend(legend);
     if (display.coloring == Coloring::field)

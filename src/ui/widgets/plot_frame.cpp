@@ -2,33 +2,26 @@
 
 #include <algorithm>
 
-#include <glm/common.hpp>
-
 namespace interleaf {
 
-PlotFrame::PlotFrame(std::span<const DomainVertex> vertices, const Rect& area)
-    : min_(vertices.front().at), max_(min_) {
-    for (const DomainVertex& vertex : vertices) {
-        min_ = glm::min(min_, vertex.at);
-        max_ = glm::max(max_, vertex.at);
-    }
-    const glm::dvec2 extent = max_ - min_;
+PlotFrame::PlotFrame(std::span<const DomainVertex> vertices, const Rect& area) : box_(box_of(vertices)) {
+    const glm::dvec2 extent = box_.high - box_.low;
     scale_ = std::min(area.width / extent.x, area.height / extent.y);
     const glm::dvec2 middle{area.x + area.width / 2, area.y + area.height / 2};
     corner_ = middle - scale_ * extent / 2.0;
 }
 
 glm::vec2 PlotFrame::pixel(glm::dvec2 point) const {
-    return corner_ + scale_ * glm::dvec2(point.x - min_.x, max_.y - point.y);
+    return corner_ + scale_ * glm::dvec2(point.x - box_.low.x, box_.high.y - point.y);
 }
 
 glm::dvec2 PlotFrame::point(glm::vec2 pixel) const {
     const glm::dvec2 offset = (glm::dvec2(pixel) - corner_) / scale_;
-    return {min_.x + offset.x, max_.y - offset.y};
+    return {box_.low.x + offset.x, box_.high.y - offset.y};
 }
 
 Rect PlotFrame::rect() const {
-    const glm::vec2 size = scale_ * (max_ - min_);
+    const glm::vec2 size = scale_ * (box_.high - box_.low);
     return {static_cast<float>(corner_.x), static_cast<float>(corner_.y), size.x, size.y};
 }
 

@@ -23,10 +23,9 @@ class PlotFrame {
     Rect rect() const;
 
   private:
-    glm::dvec2 min_;
-    glm::dvec2 max_;
-    glm::dvec2 corner_;  ///< pixel of (min x, max y)
-    double scale_;       ///< pixels a unit
+    DomainBox box_;
+    glm::dvec2 corner_;  ///< pixel of (low x, high y)
+    double scale_;       ///< pixels per unit
 };
 
 }  // namespace interleaf

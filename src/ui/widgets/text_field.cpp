@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "text/characters.h"
 #include <imgui.h>
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
@@ -24,6 +25,16 @@ void forget_steps() {
 }
 
 }  // namespace
+
+bool is_editable(std::string_view text) {
+    while (!text.empty()) {
+        const auto character = first_character(text);
+        // Dear ImGui holds 16 bits per character.
+        if (!character || is_control(character->code) || character->code > 0xffff) return false;
+        text.remove_prefix(character->size);
+    }
+    return true;
+}
 
 /// What the widget's callback works on.
 struct TextField::Edit {

@@ -3,10 +3,14 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 struct ImGuiInputTextCallbackData;
 
 namespace interleaf {
+
+/// Whether a text field can hold \p text and give it back unchanged.
+bool is_editable(std::string_view text);
 
 struct TextFieldResult {
     bool entered = false;  ///< Enter was pressed in it

@@ -267,6 +267,27 @@ TEST_CASE("keys are added in their order under names of their own, as one step")
     CHECK(names(state) == std::vector<std::string>{"a", "b", "c", "d", "e"});
 }
 
+TEST_CASE("edits of the timeline keep what it holds besides its keys, and so do undo and redo") {
+    constexpr auto other = static_cast<Interpolation>(200);
+    Family family = sample_family();
+    const auto keys = family.timeline->keys();
+    family.timeline = Timeline({keys.begin(), keys.end()}, other);
+    Document document(family, {});
+    document.edit("Add", with_time_added(document.family(), 3, 2));
+    document.edit("Move", with_time_moved(document.family(), 0, 9));
+    document.edit("Take off", with_time_removed(document.family(), 1));
+    document.edit("Remove", with_key_removed(document.family(), 3));
+    for (int step = 0; step < 4; ++step) {
+        CHECK(document.family().timeline->interpolation() == other);
+        document.undo();
+    }
+    CHECK(document.family().timeline == family.timeline);
+    for (int step = 0; step < 4; ++step) {
+        document.redo();
+        CHECK(document.family().timeline->interpolation() == other);
+    }
+}
+
 TEST_CASE("a key is renamed by its question, which refuses what a key cannot be called") {
     ViewerState state(sample_family());
     state.selected_key = 1;
@@ -278,6 +299,8 @@ TEST_CASE("a key is renamed by its question, which refuses what a key cannot be 
     CHECK(question.fault("x").empty());
     CHECK_FALSE(question.fault("").empty());
     CHECK_FALSE(question.fault("c").empty());
+    // Saving refuses them.
+    for (const char* name : {"a\nb", "a\u009b2J", "\xff"}) CHECK_FALSE(question.fault(name).empty());
     question.answer(state, "b", 0);
     CHECK(state.document.undo_step() == nullptr);
     question.answer(state, "x", 0);
@@ -294,7 +317,8 @@ TEST_CASE("the family is renamed by its question, times are set by theirs") {
     ask_for_family_name(state);
     REQUIRE(state.question);
     CHECK(state.question->entry == "sample");
-    CHECK_FALSE(state.question->fault("").empty());
+    for (const char* name : {"", "a\nb", "a\u009b2J", "\xff"})
+        CHECK_FALSE(state.question->fault(name).empty());
     TextQuestion(*state.question).answer(state, "other", 0);
     CHECK(state.document.family().name == "other");
 

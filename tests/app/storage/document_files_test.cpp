@@ -1,11 +1,14 @@
 // Tests of the document's files, as far as they need no window: what is opened, saved and asked.
 #include "app/storage/document_files.h"
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
+#include <random>
 #include <string>
 #include <thread>
 
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 
 #include "app/document/edit_commands.h"
@@ -13,9 +16,10 @@
 #include "app/sample_family.h"
 #include "hierarchy/adaptive_mesh.h"
 #include "io/family/family_file.h"
+#include "io/file/file_pattern.h"
 #include "io/file/folder_lock.h"
 #include "io/hierarchy/hierarchy_file.h"
-#include "io/scratch_folder.h"
+#include "ui/browser/folder_listing.h"
 
 using namespace interleaf;
 
@@ -95,6 +99,38 @@ TEST_CASE("opening replaces a document without changes, and what the window show
     CHECK(state.session.display == display);
     CHECK(state.help_shown);
     CHECK(files.recent_files().front() == folder / "second");
+}
+
+TEST_CASE("files are opened in the order in which the browser lists them") {
+    std::mt19937 random(3);
+    std::vector<FolderEntry> entries;
+    std::vector<fs::path> files;
+    for (int i = 0; i < 400; ++i) {
+        std::string name;
+        for (auto size = 1 + random() % 6; size > 0; --size) name += "0017aAbB-._"[random() % 11];
+        if (std::ranges::find(files, fs::path(name)) != files.end()) continue;
+        files.emplace_back(name);
+        entries.push_back({.name = name, .label = name, .order = NaturalName(name)});
+    }
+    sort_naturally(files);
+    const auto shown = shown_entries(entries, {.type = {"All", {}}, .hidden = true}, {});
+    REQUIRE(shown.size() == files.size());
+    for (std::size_t i = 0; i < files.size(); ++i) CHECK(entries[shown[i]].name == files[i]);
+}
+
+TEST_CASE("files of any name make keys that can be saved") {
+    const ScratchFolder folder;
+    const std::string name = "a\u009b2J\n\xff.ilh";
+    write_hierarchy(*named("first").keys.front().hierarchy, folder / name);
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, true);
+    files.open({folder / name});
+    CHECK(state.message.empty());
+    CHECK(state.document.family().name == "a\\xc2\\x9b2J\\x0a\\xff");
+    files.add_keys({folder / name}, 0);
+    REQUIRE(state.document.family().keys.size() == 2);
+    write_family(state.document.family(), folder / "saved");
+    CHECK(read_family(folder / "saved").keys[1].name == state.document.family().keys[1].name);
 }
 
 TEST_CASE("a folder of keys is opened and added as if they had been chosen together, and read again") {

@@ -3,9 +3,8 @@
 
 #include <chrono>
 
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
-
-#include "io/scratch_folder.h"
 
 using namespace interleaf;
 

@@ -5,6 +5,8 @@
 #include <memory>
 #include <tuple>
 
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 #include <sys/wait.h>
@@ -15,7 +17,6 @@
 #include "app/storage/running_process.h"
 #include "io/family/family_file.h"
 #include "io/samples.h"
-#include "io/scratch_folder.h"
 
 using namespace interleaf;
 

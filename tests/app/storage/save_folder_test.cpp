@@ -1,9 +1,8 @@
 // Tests of where saving begins.
 #include "app/storage/save_folder.h"
 
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
-
-#include "io/scratch_folder.h"
 
 using namespace interleaf;
 

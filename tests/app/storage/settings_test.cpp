@@ -3,12 +3,13 @@
 
 #include <algorithm>
 
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
 #include "app/environment.h"
 #include "app/storage/user_folders.h"
-#include "io/scratch_folder.h"
 
 using namespace interleaf;
 

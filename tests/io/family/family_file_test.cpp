@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "messages.h"
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 
 #include "io/hierarchy/hierarchy_file.h"
 #include "io/mesh/mesh_file.h"
 #include "io/read_files.h"
 #include "io/samples.h"
-#include "io/scratch_folder.h"
 
 namespace interleaf {
 

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <functional>
 
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sched.h>
@@ -18,7 +20,6 @@
 #include "io/file_size_limit.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "io/samples.h"
-#include "io/scratch_folder.h"
 
 namespace interleaf {
 

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "messages.h"
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -15,7 +17,6 @@
 #include "io/mesh/mesh_file.h"
 #include "io/read_files.h"
 #include "io/samples.h"
-#include "io/scratch_folder.h"
 
 namespace interleaf {
 

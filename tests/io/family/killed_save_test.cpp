@@ -8,6 +8,7 @@
 #include <random>
 
 #include "sanitized.h"
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 #include <sys/ptrace.h>
 #include <sys/wait.h>
@@ -16,7 +17,6 @@
 #include "io/family/family_file.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "io/samples.h"
-#include "io/scratch_folder.h"
 
 namespace interleaf {
 

@@ -4,9 +4,9 @@
 #include <random>
 #include <string>
 
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
-
-#include "io/scratch_folder.h"
 
 namespace interleaf {
 
@@ -31,53 +31,6 @@ bool matches_literally(std::string_view name, std::string_view pattern) {
 }
 
 }  // namespace
-
-TEST_CASE("numbers in names are ordered as numbers") {
-    const std::vector<std::string> ordered = {"",
-                                              "a",
-                                              "a0",
-                                              "a00",
-                                              "a1",
-                                              "a01",
-                                              "a2",
-                                              "a2b3",
-                                              "a2b10",
-                                              "a10",
-                                              "a10b",
-                                              "a99999999999999999999",
-                                              "a100000000000000000000",
-                                              "ab",
-                                              "b",
-                                              "flow.2.obj",
-                                              "flow.10.obj"};
-    for (std::size_t i = 0; i < ordered.size(); ++i)
-        for (std::size_t j = 0; j < ordered.size(); ++j) {
-            CAPTURE(ordered[i]);
-            CAPTURE(ordered[j]);
-            if (i == 4 || i == 5 || j == 4 || j == 5) continue;
-            CHECK(is_before_naturally(ordered[i], ordered[j]) == (i < j));
-        }
-    CHECK(is_before_naturally("a01", "a1"));
-    CHECK_FALSE(is_before_naturally("a1", "a01"));
-}
-
-TEST_CASE("the natural order is a strict order of all texts") {
-    std::mt19937 random(1);
-    const std::string letters = "01290a.-~";
-    const auto text = [&] {
-        std::string result;
-        for (auto n = random() % 5; n > 0; --n) result += letters[random() % letters.size()];
-        return result;
-    };
-    for (int n = 0; n < 20000; ++n) {
-        const std::string a = text(), b = text(), c = text();
-        CAPTURE(a);
-        CAPTURE(b);
-        CAPTURE(c);
-        REQUIRE(is_before_naturally(a, b) + is_before_naturally(b, a) == (a == b ? 0 : 1));
-        if (is_before_naturally(a, b) && is_before_naturally(b, c)) REQUIRE(is_before_naturally(a, c));
-    }
-}
 
 TEST_CASE("files that differ only in numbers are a series") {
     CHECK(is_numbered_series({"flow.2.obj", "flow.10.obj"}));

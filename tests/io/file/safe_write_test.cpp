@@ -1,6 +1,8 @@
 #include "io/file/safe_write.h"
 
 #include "messages.h"
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/file.h>
@@ -10,7 +12,6 @@
 #include "io/file/file_descriptor.h"
 #include "io/file/temporary_file.h"
 #include "io/file_size_limit.h"
-#include "io/scratch_folder.h"
 
 namespace interleaf {
 

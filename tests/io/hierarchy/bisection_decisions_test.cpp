@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <random>
 
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include "trials.h"
 #include <doctest/doctest.h>
 
@@ -11,7 +13,6 @@
 #include "hierarchy/random_families.h"
 #include "io/hierarchy/position_prediction.h"
 #include "io/samples.h"
-#include "io/scratch_folder.h"
 
 namespace interleaf {
 

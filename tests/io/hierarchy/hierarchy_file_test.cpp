@@ -6,6 +6,8 @@
 #include <random>
 
 #include "messages.h"
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include "trials.h"
 #include <doctest/doctest.h>
 #include <libdeflate.h>
@@ -14,7 +16,6 @@
 #include "hierarchy/error.h"
 #include "io/key_bytes.h"
 #include "io/samples.h"
-#include "io/scratch_folder.h"
 
 namespace interleaf {
 
@@ -123,14 +124,7 @@ TEST_CASE("a file that is too long is rejected") {
 }
 
 TEST_CASE("every single damaged byte is found") {
-    const Bytes whole = plain_sample();
-    std::mt19937 random(5);
-    for (std::size_t place = 0; place < whole.size(); ++place) {
-        CAPTURE(place);
-        Bytes damaged = whole;
-        damaged[place] ^= static_cast<std::byte>(1 + random() % 255);
-        CHECK_FALSE(error_of(damaged).empty());
-    }
+    check_damage_is_found(plain_sample());
 }
 
 TEST_CASE("any content with the right checksum is rejected or is a sound hierarchy") {

@@ -8,12 +8,13 @@
 #include <random>
 
 #include "messages.h"
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <stb_image.h>
 
 #include "hierarchy/checker.h"
 #include "io/samples.h"
-#include "io/scratch_folder.h"
 
 namespace interleaf {
 

@@ -10,6 +10,8 @@
 #include <string>
 
 #include "messages.h"
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
@@ -17,8 +19,6 @@
 #include "hierarchy/error.h"
 #include "io/mesh/mesh_file.h"
 #include "io/polygons.h"
-#include "io/read_files.h"
-#include "io/scratch_folder.h"
 
 namespace interleaf {
 

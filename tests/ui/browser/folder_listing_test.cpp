@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <vector>
 
+#include "scratch_folder.h"
+#include "text/shown_text.h"
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "io/scratch_folder.h"
 #include "ui/browser/type_ahead.h"
-#include "ui/widgets/file_name.h"
 
 using namespace interleaf;
 
@@ -22,7 +22,7 @@ FolderEntry entry(const std::string& name, EntryKind kind = EntryKind::file, std
                   std::int64_t modified = 0) {
     return {.name = name,
             .label = shown_name(name),
-            .order = folded(shown_name(name)),
+            .order = NaturalName(shown_name(name)),
             .kind = kind,
             .size = size,
             .modified = modified};

@@ -1,9 +1,9 @@
 // Tests of typed paths: what they mean, and how Tab completes them.
 #include "ui/browser/typed_path.h"
 
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 
-#include "io/scratch_folder.h"
 #include "ui/browser/breadcrumbs.h"
 
 using namespace interleaf;

@@ -1,5 +1,5 @@
 // Tests of numbers as they are typed.
-#include "app/document/typed_number.h"
+#include "app/document/typed_count.h"
 
 #include <doctest/doctest.h>
 

@@ -1,0 +1,87 @@
+#include "render/display.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/core.h>
+
+namespace interleaf {
+
+namespace {
+
+struct ShadingRow {
+    Shading shading;
+    std::string_view name;
+};
+
+constexpr std::array<ShadingRow, 2> shading_rows{{{Shading::smooth, "smooth"}, {Shading::flat, "flat"}}};
+
+struct ColoringRow {
+    Coloring coloring;
+    std::string_view name;
+    const char* label;
+    std::string_view meaning;  ///< for the help; none where the name says it
+};
+
+/// In the order of the enumerators, which is that of the buttons.
+constexpr std::array<ColoringRow, 5> coloring_rows{{
+    {Coloring::plain, "plain", "Plain", ""},
+    {Coloring::level, "level", "Level", "of each leaf"},
+    {Coloring::origin, "origin", "Origin", "which keys bisect this far"},
+    {Coloring::checker, "checker", "Checker", "over the roots"},
+    {Coloring::field, "field", "Field", ""},
+}};
+
+const ColoringRow& row_of(Coloring coloring) {
+    return coloring_rows.at(static_cast<std::size_t>(coloring));
+}
+
+}  // namespace
+
+std::string_view name_of(Shading shading) {
+    return std::ranges::find(shading_rows, shading, &ShadingRow::shading)->name;
+}
+
+std::optional<Shading> shading_named(std::string_view name) {
+    const auto* const found = std::ranges::find(shading_rows, name, &ShadingRow::name);
+    return found == shading_rows.end() ? std::nullopt : std::optional(found->shading);
+}
+
+std::vector<Coloring> colorings(bool has_fields) {
+    std::vector<Coloring> offered;
+    for (const ColoringRow& row : coloring_rows)
+        if (has_fields || row.coloring != Coloring::field) offered.push_back(row.coloring);
+    return offered;
+}
+
+Coloring next_coloring(Coloring coloring, bool has_fields) {
+    const std::vector<Coloring> offered = colorings(has_fields);
+    const auto found = std::ranges::find(offered, coloring);
+    return found == offered.end() || found + 1 == offered.end() ? offered.front() : *(found + 1);
+}
+
+std::string_view name_of(Coloring coloring) {
+    return row_of(coloring).name;
+}
+
+const char* label_of(Coloring coloring) {
+    return row_of(coloring).label;
+}
+
+std::optional<Coloring> coloring_named(std::string_view name) {
+    const auto* const found = std::ranges::find(coloring_rows, name, &ColoringRow::name);
+    return found == coloring_rows.end() ? std::nullopt : std::optional(found->coloring);
+}
+
+std::string colorings_in_words() {
+    std::string words;
+    for (const Coloring coloring : colorings(false)) {
+        if (!words.empty()) words += ", ";
+        words += name_of(coloring);
+        if (const auto meaning = row_of(coloring).meaning; !meaning.empty())
+            words += fmt::format(" ({})", meaning);
+    }
+    return words;
+}
+
+}  // namespace interleaf

@@ -1,0 +1,11 @@
+// Tests of what a text field can hold.
+#include "ui/widgets/text_field.h"
+
+#include <doctest/doctest.h>
+
+using namespace interleaf;
+
+TEST_CASE("only what a text field gives back unchanged is editable") {
+    for (const char* name : {"", "a b", "ä", "鍵"}) CHECK(is_editable(name));
+    for (const char* name : {"a\nb", "\xff", "\u009b", "🔑"}) CHECK_FALSE(is_editable(name));
+}
