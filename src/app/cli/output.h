@@ -1,6 +1,7 @@
 // Where a command writes what it made: a file, written whole or not at all, or standard output.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>

@@ -1,6 +1,7 @@
 #include "ui/widgets/file_name.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cwctype>
 #include <optional>
 
