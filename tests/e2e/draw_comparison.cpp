@@ -1,5 +1,6 @@
-// Draws a picture of the documentation that takes a person: a mesh is fitted in the window and compared with its key.
-//   draw_comparison MESH PICTURE.png   (docs/draw-pictures)
+// Draws a picture of the documentation that takes a person: meshes are fitted in the window, and the first
+// one is compared with its key.
+//   draw_comparison MESH... PICTURE.png   (docs/draw-pictures)
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -20,14 +21,15 @@ using State = RunningViewer::State;
 
 constexpr glm::ivec2 size{960, 640};
 
-Picture compared(const std::filesystem::path& mesh) {
+Picture compared(const std::vector<std::filesystem::path>& meshes) {
     const TemporaryFolder home;
-    const RunningViewer viewer(home.path(), {mesh});
+    const RunningViewer viewer(home.path(), meshes);
     viewer.wait_for("the offer to fit", [](const State& s) { return s["offer"].is_object(); });
     viewer.desktop().resize(viewer.window(), size);
     viewer.wait_for("the size", [](const State& s) { return s["window"] == State({size.x, size.y}); });
     viewer.press(XK_Return);
-    viewer.wait_for("the fitted key", [](const State& s) { return s["asking"] == false && s["notice"] == true; });
+    viewer.wait_for("the fitted key",
+                    [](const State& s) { return s["asking"] == false && s["notice"] == true; });
     viewer.press(XK_m);
     viewer.wait_for("the comparison", [](const State& s) { return s["comparing"] == true; });
     viewer.point_at({size.x / 2, size.y - 2});  // where nothing answers
@@ -49,15 +51,17 @@ std::string png_of(const Picture& picture) {
 }  // namespace interleaf
 
 int main(int count, char** arguments) {
-    if (count != 3) {
-        fmt::print(stderr, "usage: draw_comparison MESH PICTURE.png\n");
+    if (count < 3) {
+        fmt::print(stderr, "usage: draw_comparison MESH... PICTURE.png\n");
         return 2;
     }
     try {
-        const std::string png = interleaf::png_of(interleaf::compared(arguments[1]));
-        std::ofstream file(arguments[2], std::ios::binary);
+        const char* const target = arguments[count - 1];
+        const std::string png =
+            interleaf::png_of(interleaf::compared({arguments + 1, arguments + count - 1}));
+        std::ofstream file(target, std::ios::binary);
         if (file << png << std::flush) return 0;
-        fmt::print(stderr, "draw_comparison: cannot write {}\n", arguments[2]);
+        fmt::print(stderr, "draw_comparison: cannot write {}\n", target);
     } catch (const std::exception& error) {
         fmt::print(stderr, "draw_comparison: {}\n", error.what());
     }
