@@ -3,9 +3,9 @@
 
 usage: affected_tests.py BUILD SECONDS FILE...
 
-BUILD is a folder that Ninja has built: what it knows of each program says which files the program is made of. The tests of
-a changed layer are all chosen, then the quick ones of other layers, as many as take SECONDS on this machine. Tests that are
-left out are named on standard error.
+BUILD is a folder that Ninja has built: what it knows of each program says which files the program is made of. The tests
+of a changed layer are all chosen, then the quick ones of other layers, as many as take SECONDS on this machine. Tests that
+are left out are named on standard error.
 """
 
 import json
@@ -22,7 +22,8 @@ READ_BY_TESTS = {
     "docs/user-guide.md": {"app"},
 }
 # Nothing is known about the reach of these.
-BUILD_FILES = ("cmake/", "third_party/", "src/CMakeLists.txt", "tests/CMakeLists.txt", "CMakeLists.txt", "CMakePresets.json")
+BUILD_FILES = ("cmake/", "third_party/", "src/CMakeLists.txt", "tests/CMakeLists.txt", "CMakeLists.txt",
+               "CMakePresets.json")
 
 
 @dataclass
@@ -44,8 +45,9 @@ def layer_of(file):
 def is_affected(test, file):
     if test.files is None or file in test.files or file.startswith(BUILD_FILES):
         return True
-    if any(file == place or file.startswith(place + "/") for place, labels in READ_BY_TESTS.items() if labels & test.labels):
-        return True
+    for place, labels in READ_BY_TESTS.items():
+        if labels & test.labels and (file == place or file.startswith(place + "/")):
+            return True
     # A file of data, or one that configures a layer.
     return layer_of(file) in test.labels and Path(file).suffix not in (".cpp", ".h")
 
@@ -94,7 +96,8 @@ def read_tests(build):
                     set(properties.get("LABELS", [])))
         programs = [word for word in described["command"] if word.startswith(f"{build.resolve()}/")]
         if programs:
-            inputs = output_of("ninja", "-C", str(build), "-t", "inputs", str(Path(programs[0]).relative_to(build.resolve())))
+            program = str(Path(programs[0]).relative_to(build.resolve()))
+            inputs = output_of("ninja", "-C", str(build), "-t", "inputs", program)
             files = set()
             for name in inputs.splitlines():
                 files |= {name} | compiled_from.get(name, set())

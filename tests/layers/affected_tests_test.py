@@ -1,4 +1,4 @@
-"""Which tests ./dev check chooses, on made-up tests: those of the changed layer, then quick ones, and none that cannot break."""
+"""Which tests ./dev check chooses, on made-up tests: those of the changed layer, then quick ones, none without need."""
 
 import unittest
 

@@ -1,7 +1,8 @@
 """Finds each name of a library for which its file includes no header that gives it.
 
-usage: library_includes.py SRC [FOLDER...]    checks the files of SRC, where quoted includes begin, and of the other folders
+usage: library_includes.py SRC [FOLDER...]
 
+It reads the files of SRC, where quoted includes begin, and of the other folders.
 The builds that are tested share precompiled headers, so that such a file compiles there and not in a release. A header
 counts where the file itself includes it, or a header of ours that the file includes, however far down. What one library
 header includes does not count. A name of std, glm or fmt that is not in the table is a violation, too.
@@ -157,12 +158,26 @@ GIVES = {
 }
 # Headers that include others of the table, because it is said so or because their functions take what these give.
 INCLUDES = {
-    "array": "initializer_list", "charconv": "system_error", "chrono": "ratio", "filesystem": "system_error", "fmt/chrono.h": "fmt/core.h", "fmt/format.h": "fmt/core.h", "fstream": "ios istream ostream string",
-    "glm/glm.hpp": """glm/common.hpp glm/geometric.hpp glm/mat3x3.hpp glm/mat4x4.hpp glm/matrix.hpp glm/trigonometric.hpp
+    "array": "initializer_list",
+    "charconv": "system_error",
+    "chrono": "ratio",
+    "filesystem": "system_error",
+    "fmt/chrono.h": "fmt/core.h",
+    "fmt/format.h": "fmt/core.h",
+    "fstream": "ios istream ostream string",
+    "glm/glm.hpp": """
+        glm/common.hpp glm/geometric.hpp glm/mat3x3.hpp glm/mat4x4.hpp glm/matrix.hpp glm/trigonometric.hpp
         glm/vec2.hpp glm/vec3.hpp glm/vec4.hpp glm/vector_relational.hpp""",
-    "glm/gtc/matrix_transform.hpp": "glm/mat4x4.hpp glm/vec3.hpp glm/vec4.hpp", "iostream": "ios istream ostream",
-    "istream": "ios", "map": "initializer_list", "set": "initializer_list", "sstream": "ios istream ostream string",
-    "string": "initializer_list", "system_error": "cerrno", "thread": "stop_token", "tuple": "utility",
+    "glm/gtc/matrix_transform.hpp": "glm/mat4x4.hpp glm/vec3.hpp glm/vec4.hpp",
+    "iostream": "ios istream ostream",
+    "istream": "ios",
+    "map": "initializer_list",
+    "set": "initializer_list",
+    "sstream": "ios istream ostream string",
+    "string": "initializer_list",
+    "system_error": "cerrno",
+    "thread": "stop_token",
+    "tuple": "utility",
     "vector": "initializer_list",
 }
 # Every header of the standard library gives these, with each library there is.

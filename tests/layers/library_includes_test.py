@@ -1,4 +1,4 @@
-"""The check of library includes on made-up trees: a sound one passes, a missing include and an unknown name are found."""
+"""The check of library includes on made-up trees: a sound one passes, a missing include or an unknown name is found."""
 
 import tempfile
 import unittest
