@@ -3,11 +3,11 @@
 # Fused multiply-adds would make the bits of a generated key depend on the machine, so contraction is off.
 add_library(interleaf_options INTERFACE)
 target_compile_options(interleaf_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wconversion $<$<NOT:$<BOOL:$<TARGET_PROPERTY:INTERLEAF_MAY_SHADOW>>>:-Wshadow>
-  -ffp-contract=off)
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
-  # It warns inside std::stable_sort. g++ looks for this.
-  target_compile_options(interleaf_options INTERFACE -Wno-deprecated-declarations)
+  # -Wshadow warns, too, where files that are compiled together share a name, -Wdeprecated-declarations inside
+  # std::stable_sort. g++ looks for both.
+  target_compile_options(interleaf_options INTERFACE -Wno-shadow -Wno-deprecated-declarations)
 endif()
 target_include_directories(interleaf_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 if(INTERLEAF_WARNINGS_AS_ERRORS)
@@ -29,8 +29,8 @@ if(INTERLEAF_FUZZ)
 endif()
 
 # Where INTERLEAF_TOGETHER is on, share_headers(TARGET KIND [FLAGS]) lets TARGET take the precompiled headers of its KIND,
-# src or tests, which are compiled once for all targets of the same FLAGS. There a missing include of a library's header does
-# not show; the test layers.library_includes finds it.
+# src or tests, which are compiled once for all targets of the same FLAGS. There a missing include does not always show; the
+# tests layers.library_includes and layers.own_includes find it.
 function(share_headers target kind)
   if(NOT INTERLEAF_TOGETHER)
     return()
@@ -56,35 +56,12 @@ function(share_headers target kind)
 endfunction()
 
 # compile_together(TARGET KIND [FLAGS]): besides, several files are one compilation. A file may then have names of its own in
-# common with no other file of its target. -Wshadow warns of local names that another of these files has, too; with g++ tests
-# do without such names.
+# common with no other file of its target, nor a local name like one of these (-Wshadow).
 function(compile_together target kind)
   share_headers(${target} ${kind} ${ARGN})
   if(INTERLEAF_TOGETHER)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-    if(kind STREQUAL src OR CMAKE_CXX_COMPILER_ID STREQUAL Clang)
-      set_target_properties(${target} PROPERTIES INTERLEAF_MAY_SHADOW ON)
-    endif()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
   endif()
-endfunction()
-
-# check_alone(TARGET [FLAGS]): the target `alone` compiles each file of TARGET by itself, to no object, so that a missing
-# include of ours shows, and local names that shadow others. clang reads precompiled headers in no time.
-function(check_alone target)
-  if(NOT INTERLEAF_SANITIZE)
-    return()
-  endif()
-  get_target_property(sources ${target} SOURCES)
-  list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_BINARY_DIR}/")
-  add_library(${target}_alone OBJECT EXCLUDE_FROM_ALL ${sources})
-  target_link_libraries(${target}_alone PRIVATE $<TARGET_PROPERTY:${target},LINK_LIBRARIES>)
-  target_compile_definitions(${target}_alone PRIVATE $<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>)
-  target_compile_options(${target}_alone PRIVATE ${ARGN} -fsyntax-only -Wshadow-all)
-  share_headers(${target}_alone src ${ARGN})
-  if(NOT TARGET alone)
-    add_custom_target(alone)
-  endif()
-  add_dependencies(alone ${target}_alone)
 endfunction()
 
 # interleaf_library(NAME SOURCES... LINK targets...): the layer src/NAME as the target interleaf_NAME.
@@ -101,7 +78,6 @@ function(interleaf_library name)
   endif()
   target_compile_options(interleaf_${name} PRIVATE ${optimization})
   compile_together(interleaf_${name} src ${optimization})
-  check_alone(interleaf_${name} ${optimization})
 endfunction()
 
 # interleaf_test(NAME SOURCES... LINK targets...): a doctest program tests_NAME, run by ctest as NAME.
