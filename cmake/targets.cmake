@@ -28,22 +28,42 @@ if(INTERLEAF_FUZZ)
   target_link_options(interleaf_options INTERFACE ${instruments})
 endif()
 
-# Nearly every file reads these. Only under the sanitizers they are compiled once a target: in the other builds each file
-# of src has what it includes itself and nothing else. For one or two files it was measured to take longer than it gains.
-function(precompile_headers target)
-  get_target_property(sources ${target} SOURCES)
-  list(LENGTH sources count)
-  if(INTERLEAF_SANITIZE AND count GREATER 2)
-    target_precompile_headers(${target} PRIVATE
-      <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <string_view> <vector>
-      <fmt/core.h> <glm/glm.hpp> ${ARGN})
+# Where INTERLEAF_TOGETHER is on, share_headers(TARGET KIND [FLAGS]) lets TARGET take the precompiled headers of its KIND,
+# src or tests, which are compiled once for all targets of the same FLAGS. There a missing include does not always show; the
+# tests layers.library_includes and layers.own_includes find it.
+function(share_headers target kind)
+  if(NOT INTERLEAF_TOGETHER)
+    return()
   endif()
+  set(precompiled interleaf_precompiled_${kind}${ARGN})
+  if(NOT TARGET ${precompiled})
+    set(headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <string_view>
+      <vector> <fmt/core.h> <glm/glm.hpp>)
+    if(kind STREQUAL tests)
+      list(APPEND headers <doctest/doctest.h> <nlohmann/json.hpp>)
+    endif()
+    set(empty ${PROJECT_BINARY_DIR}/precompiled.cpp)
+    file(CONFIGURE OUTPUT ${empty} CONTENT "// Nothing but the precompiled headers.\n")
+    add_library(${precompiled} OBJECT ${empty})
+    target_link_libraries(${precompiled} PRIVATE
+      interleaf_options fmt::fmt glm::glm doctest::doctest nlohmann_json::nlohmann_json)
+    target_compile_options(${precompiled} PRIVATE ${ARGN})
+    target_precompile_headers(${precompiled} PRIVATE ${headers})
+  endif()
+  # fmt's headers depend on a definition that comes with its target.
+  target_link_libraries(${target} PRIVATE fmt::fmt)
+  target_precompile_headers(${target} REUSE_FROM ${precompiled})
 endfunction()
 
-# Several files a compilation: reading the headers takes most of the time. Where that is done, a file may have names of its
-# own in common with no other of its target.
-function(compile_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+# compile_together(TARGET KIND [FLAGS]): besides, several files are one compilation. A file may then have names of its own in
+# common with no other file of its target, nor a local name like one of these (-Wshadow).
+function(compile_together target kind)
+  share_headers(${target} ${kind} ${ARGN})
+  if(INTERLEAF_TOGETHER)
+    set(src_batch 16)
+    set(tests_batch 8)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${${kind}_batch})
+  endif()
 endfunction()
 
 # interleaf_library(NAME SOURCES... LINK targets...): the layer src/NAME as the target interleaf_NAME.
@@ -52,15 +72,14 @@ function(interleaf_library name)
   add_library(interleaf_${name} STATIC ${arg_SOURCES})
   target_link_libraries(interleaf_${name} PUBLIC interleaf_options ${arg_LINK} PRIVATE ${arg_LINK_PRIVATE})
   # Under the sanitizers the layers that compute are optimized a little; for the others that takes longer than it gains.
+  set(optimization)
   if(INTERLEAF_SANITIZE AND name MATCHES "^(text|hierarchy|family|shapes|fit|io)$")
-    target_compile_options(interleaf_${name} PRIVATE -O1)
+    set(optimization -O1)
   elseif(INTERLEAF_SANITIZE)
-    target_compile_options(interleaf_${name} PRIVATE -O0)
+    set(optimization -O0)
   endif()
-  precompile_headers(interleaf_${name})
-  if(INTERLEAF_SANITIZE)
-    compile_together(interleaf_${name})
-  endif()
+  target_compile_options(interleaf_${name} PRIVATE ${optimization})
+  compile_together(interleaf_${name} src ${optimization})
 endfunction()
 
 # interleaf_test(NAME SOURCES... LINK targets...): a doctest program tests_NAME, run by ctest as NAME.
@@ -69,7 +88,6 @@ function(interleaf_test name)
   add_executable(tests_${name} ${arg_SOURCES})
   target_include_directories(tests_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(tests_${name} PRIVATE interleaf_options ${arg_LINK} tests_main)
-  precompile_headers(tests_${name} <doctest/doctest.h>)
-  compile_together(tests_${name})
+  compile_together(tests_${name} tests ${tests_optimization})
   add_test(NAME ${name} COMMAND tests_${name})
 endfunction()

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "hierarchy/error.h"
 

@@ -11,7 +11,6 @@
 
 namespace interleaf {
 
-
 class Timeline {
   public:
     /// \throw InputError unless there is at least one key and times are finite and strictly ascending

@@ -26,7 +26,7 @@ struct EglContext::State {
 
 namespace {
 
-[[noreturn]] void fail(const char* step) {
+[[noreturn]] void fail_egl(const char* step) {
     throw MachineError(fmt::format("cannot draw without a display: {} failed (EGL error {:#x})", step,
                                    static_cast<unsigned>(eglGetError())));
 }
@@ -34,7 +34,7 @@ namespace {
 EGLDisplay surfaceless_display() {
     const auto get_platform_display =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
-    if (get_platform_display == nullptr) fail("eglGetPlatformDisplayEXT");
+    if (get_platform_display == nullptr) fail_egl("eglGetPlatformDisplayEXT");
     return get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
 }
 
@@ -44,7 +44,7 @@ EGLConfig choose_config(EGLDisplay display) {
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (eglChooseConfig(display, attributes, &config, 1, &count) == EGL_FALSE || count == 0)
-        fail("eglChooseConfig");
+        fail_egl("eglChooseConfig");
     return config;
 }
 
@@ -78,13 +78,14 @@ EglContext::State::~State() {
 
 void EglContext::State::open() {
     display = surfaceless_display();
-    if (display == EGL_NO_DISPLAY) fail("eglGetPlatformDisplayEXT");
-    if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE) fail("eglInitialize");
-    if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) fail("eglBindAPI");
+    if (display == EGL_NO_DISPLAY) fail_egl("eglGetPlatformDisplayEXT");
+    if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE) fail_egl("eglInitialize");
+    if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) fail_egl("eglBindAPI");
     context = create_context(display);
-    if (context == EGL_NO_CONTEXT) fail("eglCreateContext");
-    if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) fail("eglMakeCurrent");
-    if (gladLoadGL(reinterpret_cast<GLADloadfunc>(eglGetProcAddress)) == 0) fail("loading OpenGL 3.3");
+    if (context == EGL_NO_CONTEXT) fail_egl("eglCreateContext");
+    if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE)
+        fail_egl("eglMakeCurrent");
+    if (gladLoadGL(reinterpret_cast<GLADloadfunc>(eglGetProcAddress)) == 0) fail_egl("loading OpenGL 3.3");
     collect_debug_messages();
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 #include <glad/gl.h>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/vec4.hpp>
 
 #include "hierarchy/error.h"
 #include "hierarchy/leaf_path.h"

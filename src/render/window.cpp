@@ -22,7 +22,7 @@ struct Window::State {
 
 namespace {
 
-[[noreturn]] void fail(const char* step) {
+[[noreturn]] void fail_window(const char* step) {
     const char* description = nullptr;
     glfwGetError(&description);
     const std::string reason = description != nullptr ? description : step;
@@ -46,12 +46,12 @@ void hint(bool visible) {
 }  // namespace
 
 Window::State::State(const std::string& title, int width, int height, bool visible) {
-    if (glfwInit() == GLFW_FALSE) fail("glfwInit");
+    if (glfwInit() == GLFW_FALSE) fail_window("glfwInit");
     hint(visible);
     window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
-    if (window == nullptr) fail("glfwCreateWindow");
+    if (window == nullptr) fail_window("glfwCreateWindow");
     glfwMakeContextCurrent(window);
-    if (gladLoadGL(glfwGetProcAddress) == 0) fail("loading OpenGL 3.3");
+    if (gladLoadGL(glfwGetProcAddress) == 0) fail_window("loading OpenGL 3.3");
     collect_debug_messages();
 }
 

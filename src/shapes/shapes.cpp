@@ -58,12 +58,13 @@ void check_budget(const ShapeBudget& budget, Index roots) {
 
 /// Diagonal of the surface's box, from samples. They lie inside the box, so the result is never too large.
 double box_diagonal(const Shape& shape, const Hierarchy& roots) {
-    constexpr unsigned divisions = 24;
+    constexpr unsigned samples_per_edge = 24;
     glm::dvec3 low(std::numeric_limits<double>::infinity());
     glm::dvec3 high = -low;
     for (const auto& [a, b, c] : roots.roots.triangles()) {
         for (const glm::dvec3& u :
-             base_grid(shape.base, {roots.positions[a], roots.positions[b], roots.positions[c]}, divisions)) {
+             base_grid(shape.base, {roots.positions[a], roots.positions[b], roots.positions[c]},
+                       samples_per_edge)) {
             low = glm::min(low, shape.surface(u));
             high = glm::max(high, shape.surface(u));
         }

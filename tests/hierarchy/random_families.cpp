@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <map>
 #include <numeric>
 
@@ -231,8 +232,13 @@ RandomFamily random_family(std::uint64_t seed, std::size_t key_count) {
 
 void for_random_families(unsigned hierarchy_count, std::size_t key_count,
                          const std::function<void(const RandomFamily&)>& property) {
-    for (std::size_t n = 0; n * key_count < trials(hierarchy_count); ++n)
-        property(random_family(20260001 + n, key_count));
+    // Many properties are tried on the same families: these are made once a program. They are small.
+    static std::map<std::size_t, std::deque<RandomFamily>> made;
+    std::deque<RandomFamily>& families = made[key_count];
+    for (std::size_t n = 0; n * key_count < trials(hierarchy_count); ++n) {
+        if (n == families.size()) families.push_back(random_family(20260001 + n, key_count));
+        property(families[n]);
+    }
 }
 
 }  // namespace interleaf::testing

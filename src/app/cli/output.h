@@ -1,6 +1,7 @@
 // Where a command writes its result, and in which format, as the options -o and --format name them.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>

@@ -106,10 +106,9 @@ void add_display(CLI::App& command, Display& display) {
                     [&display](const std::string& text) { display.shading = parse_shading(text); })
         ->type_name("NAME")
         ->default_str("smooth");
-    CLI::Option* color =
-        add_text_option(command, "--color",
-                        fmt::format("Color: {}, or a field of the keys", colorings_in_words()),
-                        [&display](const std::string& text) { parse_coloring(text, display); });
+    CLI::Option* color = add_text_option(
+        command, "--color", fmt::format("Color: {}, or a field of the keys", colorings_in_words()),
+        [&display](const std::string& text) { parse_coloring(text, display); });
     color->type_name("NAME")->default_str("plain");
     add_text_option(command, "--color-map", "Colors of a scalar field: " + color_maps_in_words(),
                     [&display](const std::string& text) { display.scale.map = parse_color_map(text); })

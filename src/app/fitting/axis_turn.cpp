@@ -1,6 +1,7 @@
 #include "app/fitting/axis_turn.h"
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace interleaf {
 

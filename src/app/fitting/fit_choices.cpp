@@ -21,7 +21,7 @@ constexpr double max_degrees = 360;
 
 std::optional<double> degrees_of(const FitChoices::Turn& turn) {
     const std::optional<double> degrees = parsed_number<double>(turn.degrees);
-    if (!degrees || !(std::abs(*degrees) <= most_degrees)) return {};
+    if (!degrees || !(std::abs(*degrees) <= max_degrees)) return {};
     return degrees;
 }
 
@@ -31,9 +31,9 @@ std::string fault_of(const FitChoices& choices, const SphereRoots& roots,
                      const std::vector<std::string>& names) {
     if (choices.by_tolerance) {
         const std::optional<double> percent = parsed_number<double>(choices.tolerance);
-        if (!percent || !(*percent >= least_percent && *percent <= most_percent))
-            return fmt::format("Tolerance: expected {} to {} % of the box diagonal", least_percent,
-                               most_percent);
+        if (!percent || !(*percent >= min_percent && *percent <= max_percent))
+            return fmt::format("Tolerance: expected {} to {} % of the box diagonal", min_percent,
+                               max_percent);
     } else {
         const std::optional<Index> leaves = typed_count(choices.leaves);
         const Index least = roots.complex.triangle_count();

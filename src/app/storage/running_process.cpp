@@ -4,6 +4,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <system_error>
 
 #include "text/parsed_number.h"
 #include <fmt/core.h>

@@ -101,7 +101,7 @@ void ComparisonView::take(std::shared_ptr<const FitComparison> taken, std::strin
         side.renderer.upload(side.mesh, normal_form(side.mesh));
         side.renderer.set_field(&side.mesh.fields.front());
     }
-    scale_ = {.map = ColorMap::viridis, .range = {0, largest_distance(comparison)}};
+    scale_ = {.map = ColorMap::viridis, .range = {0, max_distance(comparison)}};
     extent_ =
         extent_of(std::array<std::span<const glm::vec3>, 2>{comparison.positions, comparison.key->positions});
     camera_ = from;

@@ -4,6 +4,7 @@
 // broken by number, so the tree, and the order in which it is walked, depend on the boxes alone.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <utility>

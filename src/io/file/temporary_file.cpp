@@ -1,6 +1,7 @@
 #include "io/file/temporary_file.h"
 
 #include <cerrno>
+#include <cstdio>
 
 #include <fcntl.h>
 #include <fmt/core.h>

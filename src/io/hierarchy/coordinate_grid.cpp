@@ -17,8 +17,8 @@ std::optional<int> min_exponent(float coordinate) {
     const std::uint32_t fraction = image & ((1U << fraction_bits) - 1);
     const int exponent = static_cast<int>(image >> fraction_bits & 0xff);
     if (exponent == 0 && fraction == 0) return std::nullopt;
-    const std::uint32_t digits = exponent == 0 ? fraction : fraction | 1U << fraction_bits;
-    return CoordinateGrid::min_exponent + std::max(exponent, 1) - 1 + std::countr_zero(digits);
+    const std::uint32_t significand = exponent == 0 ? fraction : fraction | 1U << fraction_bits;
+    return CoordinateGrid::min_exponent + std::max(exponent, 1) - 1 + std::countr_zero(significand);
 }
 
 double longest_side(std::span<const glm::vec3> positions) {

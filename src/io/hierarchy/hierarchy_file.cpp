@@ -100,9 +100,9 @@ void append(std::vector<std::byte>& bytes, std::span<const Value> values) {
 std::vector<std::byte> plain_bytes(const Hierarchy& hierarchy, std::span<const glm::vec3> positions) {
     const Header header = hierarchy_format::header_of(hierarchy);
     const std::vector<FieldName> fields = labels(hierarchy.fields);
-    std::vector<std::byte> bytes;
+    const Bytes head = std::as_bytes(std::span<const Header>(&header, 1));
+    std::vector<std::byte> bytes(head.begin(), head.end());
     bytes.reserve(hierarchy_format::plain_size(header, fields));
-    append(bytes, std::span<const Header>(&header, 1));
     append(bytes, Bytes(hierarchy_format::field_table(hierarchy.fields)));
     append(bytes, hierarchy.roots.triangles());
     append(bytes, std::span<const std::uint64_t>(hierarchy.bits));

@@ -75,9 +75,9 @@ std::optional<std::string_view> binary_part(std::string_view bytes) {
     return rest;
 }
 
-class TextReader {
+class OffTextReader {
   public:
-    TextReader(Header header, std::string_view name)
+    OffTextReader(Header header, std::string_view name)
         : text_(header.rest), line_number_(header.line - 1), parts_(std::move(header.parts)), name_(name) {}
 
     PolygonMesh read() {
@@ -269,7 +269,7 @@ class BinaryReader {
 PolygonMesh read_text_form(std::string_view bytes, std::string_view name) {
     std::vector<std::string> remarks;
     const std::string text = plain_text(std::string(bytes), remarks);
-    PolygonMesh mesh = TextReader(read_header(text, name), name).read();
+    PolygonMesh mesh = OffTextReader(read_header(text, name), name).read();
     mesh.remarks = std::move(remarks);
     return mesh;
 }

@@ -72,9 +72,9 @@ SurfaceFile parse_binary(std::string_view bytes, std::string_view name) {
 }
 
 /// Reads the text form, in which line ends separate words like blanks.
-class TextReader {
+class StlTextReader {
   public:
-    TextReader(std::string_view text, std::string_view name) : words_(text), name_(name) {}
+    StlTextReader(std::string_view text, std::string_view name) : words_(text), name_(name) {}
 
     SurfaceFile read() {
         // A name follows "solid" and "endsolid", up to the end of the line or the first "facet normal".
@@ -147,7 +147,7 @@ SurfaceFile parse_stl(std::string_view bytes, std::string_view name) {
     if (!is_exactly_binary) {
         const std::string text = plain_text(std::string(bytes), remarks);
         if (is_text(text)) {
-            surface = TextReader(text, name).read();
+            surface = StlTextReader(text, name).read();
             surface.remarks.insert(surface.remarks.begin(), remarks.begin(), remarks.end());
             number_vertices(surface, name);
             return surface;

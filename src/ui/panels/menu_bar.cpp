@@ -1,5 +1,7 @@
 #include "ui/panels/menu_bar.h"
 
+#include <algorithm>
+
 #include <imgui.h>
 #include <imgui_internal.h>
 

@@ -1,5 +1,7 @@
 #include "ui/widgets/modal.h"
 
+#include <cmath>
+
 #define GLFW_INCLUDE_NONE
 
 #include <algorithm>

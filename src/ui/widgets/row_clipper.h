@@ -1,6 +1,8 @@
 // Dear ImGui's clipper of long lists, which must be ended also where an exception leaves the list half shown.
 #pragma once
 
+#include <cstddef>
+
 #include <imgui.h>
 
 namespace interleaf {
