@@ -29,7 +29,7 @@ if(INTERLEAF_FUZZ)
 endif()
 
 # Where INTERLEAF_TOGETHER is on, share_headers(TARGET KIND [FLAGS]) lets TARGET take the precompiled headers of its KIND,
-# src or tests, which are compiled once for all targets of the same FLAGS. There a missing include does not always show; the
+# src or tests (with doctest and JSON), which are compiled once for all targets of the same FLAGS. There a missing include does not always show; the
 # tests layers.library_includes and layers.own_includes find it.
 function(share_headers target kind)
   if(NOT INTERLEAF_TOGETHER)

@@ -1,8 +1,7 @@
-// The main function of every doctest program. `./dev test LAYER FILTER` chooses cases by a variable of the environment,
-// which reaches them through ctest and the display that it starts for some.
-#define DOCTEST_CONFIG_IMPLEMENT
+// The main function of every doctest program. `./dev test LAYER FILTER` chooses test cases by a variable of
+// the environment, which ctest and xvfb-run pass on.
 #include <cstdlib>
-
+#define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
 int main(int count, char** arguments) {

@@ -24,10 +24,10 @@ struct Basis {
     Weights (*weights)(std::span<const TimelineKey> keys, double time);
 };
 
-constexpr std::array order{Interpolation::linear};
+constexpr std::array offered{Interpolation::linear};
 
 /// One row for each enumerator, in their order.
-constexpr std::array<Basis, order.size()> bases{{
+constexpr std::array<Basis, offered.size()> bases{{
     {"linear", linear_weights},
 }};
 
@@ -38,7 +38,7 @@ const Basis& basis_of(Interpolation interpolation) {
 }  // namespace
 
 std::span<const Interpolation> interpolations() {
-    return order;
+    return offered;
 }
 
 std::string_view name_of(Interpolation interpolation) {
@@ -47,8 +47,8 @@ std::string_view name_of(Interpolation interpolation) {
 
 std::optional<Interpolation> interpolation_named(std::string_view name) {
     const auto* const found =
-        std::ranges::find(order, name, [](Interpolation each) { return name_of(each); });
-    return found == order.end() ? std::nullopt : std::optional(*found);
+        std::ranges::find(offered, name, [](Interpolation each) { return name_of(each); });
+    return found == offered.end() ? std::nullopt : std::optional(*found);
 }
 
 Weights weights_at(Interpolation interpolation, std::span<const TimelineKey> keys, double time) {

@@ -1,6 +1,7 @@
 #include "io/read_files.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <fmt/core.h>

@@ -121,7 +121,7 @@ TEST_CASE("a key exported compressed is the key exported plain") {
 }
 
 TEST_CASE("an export names the formats that it knows, and those that hold a key") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const Outcome unknown = export_to(folder / "u.stl", {});
     CHECK(unknown.status == 2);
     CHECK(contains(unknown.errors, "u.stl: expected the format ilh, obj, ply"));

@@ -182,7 +182,7 @@ TEST_CASE("meshes with other faces are no family, and the viewer offers to fit t
 }
 
 TEST_CASE("check takes a pattern and a folder of meshes to fit, and checks each") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const std::string closed = "OFF 4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
     set_content(folder / "a.off", closed);
     set_content(folder / "b.off", closed);
@@ -201,7 +201,7 @@ TEST_CASE("check takes a pattern and a folder of meshes to fit, and checks each"
 }
 
 TEST_CASE("a broken mesh among others is an error, not an offer to fit") {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     write_series(folder);
     set_content(folder / "flow.2.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 9\n");
     const Outcome outcome = run_interleaf({"view", folder / "flow.*.obj"});

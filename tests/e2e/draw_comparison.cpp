@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "e2e/person.h"
+#include "scratch_folder.h"
 #include <X11/keysym.h>
 #include <fmt/core.h>
 
@@ -22,7 +23,7 @@ using State = RunningViewer::State;
 constexpr glm::ivec2 size{960, 640};
 
 Picture compared(const std::vector<std::filesystem::path>& meshes) {
-    const TemporaryFolder home;
+    const ScratchFolder home;
     const RunningViewer viewer(home.path(), meshes);
     viewer.wait_for("the offer to fit", [](const State& s) { return s["offer"].is_object(); });
     viewer.desktop().resize(viewer.window(), size);

@@ -7,13 +7,13 @@
 #include <set>
 
 #include "messages.h"
+#include "scratch_folder.h"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 
 #include "family/new_family.h"
 #include "io/read_files.h"
 #include "io/samples.h"
-#include "io/scratch_folder.h"
 #include "io/text/joined_text.h"
 
 namespace interleaf {

@@ -75,7 +75,8 @@ class Tree:
         text = self.text[path]
         words, calls = used(text, self.functions)
         names_here, functions_here = declared(text)
-        local = names_here | functions_here | {name for names in LOCAL.findall(text) for name in names}
+        own_header = self.text.get(path.with_suffix(".h"), "")  # declares the members
+        local = names_here | functions_here | {name for names in LOCAL.findall(own_header + text) for name in names}
         parts = path.relative_to(self.src).parts
         reach = self.reach(path, without)
         result = []

@@ -16,13 +16,13 @@ TEST_CASE("a lone picture is the same as uploading and drawing the mesh, whateve
     OffscreenTarget target(90, 60, 4);
     Display display;
     display.wireframe = true;
-    const Camera camera = framing(star, target);
+    const Camera camera = camera_on(star, target);
     Renderer renderer;
     renderer.upload(star.mesh, star.form);
     const Picture expected = take_picture(renderer, target, camera, one, display);
 
     Renderer other;
-    const LonePicture first{.size = {30, 30}, .samples = 1, .camera = framing(bone, target), .display = {}};
+    const LonePicture first{.size = {30, 30}, .samples = 1, .camera = camera_on(bone, target), .display = {}};
     CHECK(texture_alone(other, bone.mesh, bone.form, first).name() != 0);
     const LonePicture second{.size = {90, 60}, .camera = camera, .display = display};
     OffscreenTarget drawn = draw_alone(other, star.mesh, star.form, second);

@@ -1,5 +1,6 @@
 #include "app/pictures/morph_surface.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 

@@ -23,13 +23,13 @@
 namespace interleaf {
 namespace {
 
-struct Header {
+struct OffHeader {
     std::string parts;  ///< what follows the coordinates of a vertex, in order: 'N', 'C', 'T'
     std::string_view rest;
     std::size_t line = 1;  ///< the line on which the rest begins
 };
 
-/// The Header::parts for the letters before "OFF": "NCOFF" gives "CN". None for any other letters.
+/// The OffHeader::parts for the letters before "OFF": "NCOFF" gives "CN". None for any other letters.
 std::optional<std::string> parts_of(std::string_view letters) {
     std::string parts;
     while (!letters.empty()) {
@@ -43,7 +43,7 @@ std::optional<std::string> parts_of(std::string_view letters) {
 }
 
 /// Reads the header. A file without a header begins with its counts, and a count may adjoin the header.
-Header read_header(std::string_view text, std::string_view name) {
+OffHeader read_header(std::string_view text, std::string_view name) {
     Words words(text);
     std::string_view word = words.next();
     std::size_t line = words.line();
@@ -77,7 +77,7 @@ std::optional<std::string_view> binary_part(std::string_view bytes) {
 
 class OffTextReader {
   public:
-    OffTextReader(Header header, std::string_view name)
+    OffTextReader(OffHeader header, std::string_view name)
         : text_(header.rest), line_number_(header.line - 1), parts_(std::move(header.parts)), name_(name) {}
 
     PolygonMesh read() {

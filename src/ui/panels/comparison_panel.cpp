@@ -18,7 +18,7 @@ namespace interleaf {
 
 namespace {
 
-constexpr const char* colorings[] = {"Distance", "Plain"};
+constexpr const char* mesh_colorings[] = {"Distance", "Plain"};
 constexpr const char* back = "Back to document";
 
 /// From this width on the legend is beside the figures.
@@ -104,7 +104,7 @@ ComparisonResult comparison_panel(const Rect& rect, const ComparisonShown& shown
         choose_pair(shown, std::min(scaled(200), room * 0.34F), result.chosen);
         ImGui::SameLine();
     }
-    result.has_colors = choice("coloring", colorings, shown.has_colors ? 0 : 1, scaled(170)) == 0;
+    result.has_colors = choice("coloring", mesh_colorings, shown.has_colors ? 0 : 1, scaled(170)) == 0;
     const float button = modal_button_width(back);
     ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - button);
     result.is_over = modal_button({.label = back, .width = button, .is_main = true});

@@ -3,13 +3,14 @@
 
 #include <string>
 
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 
 #include "app/document/builtin_family.h"
 #include "app/sample_family.h"
 #include "io/family/family_file.h"
 #include "io/hierarchy/hierarchy_file.h"
-#include "io/scratch_folder.h"
 
 using namespace interleaf;
 

@@ -5,13 +5,14 @@
 #include <random>
 
 #include "messages.h"
+#include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
 #include "hierarchy/morph.h"
 #include "io/samples.h"
-#include "io/scratch_folder.h"
 
 namespace interleaf {
 

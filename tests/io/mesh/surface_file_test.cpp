@@ -19,6 +19,7 @@
 #include "hierarchy/error.h"
 #include "io/mesh/mesh_file.h"
 #include "io/polygons.h"
+#include "io/read_files.h"
 
 namespace interleaf {
 
