@@ -184,16 +184,16 @@ TEST_CASE("meshes with other faces are no family, and the viewer offers to fit t
 TEST_CASE("check takes a pattern and a folder of meshes to fit, and checks each") {
     const ScratchFolder folder;
     const std::string closed = "OFF 4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
-    set_content(folder / "a.off", closed);
-    set_content(folder / "b.off", closed);
-    for (const std::string& path : {folder / "*.off", folder / ""}) {
+    put(folder / "a.off", closed);
+    put(folder / "b.off", closed);
+    for (const std::filesystem::path& path : {folder / "*.off", folder.path()}) {
         const Outcome outcome = run_interleaf({"check", path});
         CAPTURE(outcome.errors);
         CHECK(outcome.status == 0);
         CHECK(contains(outcome.output, "a.off: sound, a mesh to fit a key to\n"));
         CHECK(contains(outcome.output, "b.off: sound, a mesh to fit a key to\n"));
     }
-    set_content(folder / "b.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    put(folder / "b.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     const Outcome outcome = run_interleaf({"check", folder / "*.off"});
     CHECK(outcome.status == 1);
     CHECK(contains(outcome.output, "a.off: sound"));
@@ -203,7 +203,7 @@ TEST_CASE("check takes a pattern and a folder of meshes to fit, and checks each"
 TEST_CASE("a broken mesh among others is an error, not an offer to fit") {
     const ScratchFolder folder;
     write_series(folder);
-    set_content(folder / "flow.2.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 9\n");
+    put(folder / "flow.2.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 9\n");
     const Outcome outcome = run_interleaf({"view", folder / "flow.*.obj"});
     CHECK(outcome.status == 1);
     CHECK(is_one_message(outcome.errors));
