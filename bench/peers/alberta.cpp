@@ -8,6 +8,7 @@
 // numbers vertices.
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <vector>
 
 #include "peers/peer.h"

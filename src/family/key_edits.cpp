@@ -21,7 +21,7 @@ void check_time_is_free(const Family& family, double time, std::optional<std::si
     if (!family.timeline) return;
     const auto place = family.timeline->place_at(time);
     if (place && place != moved)
-        throw InputError(fmt::format("at {:.10g} s there is the key \"{}\" already", time,
+        throw InputError(fmt::format("the time {:.10g} s is already taken by key \"{}\"", time,
                                      family.keys[family.timeline->keys()[*place].key].name));
 }
 

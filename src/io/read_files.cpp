@@ -61,7 +61,7 @@ Family read_keys(std::span<const fs::path> files, std::vector<std::string>* chan
 
 SurfaceFile read_surface(const fs::path& file) {
     if (!is_called(file, &Format::holds_mesh))
-        throw InputError(fmt::format("{}: expected a mesh called {}", file.string(),
+        throw InputError(fmt::format("{}: expected a file that ends in {}", file.string(),
                                      extensions_in_words(&Format::holds_mesh)));
     return read_surface(file, find_format(file)->parse_surface);
 }

@@ -158,7 +158,7 @@ TEST_CASE("a file of no mesh format is no surface, and of no key format no key")
     for (const char* const name : {"a.ilh", "family.json", "a.txt", "a"}) {
         CAPTURE(name);
         CHECK(contains(input_error_of([&] { read_surface(folder / name); }),
-                       std::string(name) + ": expected a mesh called .obj, .ply, .stl or .off"));
+                       std::string(name) + ": expected a file that ends in .obj, .ply, .stl or .off"));
     }
     const std::vector<fs::path> unknown{folder / "a.txt", folder / "b.txt"};
     CHECK(contains(input_error_of([&] { read_keys(unknown); }),

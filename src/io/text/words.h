@@ -43,9 +43,9 @@ class Words {
 /// small is 0.
 std::optional<double> parse_double(std::string_view word);
 
-/// The float nearest to \p number. This is a separate function because g++ 12 optimizes a conversion of a
-/// vector of doubles to floats and back away when both are in one place.
-double rounded_to_float(double number);
+/// The float nearest to \p number. It is never inlined, because g++ 12 optimizes a conversion of a vector of
+/// doubles to floats and back away when it sees both.
+[[gnu::noinline]] double rounded_to_float(double number);
 
 /// Like parse_double(), for a coordinate or a component of a color. The result is in the range of floats, and
 /// the float nearest to it is also the float nearest to \p word. A word that programs print for an undefined
