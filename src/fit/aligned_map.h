@@ -1,4 +1,4 @@
-// A surface with its map to the sphere, turned as it is to be sampled.
+// A surface with its map to the sphere, turned into the position in which it is sampled.
 #pragma once
 
 #include <span>
@@ -16,14 +16,13 @@
 
 namespace interleaf {
 
-/// Aligns the map to space (alignment.h), and then turns it.
+/// Aligns the map to space (alignment.h), and then rotates it.
 struct AlignedMap {
-    /// \param original_mesh  outlives this
+    /// \param original_mesh  must outlive this object
     /// \param fine_mesh      a finer mesh of the same surface (surface_refinement.h), to which \p map
-    /// belongs;
-    ///                       without triangles where \p map is of the original
+    ///                       belongs; without triangles if \p map belongs to \p original_mesh
     /// \param map            points of the unit sphere, one per vertex, one to one
-    /// \param rotation       after the alignment
+    /// \param rotation       applied after the alignment
     AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
                const glm::dmat3& rotation);
     AlignedMap(const AlignedMap&) = delete;
@@ -35,7 +34,7 @@ struct AlignedMap {
     const SurfaceMesh& original;
     const SurfaceMesh fine;
     std::vector<glm::dvec3> points;
-    const double mean_cosine;  ///< as aligned, before the rotation
+    const double mean_cosine;  ///< of the aligned map, before the rotation
     const MappedSurface mapped;
 
   private:
@@ -43,11 +42,11 @@ struct AlignedMap {
     std::span<const glm::dvec3> rotated(const glm::dmat3& rotation);
 };
 
-/// smooth_leaves() with bounded work on a refined mesh.
+/// Calls smooth_leaves(), and limits its work on a refined mesh.
 void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& surface,
             const Progress& progress);
 
-/// measure_quality() against the original mesh.
+/// Calls measure_quality() against the original mesh.
 FitQuality quality_of(const AlignedMap& map, const SampledSurface& surface, const Progress& progress);
 
 }  // namespace interleaf

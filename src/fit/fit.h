@@ -1,5 +1,5 @@
-// Any closed surface without handles becomes a key: clean-up, map to the sphere, alignment, sampling over
-// root triangles, acceptance.
+// Turns any closed surface without handles into a key: clean-up, map to the sphere, alignment, sampling over
+// root triangles, and acceptance.
 #pragma once
 
 #include <optional>
@@ -22,61 +22,63 @@
 namespace interleaf {
 
 struct FitOptions {
-    /// Roots over the sphere; keys over the same ones can be morphed.
+    /// Roots over the sphere. Keys over the same roots can be morphed.
     SphereRoots roots = project_to_sphere(cube());
 
-    std::optional<Index> leaves{};  ///< at most this many, at least the roots; 20,000 when nothing is named
+    std::optional<Index> leaves{};  ///< maximum, at least the roots; 20,000 by default
 
     /// Instead of leaves: the largest distance between key and surface, as a fraction of the box diagonal; at
     /// least 1e-5.
     std::optional<double> tolerance{};
 
-    /// Turns the surface before it is looked at which of its parts goes where on the sphere; positions stay.
+    /// Turns the surface before its parts are assigned to places on the sphere. Positions do not change.
     glm::dmat3 rotation{1};
 
     FitLimits limits{};
 
-    bool keep_largest = false;  ///< of several parts, however much of the area is lost
-    bool fill_holes = false;    ///< however much area that adds
+    bool keep_largest = false;  ///< keeps the largest part, however much area is lost
+    bool fill_holes = false;    ///< fills holes, however much area that adds
 };
 
 struct FitReport {
     CleanUpReport clean_up;
-    std::size_t mesh_vertices = 0;  ///< of the surface once clean
+    std::size_t mesh_vertices = 0;  ///< of the cleaned surface
     std::size_t mesh_triangles = 0;
     MapMethod map_method = MapMethod::progressive;
     Keeps map_keeps = Keeps::shapes;
-    double mean_cosine = 0;      ///< of directions on the sphere against directions in space (alignment.h)
-    FitQuality at_20000_leaves;  ///< what acceptance was judged by
+    double mean_cosine = 0;      ///< between directions on the sphere and directions in space (alignment.h)
+    FitQuality at_20000_leaves;  ///< the basis of acceptance
     FitQuality quality;          ///< of the key
-    /// The largest distance between the key and the mesh as it was brought, with all its parts and holes, as
-    /// a part of the diagonal of its box.
+    /// The largest distance between the key and the input mesh, with all parts and holes of that mesh, as a
+    /// fraction of the diagonal of its box.
     double hausdorff_as_brought = 0;
 
     std::vector<StageTime> times;
 };
 
 struct FittedKey {
-    Hierarchy hierarchy;  ///< with the field "color" where the mesh has colors
+    Hierarchy hierarchy;  ///< with the field "color" if the mesh has colors
     FitReport report;
-    SurfaceMesh mesh;  ///< what the key stands for: the mesh once clean; from fit_mapped() none
+    SurfaceMesh mesh;  ///< the cleaned mesh, which the key represents; empty from fit_mapped()
 };
 
-/// The way to map, in words for people and reports.
+/// The name of the mapping method, for people and reports.
 std::string_view name_of(MapMethod method);
 std::string_view name_of(Keeps keeps);
 
-/// A map that keeps shapes is tried first, and where that gives no good key, one that keeps areas.
-/// \throw InputError  saying what is wrong with the mesh, what cleaning up would change unasked, or why no
-/// key stands for it well enough \throw UsageError  when leaves and tolerance are both named, or one is out
-/// of its range \throw Cancelled   when progress says so
+/// Tries a map that keeps shapes first. If that map gives no good key, tries one that keeps areas.
+/// \throw InputError  saying what is wrong with the mesh, what the clean-up would change without consent, or
+///                    why no key represents the mesh well enough
+/// \throw UsageError  if both leaves and tolerance are given, or one is out of its range
+/// \throw Cancelled   when \p progress says so
 FittedKey fit(SurfaceMesh mesh, const FitOptions& options, const Progress& progress = {});
 
-/// The part of fit() behind the clean-up.
+/// The part of fit() after the clean-up.
 FittedKey fit(CleanMesh clean, const FitOptions& options, const Progress& progress = {});
 
-/// The part of fit() behind the map to the sphere: aligns \p points, samples, and accepts or refuses.
-/// \p mesh is clean, \p points its map, one a vertex.
+/// The part of fit() after the map to the sphere: aligns \p points, samples, and accepts or refuses the key.
+/// \param mesh    clean
+/// \param points  the map of \p mesh to the sphere, one point per vertex
 FittedKey fit_mapped(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, const FitOptions& options,
                      const Progress& progress = {});
 

@@ -1,8 +1,10 @@
-// Which map to the sphere a mesh is sampled by: its own, or that of a finer mesh of the same surface.
+// Chooses the map to the sphere by which a mesh is sampled: the map of the mesh itself, or the map of a finer
+// mesh of the same surface.
 //
 // Where much of the surface lies in large or long triangles, a refined mesh (surface_refinement.h) is mapped
-// too. The refined map is taken where no figure of its key is worse. Where the other key is poor, or its map
-// so bad that smoothing takes seconds, the refined key may be a little farther from the surface.
+// too. The refined map is chosen if no figure of its key is worse. If the key of the original map is poor, or
+// the original map is so bad that smoothing takes seconds, the refined key may be a little farther from the
+// surface.
 #pragma once
 
 #include <memory>
@@ -22,12 +24,12 @@ namespace interleaf {
 
 struct MapChoiceOptions {
     const SphereRoots& roots;
-    glm::dmat3 rotation;  ///< after the alignment
+    glm::dmat3 rotation;  ///< applied after the alignment
     Keeps keeps = Keeps::shapes;
     FitLimits limits{};
 };
 
-/// A map with the key by which it is judged.
+/// A map, with the key by which the map is judged.
 struct JudgedMap {
     std::unique_ptr<const AlignedMap> map;
     SampledSurface surface;  ///< of judged_leaves(), smoothed
@@ -35,7 +37,7 @@ struct JudgedMap {
     MapMethod method = MapMethod::progressive;
 };
 
-/// Leaves of the key by which a map is judged: 20,000, or the roots where these are more.
+/// Number of leaves of the key by which a map is judged: 20,000, or the number of roots if that is larger.
 Index judged_leaves(const SphereRoots& roots);
 
 /// Samples, smooths and measures.
@@ -43,7 +45,7 @@ JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots,
                 const Progress& progress);
 
 /// Maps, centers, checks, samples and judges a clean mesh.
-/// \throw InputError  where no map is one to one
+/// \throw InputError  if no map is one to one
 /// \throw Cancelled
 JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, Stopwatch& stopwatch,
                      const Progress& progress);

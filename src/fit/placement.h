@@ -1,5 +1,5 @@
-// Brings several bodies to one size and one place, and the right way up, before keys are made of them: else
-// most of a morph is their growing and moving.
+// Brings several bodies to one size, one place and one up direction before keys are made of them. Without
+// this, most of a morph would be growth and movement.
 #pragma once
 
 #include <string>
@@ -15,12 +15,13 @@ namespace interleaf {
 /// The axis of a mesh that points up.
 enum class UpAxis { x, y, z };
 
-/// Turns \p positions so that \p up becomes y; exactly, for that only swaps coordinates and signs.
+/// Turns \p positions so that \p up becomes y. The result is exact, because only coordinates and signs change
+/// places.
 void turn_up(std::vector<glm::dvec3>& positions, UpAxis up);
 
 struct PlacingOptions {
-    bool same_size = false;    ///< the square root of the area is the first mesh's
-    bool same_center = false;  ///< the centroid of the area is the first mesh's
+    bool same_size = false;    ///< whether the square root of the area becomes that of the first mesh
+    bool same_center = false;  ///< whether the centroid of the area becomes that of the first mesh
 };
 
 /// The size and the place of a surface.
@@ -31,15 +32,15 @@ struct SurfaceExtent {
     glm::dvec3 most{0};
 };
 
-/// \pre there is a triangle
+/// \pre there is at least one triangle
 SurfaceExtent extent_of(const SurfaceMesh& mesh);
 
-/// Scales \p mesh about its center, and moves it, as \p options say.
-/// \param first  of the first mesh
+/// Scales \p mesh about its center and moves it, as \p options demand.
+/// \param first  extent of the first mesh
 void place(CleanMesh& mesh, const SurfaceExtent& first, const PlacingOptions& options);
 
-/// Why a morph from one body to the other may be hard to follow: sizes that differ by more than 3 times, or
-/// boxes that do not touch; "" where neither is so.
+/// Why a morph from one body to the other may be hard to follow: the sizes differ by a factor of more than 3,
+/// or the boxes do not touch. Empty if neither is the case.
 std::string fault_of_placing(const SurfaceExtent& first, const SurfaceExtent& other);
 
 }  // namespace interleaf

@@ -1,10 +1,17 @@
-// Makes a mesh from a file into one closed, oriented surface of genus 0, or says why that cannot be.
+// Turns a mesh from a file into one closed, oriented surface of genus 0, or says why that is impossible.
 //
-// In this order: equal points are welded, and points along seams that are equal but for rounding; triangles
-// without three vertices and double ones go; where more than two triangles meet at an edge, they are parted
-// (see edge_pairing.h); the component of the largest area is kept; its triangles are turned to agree;
-// vertices at which it touches itself are split, edges that join the same two vertices twice get midpoints;
-// holes are filled; the surface is turned outward. No point is moved.
+// The steps, in this order:
+// - weld vertices at equal points, and vertices along seams that differ only by rounding
+// - remove degenerate and duplicate triangles
+// - separate the surfaces at edges where more than two triangles meet (edge_pairing.h)
+// - keep the component with the largest area
+// - turn triangles over until neighbors agree
+// - split vertices at which the surface touches itself, and give a midpoint to one of two edges that join the
+//   same two vertices
+// - fill holes
+// - turn the surface outward
+//
+// No step moves a point.
 #pragma once
 
 #include <vector>
@@ -18,14 +25,15 @@ namespace interleaf {
 struct CleanMesh {
     SurfaceMesh mesh;
     CleanUpReport report;
-    std::vector<Index> source_vertex;  ///< of each vertex, the input's; no_index for added ones
-    SurfaceMesh dropped;               ///< components of the input that are not kept, without colors
+    std::vector<Index> source_vertex;  ///< per vertex, its index in the input; no_index for added vertices
+    SurfaceMesh dropped;               ///< the components of the input that are not kept, without colors
 };
 
-/// Vertices and triangles keep their order; a clean mesh comes back as it was, less vertices that no triangle
-/// uses.
-/// \throw InputError saying what is wrong and where, unless the result is closed, oriented and of Euler
-/// number 2 \throw Cancelled  when \p progress says so
+/// Vertices and triangles keep their order. A clean mesh comes back unchanged, except that vertices that no
+/// triangle uses are dropped.
+/// \throw InputError  saying what is wrong and where, unless the result is closed, oriented and of Euler
+///                    number 2
+/// \throw Cancelled   when \p progress says so
 CleanMesh clean_up(SurfaceMesh mesh, const Progress& progress);
 
 }  // namespace interleaf

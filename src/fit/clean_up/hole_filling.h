@@ -1,7 +1,8 @@
-// Fills the holes of an oriented manifold with rings of ever fewer vertices and a fan in the middle.
+// Fills the holes of an oriented manifold. A filling consists of rings with fewer and fewer vertices, and a
+// fan in the middle.
 //
-// All edges within a hole have a new vertex as an end, so filling never joins two vertices twice. A hole of
-// three edges is filled with one triangle. The filling is flat only where the hole's rim is.
+// Every edge inside a hole has a new vertex as an end, so filling never joins two vertices twice. A hole with
+// three edges is filled with one triangle. The filling is flat only if the rim of the hole is flat.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +14,15 @@
 namespace interleaf {
 
 struct FilledHole {
-    std::size_t edges = 0;      ///< of its rim
-    std::size_t triangles = 0;  ///< that fill it
+    std::size_t edges = 0;      ///< of the hole's rim
+    std::size_t triangles = 0;  ///< of the filling
 };
 
-/// Appends the vertices and triangles that close \p mesh, hole by hole; the holes in the same order. The new
-/// vertices are no more than those on the rims.
-/// \pre a manifold whose triangles agree, at most one edge between two vertices, with the twins of its
-///      half-edges (see edge_pairing.h)
+/// Appends the vertices and triangles that close \p mesh, hole by hole. There are at most as many new
+/// vertices as vertices on the rims.
+/// \param twin  of the half-edges (edge_pairing.h)
+/// \return      the holes, in the order in which they were filled
+/// \pre         \p mesh is a manifold whose triangles agree, with at most one edge between two vertices
 std::vector<FilledHole> fill_holes(SurfaceMesh& mesh, std::span<const Index> twin, ProgressMeter& meter);
 
 }  // namespace interleaf

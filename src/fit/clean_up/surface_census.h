@@ -1,4 +1,4 @@
-// The figures of a mesh as a file gives it, closed or not, for people who ask what it is.
+// The figures that describe a mesh as it is in the file, closed or not.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +12,28 @@
 namespace interleaf {
 
 struct SurfaceCensus {
-    std::size_t vertices = 0;   ///< in use, equal ones counted once
-    std::size_t triangles = 0;  ///< less degenerate and duplicate ones
+    std::size_t vertices = 0;   ///< used vertices; equal ones count once
+    std::size_t triangles = 0;  ///< without degenerate and duplicate ones
     double area = 0;            ///< in squared units of the positions
 
-    /// That the surface encloses; none unless it is closed and two-sided. Parts that look inward, as the
-    /// walls of a cavity do, count against it where all triangles of the mesh agree.
+    /// The enclosed volume; none unless the surface is closed and two-sided. Where all triangles of the mesh
+    /// agree, parts that look inward, such as the walls of a cavity, are subtracted.
     std::optional<double> volume;
 
     std::size_t parts = 0;               ///< components, where triangles are joined by their edges
-    std::size_t openings = 0;            ///< rims of holes
-    std::optional<std::size_t> handles;  ///< of all parts; none where one of them is one-sided
-    std::size_t crowded_edges = 0;       ///< at which more than two triangles meet
-    std::size_t welded_vertices = 0;     ///< of the file, equal to another or nearly so (near_welding.h)
+    std::size_t openings = 0;            ///< number of rims of holes
+    std::optional<std::size_t> handles;  ///< of all parts; none if a part is one-sided
+    std::size_t crowded_edges = 0;       ///< edges at which more than two triangles meet
+    std::size_t welded_vertices = 0;     ///< equal or nearly equal to another one (near_welding.h)
     std::size_t removed_triangles = 0;   ///< degenerate or duplicate
 };
 
-/// Of any triangles, after the first steps of clean_up(): equal vertices are welded, double triangles
-/// removed, crowded edges parted. \pre positions are finite, vertices exist
+/// The figures of any triangles, after the first steps of clean_up(): equal vertices are welded, duplicate
+/// triangles removed, and crowded edges separated.
+/// \pre positions are finite, and there is at least one vertex
 SurfaceCensus census_of(SurfaceMesh mesh);
 
-/// The same of a mesh whose vertices are what they are: nothing is welded or removed.
+/// The same figures of the mesh as it is: nothing is welded or removed.
 SurfaceCensus census_as_it_is(SurfaceMesh mesh);
 
 }  // namespace interleaf

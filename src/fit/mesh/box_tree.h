@@ -1,7 +1,8 @@
-// A bounding volume tree: finds, among many boxes, those that contain a point, or the item nearest to one.
+// A bounding volume tree: finds, among many boxes, those that contain a point, or the item nearest to a
+// point.
 //
-// Boxes are halved at the median of their centers along the longest axis, down to a few a node. Ties are
-// broken by number, so the tree, and the order in which it is walked, depend on the boxes alone.
+// The tree halves the boxes at the median of their centers along the longest axis, down to a few boxes per
+// node. Item numbers break ties, so the tree and the order of its walk depend on the boxes alone.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +23,7 @@ struct SpaceBox {
     glm::dvec3 min;
     glm::dvec3 max;
 
-    /// The square of the distance of \p point; 0 inside.
+    /// The square of the distance of \p point from the box; 0 inside.
     double squared_distance(const glm::dvec3& point) const {
         const glm::dvec3 outside = glm::max(glm::max(min - point, point - max), glm::dvec3(0));
         return glm::dot(outside, outside);
@@ -35,11 +36,12 @@ struct SpaceBox {
 
 class BoxTree {
   public:
-    /// \pre \p boxes is not empty, and finite
+    /// \pre \p boxes is not empty, and all boxes are finite
     explicit BoxTree(std::span<const SpaceBox> boxes);
 
-    /// Calls \p visit(Index item) for items near \p point, all whose box contains it among them, until it
-    /// returns true. \return whether it did
+    /// Calls \p visit(Index item) for items near \p point, until \p visit returns true. The items include
+    /// every item whose box contains \p point.
+    /// \return whether \p visit returned true
     template <typename Visit>
     bool find(const glm::dvec3& point, Visit visit) const {
         std::array<Index, max_levels> open;
@@ -59,9 +61,9 @@ class BoxTree {
         return false;
     }
 
-    /// Calls \p squared_distance(Index item), the square of the item's distance from \p point, for items that
-    /// may be nearer than the root of \p least, the least so far, and keeps the least of them in it, until it
-    /// is \p enough or less.
+    /// Calls \p squared_distance(Index item), the square of the item's distance from \p point, for all items
+    /// that may be nearer than the square root of \p least. Keeps the smallest square so far in \p least.
+    /// Stops as soon as \p least is at most \p enough.
     template <typename SquaredDistance>
     void find_nearest(const glm::dvec3& point, double& least, double enough,
                       SquaredDistance squared_distance) const {
@@ -89,8 +91,8 @@ class BoxTree {
 
     struct Node {
         SpaceBox box;
-        Index first;       ///< of its two children, which follow each other, or of its items
-        Index item_count;  ///< 0 where it has children
+        Index first;       ///< the first of two consecutive children, or of the items
+        Index item_count;  ///< 0 if the node has children
     };
 
     void build(Index number, Index begin, Index end, std::span<const SpaceBox> boxes);

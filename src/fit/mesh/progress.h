@@ -1,4 +1,4 @@
-// How long work tells how far it is, and how it is told to stop.
+// Progress reports of long work, and its cancellation.
 #pragma once
 
 #include <algorithm>
@@ -8,12 +8,12 @@
 
 namespace interleaf {
 
-/// Told how far long work is: the stage and the part of the whole that is done, 0 to 1. Returns false to
-/// cancel. An empty one is never asked.
+/// Receives the progress of long work: the stage, and the fraction of the whole that is done, 0 to 1. Returns
+/// false to cancel. An empty function is never called.
 using Progress = std::function<bool(std::string_view stage, double part)>;
 
-/// Reports what a stage reports as the part of the whole from \p begin to \p end.
-/// \param progress  outlives the returned one
+/// Maps the progress of a stage, 0 to 1, to the range from \p begin to \p end of the whole.
+/// \param progress  must outlive the returned function
 inline Progress part_of(const Progress& progress, double begin, double end) {
     if (!progress) return {};
     return [&progress, begin, end](std::string_view stage, double part) {
@@ -21,7 +21,7 @@ inline Progress part_of(const Progress& progress, double begin, double end) {
     };
 }
 
-/// Thrown when progress returns false; at most about 50 ms of work lie between two calls.
+/// Thrown when progress returns false. At most about 50 ms of work lie between two calls.
 struct Cancelled : std::exception {
     const char* what() const noexcept override { return "cancelled"; }
 };

@@ -1,5 +1,5 @@
-// Counts the small steps of long work and reports now and then. It counts steps, not time, so that the same
-// input makes the same calls.
+// Counts the small steps of long work and reports from time to time. The meter counts steps, not time, so
+// that the same input causes the same calls.
 #pragma once
 
 #include <cstddef>
@@ -13,17 +13,19 @@ class ProgressMeter {
   public:
     explicit ProgressMeter(const Progress& progress) : progress_(progress) {}
 
-    /// Reports that \p stage is reached, with \p part of the whole done. \throw Cancelled when told to stop
+    /// Reports that \p stage begins, with the fraction \p part of the whole done.
+    /// \throw Cancelled if progress says so
     void enter(std::string_view stage, double part) {
         stage_ = stage;
         part_ = part;
         report();
     }
 
-    /// From now on \p part of the whole is done, to be reported with some later step.
+    /// Sets the fraction of the whole that is done. A later step reports it.
     void set_part(double part) { part_ = part; }
 
-    /// Some more work is done, in units of about 50 ns. \throw Cancelled when told to stop
+    /// Counts \p work, in units of about 50 ns.
+    /// \throw Cancelled if progress says so
     void step(std::size_t work = 20) {
         constexpr std::size_t interval = 20000;
         work_ += work;

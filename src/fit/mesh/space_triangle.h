@@ -1,4 +1,4 @@
-// A triangle in space: its normal, places of it, and the distance of a point from it.
+// A triangle in space: its normal, places on it, and the distance of a point from it.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@ namespace interleaf {
 /// The corners of a triangle in space.
 using TriangleCorners = std::array<glm::dvec3, 3>;
 
-/// The unit normal; zero for a triangle of no area.
+/// The unit normal; zero for a triangle without area.
 glm::dvec3 unit_normal(const TriangleCorners& corners);
 
-/// Barycentric coordinates of places of a triangle: the grid that divides each edge into \p parts, without
-/// the corners.
+/// Barycentric coordinates of places on a triangle: the points of the grid that divides each edge into
+/// \p parts, without the corners.
 template <int parts>
 constexpr auto barycentric_grid() {
     std::array<glm::dvec3, (parts + 1) * (parts + 2) / 2 - 3> places{};
@@ -26,7 +26,7 @@ constexpr auto barycentric_grid() {
     return places;
 }
 
-/// The square of the distance of \p point from the closed triangle with these corners, which may be
+/// The square of the distance of \p point from the closed triangle with these corners. The triangle may be
 /// degenerate (Ericson, Real-Time Collision Detection, 2005, section 5.1.5: the regions of its plane).
 double squared_distance_to_triangle(const glm::dvec3& point, const TriangleCorners& corners);
 

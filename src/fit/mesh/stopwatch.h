@@ -1,4 +1,4 @@
-// Times of the stages of long work.
+// Measures how long the stages of long work take.
 #pragma once
 
 #include <chrono>
@@ -16,10 +16,10 @@ struct StageTime {
 
 class Stopwatch {
   public:
-    /// \param times  gets a time at each lap
+    /// \param times  receives one entry per lap
     explicit Stopwatch(std::vector<StageTime>& times) : times_(times) {}
 
-    /// Ends the stage that began at the last call, or when the stopwatch was made.
+    /// Ends the present stage, which began at the last call or when the stopwatch was made.
     void lap(std::string stage) {
         const auto now = std::chrono::steady_clock::now();
         times_.push_back({std::move(stage), std::chrono::duration<double>(now - begin_).count()});

@@ -12,12 +12,14 @@ namespace interleaf {
 
 class SurfaceDistance {
   public:
-    /// \p positions holds one a vertex of \p triangles; both must outlive this. \pre there is a triangle
+    /// \param triangles  at least one; must outlive this object
+    /// \param positions  one per vertex of \p triangles; must outlive this object
     SurfaceDistance(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions);
 
-    /// The distance of \p point from the mesh, or from some of its triangles where that is \p enough or less.
-    /// \p nearest is where the nearest triangle goes; what it names before is tried first, which saves time
-    /// when points come in order.
+    /// The distance of \p point from the mesh; or its distance from some of the triangles, if that is at most
+    /// \p enough.
+    /// \param nearest  receives the nearest triangle. The search tries the triangle that it holds first,
+    ///                 which saves time when points come in order.
     double operator()(const glm::dvec3& point, Index& nearest, double enough = 0) const;
 
   private:

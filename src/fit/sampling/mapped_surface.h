@@ -1,4 +1,4 @@
-// A surface that is mapped to the sphere, with what finds places of it.
+// A surface that is mapped to the sphere, with the search structures that find places on it.
 #pragma once
 
 #include <array>
@@ -16,7 +16,8 @@
 namespace interleaf {
 
 struct MappedSurface {
-    /// Both must outlive this. \pre that of SphereLocation
+    /// \param surface  must outlive this object
+    /// \param map      must outlive this object; meets the precondition of SphereLocation
     MappedSurface(const SurfaceMesh& surface, std::span<const glm::dvec3> map);
 
     glm::dvec3 position(const MeshPoint& point) const {
@@ -24,24 +25,24 @@ struct MappedSurface {
     }
 
     const SurfaceMesh& mesh;             ///< closed, of genus 0
-    std::span<const glm::dvec3> points;  ///< its map to the unit sphere, one a vertex, one to one
-    SphereLocation location;             ///< by that map
+    std::span<const glm::dvec3> points;  ///< the map to the unit sphere, one per vertex, one to one
+    SphereLocation location;             ///< in this map
     SurfaceDistance distance;            ///< from the mesh
-    std::vector<glm::dvec3> normals;     ///< unit, one a triangle; zero where it has no area
+    std::vector<glm::dvec3> normals;     ///< unit vectors, one per triangle; zero for triangles without area
 };
 
-/// A place of a leaf, and the place of the surface that the map has there.
+/// A place on a leaf, and the place on the surface that the map puts there.
 struct FacingPlaces {
     glm::dvec3 on_leaf;
     glm::dvec3 on_surface;
     Index triangle;  ///< of the surface
 };
 
-/// Whether \p is_fine(const FacingPlaces&) says so at all places of a grid; it is called until it says no.
+/// Whether \p is_fine(const FacingPlaces&) is true at all places of a grid. The calls end at the first false.
 /// \param grid        barycentric coordinates, see barycentric_grid()
 /// \param directions  of the corners of the leaf, on the sphere
-/// \param corners     where they lie in space
-/// \param guess       a triangle of the surface near one of them
+/// \param corners     of the leaf, in space
+/// \param guess       a triangle of the surface near one of the corners
 template <typename IsFine>
 bool all_of_places(const MappedSurface& mapped, std::span<const glm::dvec3> grid,
                    const std::array<glm::dvec3, 3>& directions, const TriangleCorners& corners, Index guess,

@@ -13,7 +13,7 @@ namespace interleaf {
 /// \param mesh     with the colors
 /// \param mapped   \p mesh itself, or a finer mesh of the same surface (surface_refinement.h)
 /// \param surface  sampled from \p mapped
-/// \return the field "color"; none for a mesh without colors
+/// \return the field "color"; nothing for a mesh without colors
 std::vector<Field> sampled_colors(const SurfaceMesh& mesh, const MappedSurface& mapped,
                                   const SampledSurface& surface);
 

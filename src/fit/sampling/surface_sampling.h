@@ -1,10 +1,12 @@
-// A surface that is mapped to the sphere, sampled over root triangles there: the leaves of a key.
+// Samples a surface that is mapped to the sphere, over root triangles there, and so makes the leaves of a
+// key.
 //
-// A leaf's vertices are points of the sphere, and lie where these are mapped to on the surface. The leaf of
-// the largest error is bisected next, at the middle of its refinement edge on the sphere. Its error is its
-// distance from the surface plus a term for the turn of the normal, measured at a few places of it and at all
-// vertices of the surface that are mapped into it: without those, what is thin is missed. At last comes
-// leveling: the distance alone is measured, closely, and the farthest leaves are bisected.
+// The vertices of a leaf are points of the sphere, and lie where the map puts these points on the surface.
+// The leaf with the largest error is bisected next, at the middle of its refinement edge on the sphere. The
+// error is the distance of the leaf from the surface plus a term for the turn of the normal. It is measured
+// at a few places of the leaf and at all vertices of the surface that are mapped into the leaf; without these
+// vertices, thin parts would be missed. Leveling comes last: it measures the distance alone, closely, and
+// bisects the farthest leaves.
 #pragma once
 
 #include <vector>
@@ -19,29 +21,30 @@
 namespace interleaf {
 
 struct SamplingOptions {
-    Index leaves = 20000;       ///< at most this many, and as near as closure allows
-    Index max_leveling = 2000;  ///< so many of the leaves, but at most a tenth, are for leveling
+    Index leaves = 20000;       ///< maximum, reached as closely as closure allows
+    Index max_leveling = 2000;  ///< number of leaves kept for leveling, at most a tenth of all
 
-    /// Where it is not 0: leaves are bisected that are farther from the surface when they are made, in its
-    /// unit, and no others but by closure. Their neighbors may change later, so the key is to be measured.
+    /// If not 0: bisects, apart from closure, only the leaves that are farther than this from the surface
+    /// when they are made, in the unit of the surface. Their neighbors may change later, so the caller must
+    /// measure the key.
     double tolerance = 0;
 };
 
-/// Leaves in preorder; what belongs to a vertex is indexed by the numbers used in the leaves, root vertices
-/// first.
+/// Leaves in preorder. The leaves hold indices of vertices; root vertices come first.
 struct SampledSurface {
     std::vector<Leaf> leaves;
     std::vector<glm::vec3> positions;
     std::vector<glm::dvec3> sphere_points;
-    std::vector<MeshPoint> mesh_points;  ///< where on the surface a vertex lies
+    std::vector<MeshPoint> mesh_points;  ///< per vertex, its place on the surface
 };
 
 /// \throw Cancelled
 SampledSurface sample_surface(const MappedSurface& mapped, const SphereRoots& roots,
                               const SamplingOptions& options, const Progress& progress);
 
-/// Whether the normal of a leaf does not point to the side of the surface's normal there: the mean over a few
-/// places of the leaf, by the map. A leaf of no area counts.
+/// Whether the normal of a leaf does not point to the same side as the normal of the surface there. The
+/// surface's normal is the mean over a few places of the leaf, found by the map. A leaf without area counts
+/// as turned over.
 /// \param leaf  vertices of \p surface
 bool is_turned_over(const Triangle& leaf, const SampledSurface& surface, const MappedSurface& mapped);
 

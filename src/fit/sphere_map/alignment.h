@@ -15,11 +15,11 @@
 
 namespace interleaf {
 
-/// The rotation R for which the mean of (R u) . d is largest, by area; u is the point of the sphere of a
-/// vertex, d its direction from the surface's center of area.
+/// The rotation R that maximizes the mean of (R u) . d, weighted by area. u is a vertex's point on the
+/// sphere, and d is the direction of the vertex from the surface's center of area.
 glm::dmat3 rotation_to_surface(const SurfaceMesh& mesh, std::span<const glm::dvec3> points);
 
-/// That mean for the map as it is: 1 where all directions agree, -1 where all are opposite.
+/// The mean of u . d for the present map: 1 if all directions agree, -1 if all are opposite.
 double mean_cosine(const SurfaceMesh& mesh, std::span<const glm::dvec3> points);
 
 /// Rotates points of the unit sphere.

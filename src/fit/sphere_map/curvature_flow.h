@@ -1,6 +1,6 @@
 // Conformalized mean curvature flow (Kazhdan, Solomon and Ben-Chen 2012, "Can Mean-Curvature Flow be Modified
-// to be Non-singular?"): a surface of genus 0 flows to a sphere without collapsing at its necks. What comes
-// out is nearly conformal and not certain to be one to one.
+// to be Non-singular?"): a surface of genus 0 flows to a sphere without collapsing at its necks. The result
+// is nearly conformal, but not always one to one.
 #pragma once
 
 #include <span>
@@ -20,12 +20,12 @@ struct CurvatureFlowOptions {
 };
 
 /// \param positions  within the unit box
-/// \return unit points, one a vertex: the surface after the flow, projected to a sphere from its middle
+/// \return unit vectors, one per vertex: the surface after the flow, projected to a sphere from its middle
 std::vector<glm::dvec3> flow_to_sphere(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
                                        const CurvatureFlowOptions& options, ProgressMeter& meter);
 
-/// The same, then untangled where it is flipped, and relaxed, which gives room to limbs that the flow has
-/// shrunk to almost nothing. Still not certain to be one to one: see fault_of_map().
+/// Calls flow_to_sphere(), untangles the flipped parts of the result, and relaxes it, which gives room to
+/// limbs that the flow has shrunk to almost nothing. The result is not always one to one: see fault_of_map().
 std::vector<glm::dvec3> map_by_curvature_flow(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
                                               const CurvatureFlowOptions& options, ProgressMeter& meter);
 

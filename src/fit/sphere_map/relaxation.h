@@ -1,5 +1,5 @@
-// Relaxes a map of a mesh to the sphere: moves one vertex after the other to where its star is distorted
-// least.
+// Relaxes a map of a mesh to the sphere: moves one vertex after the other to the place where its star is
+// distorted least.
 #pragma once
 
 #include <span>
@@ -15,42 +15,46 @@ namespace interleaf {
 
 class Relaxation {
   public:
-    /// \param mesh         may be collapsed and restored between the calls, with update_shapes() after it
-    /// \param positions    on the surface, one a vertex
-    /// \param vertex_area  the part of 4 pi that the surface around each vertex is to take
-    /// \param points       on the unit sphere, one a vertex; those that the mesh has are moved
+    /// \param mesh         may be collapsed and restored between calls, if update_shapes() follows
+    /// \param positions    on the surface, one per vertex
+    /// \param vertex_area  per vertex, the part of 4 pi that the surface around the vertex is to take
+    /// \param points       on the unit sphere, one per vertex; the points of the mesh's vertices are moved
     Relaxation(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
                std::span<const double> vertex_area, std::span<glm::dvec3> points, Keeps keeps = Keeps::areas);
 
-    /// Takes the rest shapes of all triangles anew. They are blended towards equilateral, by 0 to 1, so that
-    /// needles and triangles of no area do not ask for the impossible.
+    /// Computes the rest shapes of all triangles anew, blended towards equilateral so that needles and
+    /// triangles without area do not demand the impossible.
+    /// \param blend  0 to 1
     void update_shapes(double blend);
     /// The same for the triangles at \p vertex.
     void update_shapes_at(Index vertex, double blend);
 
-    /// Moves \p vertex by one Newton step and gives by how much of it the energy of its star falls.
+    /// Moves \p vertex by one Newton step.
+    /// \return the relative decrease of the energy of its star
     double relax(Index vertex);
 
-    /// Moves \p vertex and its neighbors, but for those of very many edges, by a few steps.
+    /// Moves \p vertex and its neighbors by a few steps, except neighbors with very many edges.
     void relax_star(Index vertex);
 
-    /// The least ratio of the spherical area of a triangle at \p vertex to the one that it is to take.
+    /// The smallest ratio of spherical area to target area among the triangles at \p vertex.
     double min_share(Index vertex) const;
 
-    /// Relaxes \p vertex and its neighbors, then those that moved and their neighbors, and so on, in at
-    /// most \p steps moves. One step of \p meter a move.
+    /// Relaxes \p vertex and its neighbors, then the vertices that moved and their neighbors, and so on, in
+    /// at most \p steps moves. Counts one step of \p meter per move.
     void relax_around(Index vertex, int steps, ProgressMeter& meter);
 
-    /// Puts \p vertex into the middle of its star's kernel, seen from the point \p seed of the kernel's
-    /// closure; false when doubles do not resolve the kernel.
+    /// Moves \p vertex to the middle of its star's kernel.
+    /// \param seed  a point of the closure of the kernel
+    /// \return      false if doubles do not resolve the kernel
     bool put_into_kernel(Index vertex, const glm::dvec3& seed);
 
-    /// Relaxes all vertices, and again those that moved and their neighbors, at most \p sweeps times.
-    /// One step of \p meter a vertex and sweep.
+    /// Relaxes all vertices, and then again the vertices that moved and their neighbors, at most \p sweeps
+    /// times. Counts one step of \p meter per vertex and sweep.
     void sweep(int sweeps, ProgressMeter& meter);
 
-    /// Puts vertices that are outside of their stars' kernels into them, where there are any, at most \p
-    /// sweeps times; whether none is left. One step of \p meter a vertex and sweep.
+    /// Moves vertices that lie outside the kernels of their stars into these kernels, in at most \p sweeps
+    /// sweeps. Counts one step of \p meter per vertex and sweep.
+    /// \return whether no such vertex is left
     bool untangle(int sweeps, ProgressMeter& meter);
 
   private:
@@ -63,9 +67,9 @@ class Relaxation {
     std::span<const double> vertex_area_;
     std::span<glm::dvec3> points_;
     std::vector<double> cotangent_;  // per half-edge, of the rest angle opposite it
-    std::vector<double> area_;       // per triangle, of 4 pi
+    std::vector<double> area_;       // per triangle, as a part of 4 pi
     std::vector<char> is_active_;
-    std::vector<Index> waiting_;  // active vertices in the order of their turns
+    std::vector<Index> waiting_;  // active vertices, in the order in which they are moved
     SphericalStar star_;
 };
 

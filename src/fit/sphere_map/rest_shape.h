@@ -1,4 +1,5 @@
-// The shape of a triangle on the surface, in the cotangents that measure how far another is from similar.
+// The rest shape of a triangle on the surface, as cotangents. They measure how far another triangle is from
+// similar.
 #pragma once
 
 #include <array>
@@ -9,8 +10,9 @@
 
 namespace interleaf {
 
-/// The cotangents of the angles opposite the sides a b, b c, c a of a triangle that is first blended towards
-/// equilateral, by \p blend of (0, 1]: so needles and triangles of no area do not ask for the impossible.
+/// The cotangents of the angles opposite the sides a b, b c, c a of a triangle. The triangle is first blended
+/// towards equilateral by \p blend, in (0, 1], so that needles and triangles without area do not demand the
+/// impossible.
 inline std::array<double, 3> rest_cotangents(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                                              double blend) {
     std::array<double, 3> squared = {glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)};

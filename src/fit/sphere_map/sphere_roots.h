@@ -9,20 +9,22 @@
 
 namespace interleaf {
 
-/// A cube's squares, each halved by a diagonal: 12 right isosceles triangles with the diagonals as refinement
-/// edges, not bisected. They keep their shape under bisection, which equilateral ones do not.
+/// The squares of a cube, each halved by a diagonal: 12 right isosceles triangles, not bisected. The
+/// diagonals are the refinement edges. These triangles keep their shape under bisection; equilateral ones do
+/// not.
 Hierarchy cube();
 
-/// The octahedron's 8 triangles, not bisected; the refinement edges are those of its equator.
+/// The 8 triangles of an octahedron, not bisected. The refinement edges are the edges of the equator.
 Hierarchy octahedron();
 
 struct SphereRoots {
     RootComplex complex;
-    std::vector<glm::dvec3> points;  ///< of the unit sphere, one a root vertex
+    std::vector<glm::dvec3> points;  ///< of the unit sphere, one per root vertex
 };
 
-/// The roots of \p hierarchy with their vertices projected onto the unit sphere from the middle of their box.
-/// \throw InputError saying why, where the triangles then do not cover the sphere once
+/// The roots of \p hierarchy, with their vertices projected onto the unit sphere from the middle of their
+/// box.
+/// \throw InputError saying why, if the projected triangles do not cover the sphere once
 SphereRoots project_to_sphere(const Hierarchy& hierarchy);
 
 }  // namespace interleaf

@@ -1,9 +1,9 @@
-// The star of one vertex on the unit sphere, in coordinates of the tangent plane there: where the vertex may
-// move, which is the kernel of the star, and where it moves best.
+// The star of one vertex on the unit sphere, in coordinates of the tangent plane at the vertex. The star
+// knows where the vertex may move, which is the star's kernel, and the best place for the vertex.
 //
-// A place (s, t) of the tangent plane at the center stands for the point of the sphere that lies before it
-// (central projection, so great circles are lines). All coordinates are differences from the center, so a
-// star of size h is known to about 1e-16 / h of its size, however small it is.
+// Central projection takes a place (s, t) of the tangent plane at the center to a point of the sphere, so
+// great circles are lines. All coordinates are differences from the center, so a star of size h is known to
+// about 1e-16 / h of its size, however small it is.
 #pragma once
 
 #include <optional>
@@ -22,35 +22,35 @@ struct TangentFrame {
 
     explicit TangentFrame(const glm::dvec3& unit_point);
 
-    /// The point in the frame's coordinates, less the center.
+    /// The point in the coordinates of the frame, minus the center.
     glm::dvec3 local(const glm::dvec3& point) const;
-    /// The unit point before a place of the plane.
+    /// The unit point that is the central projection of \p place, a place of the plane.
     glm::dvec3 point_at(const glm::dvec2& place) const;
 };
 
-/// What a map keeps rather than the other. Shapes make the better keys: with areas before shapes leaves are
-/// sheared, and ten times as many are turned over. But limbs many times longer than thick need room.
+/// What a map keeps in preference to the other. Shapes give better keys: where areas come first, leaves are
+/// sheared, and ten times as many are flipped. But limbs that are many times longer than thick need room.
 enum class Keeps { shapes, areas };
 
-/// A spherical triangle (center, a, b) of a star with the rest shape it is to keep.
+/// A spherical triangle (center, a, b) of a star, with its rest shape.
 struct StarTriangle {
-    glm::dvec3 a;           ///< in the frame, less the center
+    glm::dvec3 a;           ///< in the frame, minus the center
     glm::dvec3 b;           ///< the next corner counter-clockwise
     glm::dvec3 normal;      ///< a x b: positive on the side of the great circle a b where the center may be
     double cotangent_to_a;  ///< of the rest angle opposite the edge to a
     double cotangent_to_b;
     double fixed_stretch;  ///< cotangent times squared length of the edge a b
-    double area;           ///< that it is to take, of 4 pi
+    double area;           ///< target area, as a part of 4 pi
 };
 
-/// The distortion that a vertex's place costs, over its triangles: area MIPS^p ((r + 1/r) / 2)^q, where
-/// MIPS is the conformal distortion (Hormann and Greiner 2000), 1 for a similar triangle, and r is the ratio
-/// of the spherical area to the one wanted (Degener et al. 2003); p and q are 2 and 1 where areas are kept, 3
-/// and 5/16 where shapes are.
+/// The distortion at one place of the vertex, summed over the triangles: area MIPS^p ((r + 1/r) / 2)^q. MIPS
+/// is the conformal distortion (Hormann and Greiner 2000), 1 for a similar triangle. r is the ratio of the
+/// spherical area to the target area (Degener et al. 2003). p and q are 2 and 1 where areas are kept, 3 and
+/// 5/16 where shapes are kept.
 ///
-/// Both are taken of the determinant of the corners, which is twice the area of a small triangle and 0 where
-/// the spherical triangle flips, so that the energy is infinite at the edge of the kernel, also for triangles
-/// that cover a good part of the sphere.
+/// Both distortions are computed from the determinant of the corners. The determinant is twice the area of a
+/// small triangle, and 0 where the spherical triangle flips. So the energy is infinite at the edge of the
+/// kernel, even for triangles that cover a good part of the sphere.
 struct StarEnergy {
     double value = 0;
     glm::dvec2 gradient{0};
@@ -60,8 +60,8 @@ struct StarEnergy {
 };
 
 struct NewtonStep {
-    glm::dvec2 place{0};  ///< that it comes to; the center when no better one was found
-    double gain = 0;      ///< by how much of it the energy falls, 0 to 1
+    glm::dvec2 place{0};  ///< where the step ends; the center if no better place was found
+    double gain = 0;      ///< relative decrease of the energy, 0 to 1
 };
 
 class SphericalStar {
@@ -77,26 +77,26 @@ class SphericalStar {
 
     const TangentFrame& frame() const { return frame_; }
 
-    /// The square of the longest distance of a neighbor from the center.
+    /// The square of the largest distance of a neighbor from the center.
     double squared_size() const;
 
     /// Adds the next triangle counter-clockwise.
     void add(const glm::dvec3& a, const glm::dvec3& b, double cotangent_to_a, double cotangent_to_b,
              double cotangent_across, double area);
 
-    /// Infinite for a place outside the kernel or too near to its edge for double precision.
+    /// The energy at \p place. Infinite outside the kernel, or too close to its edge for double precision.
     double energy(const glm::dvec2& place) const;
 
-    /// At the center, with its derivatives.
+    /// The energy at the center, with its derivatives.
     StarEnergy energy_at_center() const;
 
     bool has_center_in_kernel() const;
 
-    /// The kernel's middle (the mean of its corners) when the kernel has one that doubles can tell from its
-    /// edge. Only the part of the kernel within about 84 degrees of the center is seen.
+    /// The middle of the kernel (the mean of its corners), if doubles can tell the middle from the edge. Only
+    /// the part of the kernel within about 84 degrees of the center counts.
     std::optional<glm::dvec2> middle_of_kernel() const;
 
-    /// One step of Newton's method from the center, never uphill and never out of the kernel.
+    /// One step of Newton's method from the center. It never raises the energy and never leaves the kernel.
     NewtonStep newton_step() const;
 
   private:

@@ -1,9 +1,10 @@
-// A finer mesh of the same surface, for surfaces whose triangles are large or long.
+// Makes a finer mesh of the same surface, for surfaces with large or long triangles.
 //
-// A map to the sphere is linear on each triangle, so where a face of the surface is one triangle, or a fan of
-// needles, the map bends the face's neighborhood to what these can do. On a finer mesh it can keep shapes.
-// Edges inside of flat faces are flipped until they are Delaunay's (Lawson 1977), and the longest edges are
-// halved, in turn. No vertex moves and no crease is flipped, so the surface stays the same set of points.
+// A map to the sphere is linear on each triangle. Where a face of the surface is one triangle, or a fan of
+// needles, these triangles force the map to distort the surroundings of the face. On a finer mesh the map can
+// keep shapes. Refinement alternates two steps: it flips edges inside flat faces until they are Delaunay
+// (Lawson 1977), and it halves the longest edges. No vertex moves and no crease is flipped, so the surface
+// stays the same set of points.
 #pragma once
 
 #include "fit/mesh/progress_meter.h"
@@ -12,18 +13,19 @@
 namespace interleaf {
 
 struct RefinementOptions {
-    /// Edges are halved that are longer than those of so many equilateral triangles of the surface's area.
+    /// Edges are halved if they are longer than the edges of this many equilateral triangles with the
+    /// surface's area.
     double triangles = 3000;
 
-    /// The end, where long creases would take more: so many triangles more than before.
+    /// The largest number of added triangles. Long creases would take more.
     std::size_t max_added = 40000;
 
-    /// How far a flip may move a point of the surface, as a fraction of the longest side of its box. It is
-    /// what the digits of files leave of flat faces.
+    /// How far a flip may move a point of the surface, as a fraction of the longest side of its box. Files
+    /// store so few digits that flat faces are only flat to about this fraction.
     double flatness = 1e-6;
 };
 
-/// Parts of a surface's area.
+/// Fractions of the area of a surface.
 struct TriangleShapes {
     double large =
         0;  ///< in triangles with a side longer than those of 750 equilateral ones of the same area
@@ -33,7 +35,7 @@ struct TriangleShapes {
 TriangleShapes triangle_shapes(const SurfaceMesh& mesh);
 
 /// \param mesh  clean (clean_up.h)
-/// \return its vertices, in order, then the new ones; without colors
+/// \return the vertices of \p mesh, in order, then the new ones; without colors
 /// \throw Cancelled
 SurfaceMesh refine(const SurfaceMesh& mesh, const RefinementOptions& options, ProgressMeter& meter);
 
