@@ -10,8 +10,8 @@
 namespace interleaf {
 namespace {
 
-/// Vertices that may look for better places on a refined mesh, per leaf: on a body so long that most leaves
-/// stay needles, further rounds take their time and mend little.
+/// Maximum number of vertices, per leaf, that may look for better places on a refined mesh. On a body so long
+/// that most leaves stay needles, further rounds take time and improve little.
 constexpr double tries_per_leaf = 0.5;
 
 }  // namespace

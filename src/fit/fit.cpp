@@ -19,20 +19,20 @@ namespace {
 
 constexpr double min_tolerance = 1e-5;
 
-/// A tolerance that needs more leaves is out of reach.
+/// A tolerance that needs more leaves than this is out of reach.
 constexpr Index max_leaves = 4000000;
 
-/// Between the places where a leaf's distance is measured it may be this much farther.
+/// Between the measured places of a leaf, its distance may be larger by this fraction.
 constexpr double sampling_margin = 0.1;
 
-/// Times that a tolerance is tried to be met with a smaller one inside.
+/// Maximum number of attempts to meet a tolerance by sampling with a smaller one.
 constexpr int max_tries = 4;
 
-/// The parts of the whole at which the stages begin, of a mesh of a few ten thousand vertices.
+/// The fractions of the whole work at which the stages begin, for a mesh with a few ten thousand vertices.
 constexpr double map_begins = 0.1;
 constexpr double second_map_begins = 0.9;
 
-/// The part of the way from a clean mesh to its key at which its map is judged.
+/// The fraction of the way from a clean mesh to its key at which the map is judged.
 constexpr double judged_at = 0.87;
 
 void check_options(const FitOptions& options) {
@@ -53,7 +53,7 @@ SampledSurface leaves_over(const AlignedMap& map, const SphereRoots& roots, cons
     return surface;
 }
 
-/// Samples until the measured distance is within \p tolerance, a part of the box diagonal.
+/// Samples until the measured distance is within \p tolerance, a fraction of the box diagonal.
 std::pair<SampledSurface, FitQuality> sample_within(const AlignedMap& map, const SphereRoots& roots,
                                                     double tolerance, const Progress& progress) {
     const double diagonal = box_diagonal(map.original);
@@ -74,7 +74,7 @@ std::pair<SampledSurface, FitQuality> sample_within(const AlignedMap& map, const
     }
 }
 
-/// Accepts or refuses a map, samples as it is asked for, and makes the key.
+/// Accepts or refuses a map, samples it as the options demand, and makes the key.
 FittedKey key_of(JudgedMap judged, const FitOptions& options, std::vector<StageTime> times,
                  const Progress& progress) {
     const AlignedMap& map = *judged.map;
@@ -106,7 +106,7 @@ FittedKey key_of(JudgedMap judged, const FitOptions& options, std::vector<StageT
     return key;
 }
 
-/// Maps a clean mesh, samples, and accepts or refuses.
+/// Maps a clean mesh, samples it, and accepts or refuses the key.
 FittedKey fit_clean(const SurfaceMesh& mesh, Keeps keeps, const FitOptions& options,
                     const Progress& progress) {
     std::vector<StageTime> times;
@@ -120,9 +120,10 @@ FittedKey fit_clean(const SurfaceMesh& mesh, Keeps keeps, const FitOptions& opti
     return key;
 }
 
-/// See FitReport::hausdorff_as_brought. \p key is of \p clean.
+/// See FitReport::hausdorff_as_brought.
+/// \param key  made from \p clean
 double distance_as_brought(const CleanMesh& clean, const FittedKey& key, const Progress& progress) {
-    // Where nothing was changed that is the distance from the clean mesh, which has been measured.
+    // If nothing was changed, this is the distance from the clean mesh, which has already been measured.
     if (clean.report.fillings.empty() && clean.report.dropped_parts.empty())
         return key.report.quality.hausdorff;
     SurfaceMesh brought{.positions = clean.mesh.positions, .triangles = clean.mesh.triangles, .colors = {}};

@@ -15,10 +15,10 @@
 namespace interleaf {
 namespace {
 
-/// Places on each mesh, besides its vertices, when these are spread evenly.
+/// Number of places on each mesh, besides its vertices, if the places are spread evenly.
 constexpr double places = 100000;
 
-/// Parts an edge of a grid over one triangle, at most.
+/// Maximum number of parts per edge in the grid over one triangle.
 constexpr double max_parts = 64;
 
 glm::dvec3 doubled_area(const MeshView& flat, const Triangle& triangle) {
@@ -28,15 +28,15 @@ glm::dvec3 doubled_area(const MeshView& flat, const Triangle& triangle) {
 
 struct Distances {
     double largest = 0;
-    double mean_square = 0;  ///< by area
+    double mean_square = 0;  ///< weighted by area
 };
 
-/// Distances of \p from's vertices, and of grids over its triangles, from a mesh.
+/// Distances of the vertices of \p from, and of grids over its triangles, from a mesh.
 Distances distances(const MeshView& from, const SurfaceDistance& distance, const Progress& progress,
                     double begin) {
     double area = 0;
     for (const Triangle& triangle : from.triangles) area += glm::length(doubled_area(from, triangle)) / 2;
-    // A grid of right triangles of this side has about that many places.
+    // A grid of right triangles with this side has about that many places.
     const double spacing = std::sqrt(area / places);
 
     Distances found;
@@ -58,7 +58,8 @@ Distances distances(const MeshView& from, const SurfaceDistance& distance, const
         const double longest =
             std::max({glm::length(along_b), glm::length(along_c), glm::length(along_c - along_b)});
         const double parts = spacing > 0 ? std::clamp(std::ceil(longest / spacing), 1.0, max_parts) : 1;
-        // The centers of the grid's triangles that stand as the whole does: each for an equal part of it.
+        // The centers of those grid triangles that are oriented like the whole: each represents an equal part
+        // of it.
         double sum = 0;
         double terms = 0;
         for (double row = 0; row < parts; ++row)

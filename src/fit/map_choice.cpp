@@ -17,51 +17,52 @@
 namespace interleaf {
 namespace {
 
-/// A mesh is refined where large triangles have this part of its area,
+/// A mesh is refined if large triangles have this fraction of its area.
 constexpr double large_part = 0.4;
 
-/// and its own map is only tried where the refined one is bad, where needles have this part: a long fan of
-/// needles takes the longest to map, to the worst map.
+/// If needles have this fraction of the area, the mesh's own map is tried only if the refined map is bad. A
+/// long fan of needles takes longest to map, and gives the worst map.
 constexpr double needle_part = 0.3;
 
-/// A map needs no better one when less than this part of its leaves is to be smoothed.
+/// A map is good enough if less than this fraction of its leaves needs smoothing.
 constexpr double few_faulty = 0.05;
 
-/// Where more than this part of its leaves is to be smoothed, smoothing takes seconds and mends little.
+/// If more than this fraction of the leaves needs smoothing, smoothing takes seconds and improves little.
 constexpr double many_faulty = 0.3;
 
-/// A map is bad where more than this part of its leaves is to be smoothed, or where more leaves are flipped
-/// than this multiple of those for which it would be refused.
+/// A map is bad if more than this fraction of its leaves needs smoothing, or if its number of flipped leaves
+/// is more than this multiple of the number for which it would be refused.
 constexpr double max_faulty = 0.4;
 constexpr double max_flipped_part = 3;
 
-/// Equilateral triangles that the refined mesh is as fine as. A finer mesh makes better leaves, but on a long
-/// thin body its map may be the one that shrinks a limb: then a coarser one is tried.
+/// The refined mesh is as fine as this many equilateral triangles. A finer mesh gives better leaves. But on a
+/// long thin body, the map of the finer mesh may shrink a limb; then a coarser mesh is tried.
 constexpr double fine_triangles = 2000;
-/// The same where needles have more than needle_part.
+/// The same for meshes in which needles have more than needle_part.
 constexpr double fine_triangles_of_needles = 3000;
 constexpr double coarse_triangles = 1000;
 
-/// A key is poor with a smaller least angle, in degrees, or more than this part of the flipped leaves for
-/// which it would be refused. A better one may be farther from the surface by this factor.
+/// A key is poor if its least angle is smaller than this, in degrees, or if it has more than this fraction of
+/// the flipped leaves for which it would be refused. A better key may be farther from the surface by this
+/// factor.
 constexpr double poor_angle = 5;
 constexpr double poor_flipped_part = 0.25;
 constexpr double farther_than_poor = 1.1;
 
-/// Before smoothing, a key is poor for sure with these.
+/// Before smoothing, a key is certainly poor beyond these limits.
 constexpr double hopeless_angle = 1;
 constexpr double hopeless_flipped_part = 1.5;
 
 /// A map that is tried.
 struct Candidate {
     std::unique_ptr<const AlignedMap> map;
-    SampledSurface surface;  ///< of judged_leaves(), not smoothed
-    std::size_t faulty = 0;  ///< leaves that are to be smoothed
+    SampledSurface surface;  ///< with judged_leaves() leaves, not smoothed
+    std::size_t faulty = 0;  ///< number of leaves that need smoothing
     FitQuality shapes{};     ///< of that surface, without distances
     MapMethod method = MapMethod::progressive;
 
     double faulty_part() const { return double(faulty) / double(surface.leaves.size()); }
-    /// Of the flipped leaves for which it would be refused.
+    /// As a fraction of the flipped leaves for which the map would be refused.
     double flipped_part(const FitLimits& limits) const {
         return double(shapes.flipped_leaves) / (limits.flipped_part * double(surface.leaves.size()));
     }
@@ -83,8 +84,8 @@ JudgedMap judged(Candidate candidate, const SphereRoots& roots, Stopwatch& stopw
     return {std::move(candidate.map), std::move(candidate.surface), quality, candidate.method};
 }
 
-/// Maps one mesh or another of the same surface, centers, checks and samples.
-/// \param fine  without triangles for the original
+/// Maps a mesh of the surface, centers the map, checks it and samples it.
+/// \param fine  the mesh to map; without triangles for the original mesh
 Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, const MapChoiceOptions& options,
                     Stopwatch& stopwatch, const Progress& progress) {
     const bool is_refined = !fine.triangles.empty();
@@ -109,7 +110,7 @@ Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, const MapChoi
     return made;
 }
 
-/// Of two maps, before smoothing.
+/// The better of two maps, before smoothing.
 bool is_better(const Candidate& a, const Candidate& b, const FitLimits& limits) {
     const double flipped = a.flipped_part(limits);
     const double flipped_of_b = b.flipped_part(limits);
@@ -122,7 +123,7 @@ bool is_no_worse(const FitQuality& a, const FitQuality& b, double farther = 1) {
            a.min_angle >= b.min_angle && a.flipped_leaves <= b.flipped_leaves;
 }
 
-/// Whether a refined mesh makes the key to be taken, and not the mesh as it is.
+/// Whether the key of a refined mesh is chosen over the key of the mesh as it is.
 bool is_to_take(const JudgedMap& refined, const JudgedMap& as_it_is, const FitLimits& limits) {
     const auto is_accepted = [&](const JudgedMap& judged) {
         return fault_of_fit(judged.quality, judged.surface.leaves.size(), limits).empty();
@@ -134,9 +135,9 @@ bool is_to_take(const JudgedMap& refined, const JudgedMap& as_it_is, const FitLi
     return is_no_worse(refined.quality, as_it_is.quality, is_poor ? farther_than_poor : 1);
 }
 
-/// Whether the same is sure before the key of the mesh as it is has been smoothed. Smoothing brings no key
-/// nearer to the surface. Where it mends little, the figures are as they will be; elsewhere no leaf may be
-/// left that it might mend.
+/// Whether this choice is certain before the key of the mesh as it is has been smoothed. Smoothing brings no
+/// key nearer to the surface. Where smoothing improves little, the figures are nearly final. Elsewhere the
+/// choice is certain only if no leaf is left that smoothing might improve.
 bool is_sure_to_take(const JudgedMap& refined, const Candidate& as_it_is, const FitLimits& limits,
                      const Progress& progress) {
     const bool is_hopeless =

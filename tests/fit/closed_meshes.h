@@ -1,4 +1,4 @@
-// Surfaces for the tests of the map and of cleaning up: all made here, most of genus 0.
+// Surfaces for the tests of the map and of the clean-up: all generated here, most of genus 0.
 #pragma once
 
 #include <cstdint>
@@ -15,42 +15,43 @@ struct NamedMesh {
     SurfaceMesh mesh;
 };
 
-/// An icosahedron, each triangle divided into 4 as often as told; 10 4^n + 2 vertices.
+/// An icosahedron whose triangles are divided into 4, n times; 10 4^n + 2 vertices.
 SurfaceMesh icosphere(unsigned divisions);
 
-/// Meridians by parallels, with needles around the poles, where all meridians meet in one vertex.
+/// A sphere of meridians and parallels. All meridians meet in one vertex at each pole, with needles around
+/// it.
 SurfaceMesh globe(unsigned meridians, unsigned parallels);
 
 SurfaceMesh tetrahedron();
 
-/// How the polygon at the end of a cylinder is cut into triangles.
+/// How the polygon at the end of a cylinder is divided into triangles.
 enum class Cap { corner_fan, center_fan, zigzag };
 
-/// Upright, of radius 1, over a regular polygon of so many sides.
+/// An upright cylinder of radius 1 over a regular polygon with the given number of sides.
 SurfaceMesh cylinder(unsigned sides, double height, Cap cap);
 
-/// Closed: a tube bent to a ring. Not of genus 0.
+/// A closed torus: a tube bent to a ring. Not of genus 0.
 SurfaceMesh torus(unsigned around, unsigned across);
 
-/// A square of so many by so many squares, open.
+/// An open square, divided into squares.
 SurfaceMesh sheet(unsigned squares);
 
-/// The directions of the vertices from 0.
+/// The directions of the vertices from the origin.
 std::vector<glm::dvec3> on_sphere(const SurfaceMesh& mesh);
 
 SurfaceMesh moved(SurfaceMesh mesh, const std::function<glm::dvec3(const glm::dvec3&)>& map);
 
-/// The two meshes side by side, as one.
+/// The two meshes side by side, as one mesh.
 SurfaceMesh joined(SurfaceMesh first, const SurfaceMesh& second);
 
-/// A tetrahedron of which random triangles and edges are divided until it has \p vertices, at random
-/// positions: any simplicial sphere may come out, in any position, self-intersecting.
+/// A tetrahedron in which random triangles and edges are divided until it has \p vertices vertices, at random
+/// positions. Any simplicial sphere may result, in any position, self-intersecting.
 SurfaceMesh random_sphere(std::uint32_t seed, unsigned vertices);
 
-/// A double pyramid over a polygon of that many vertices: its two tips are joined to all of them.
+/// A double pyramid over a polygon with the given number of vertices. Its two tips are joined to all of them.
 SurfaceMesh double_pyramid(unsigned vertices);
 
-/// Closed surfaces of genus 0 that a map can have trouble with.
+/// Closed surfaces of genus 0 that are difficult to map.
 std::vector<NamedMesh> closed_meshes();
 
 }  // namespace interleaf::testing

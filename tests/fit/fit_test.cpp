@@ -1,4 +1,4 @@
-// The whole way from a mesh to a key: figures that are known, refusals, cancelling.
+// The whole way from a mesh to a key: known figures, refusals, and cancellation.
 #include "fit/fit.h"
 
 #include <cmath>
@@ -80,7 +80,7 @@ TEST_CASE(
     const FittedKey key = fit(two, kept);
     CHECK(key.report.clean_up.dropped_parts.size() == 1);
     CHECK(key.report.quality.hausdorff < 0.01);
-    // The ball that was dropped reaches to 3.5, the body to about 1.
+    // The dropped ball reaches to 3.5, the body to about 1.
     CHECK(key.report.hausdorff_as_brought > 0.3);
 
     SurfaceMesh open = body;
@@ -114,7 +114,7 @@ TEST_CASE("the rotation asked for moves the vertices over the surface, not the s
     options.rotation = glm::dmat3(0, 1, 0, -1, 0, 0, 0, 0, 1);  // x to y: a quarter turn about z
     const FittedKey turned = fit_mapped(mapped.mesh, mapped.points, options);
     CHECK(turned.report.quality.hausdorff < 0.005);
-    // The part of the surface at root vertex v is now at the root vertex that the turn takes v to.
+    // The part of the surface at root vertex v is now at the root vertex to which the turn takes v.
     const SphereRoots roots = project_to_sphere(cube());
     for (std::size_t v = 0; v < 8; ++v)
         for (std::size_t w = 0; w < 8; ++w)
@@ -184,7 +184,7 @@ TEST_CASE("it ends at whatever call of progress says so, and says how far it is"
         return true;
     });
     REQUIRE(calls > 20);
-    // Every call for the first ones, then more sparsely.
+    // Cancels at every one of the first calls, then more sparsely.
     const auto first = static_cast<int>(trials(20));
     for (int stop = 1; stop <= calls; stop += stop < first ? 1 : 1 + calls / first) {
         int left = stop;

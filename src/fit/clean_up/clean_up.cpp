@@ -31,7 +31,7 @@ void check_numbers(const SurfaceMesh& mesh) {
     if (!mesh.colors.empty() && mesh.colors.size() != mesh.positions.size())
         throw InputError(
             fmt::format("the mesh has {} colors for {} vertices", mesh.colors.size(), mesh.positions.size()));
-    const auto is_good = [](double number) {  // not of a NaN either
+    const auto is_good = [](double number) {  // false for a NaN, too
         return std::abs(number) <= std::numeric_limits<float>::max();
     };
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -56,8 +56,8 @@ std::vector<double> areas_of(std::span<const Triangle> triangles, std::span<cons
     return areas;
 }
 
-/// Keeps the component of the largest area, the first of equal ones.
-/// \return the triangles of the others, by their vertices of all
+/// Keeps the component with the largest area; the first one if several are equal.
+/// \return the triangles of the other components, with the vertex indices of \p mesh
 std::vector<Triangle> keep_largest(std::vector<Triangle>& triangles, std::vector<Index>& twin,
                                    std::span<const glm::dvec3> positions, CleanUpReport& report,
                                    ProgressMeter& meter) {
@@ -103,7 +103,7 @@ std::vector<Triangle> keep_largest(std::vector<Triangle>& triangles, std::vector
     return dropped;
 }
 
-/// \p triangles with the vertices they use.
+/// \p triangles, with only the vertices that they use.
 SurfaceMesh used_part(std::span<const glm::dvec3> positions, std::vector<Triangle> triangles) {
     SurfaceMesh part;
     std::vector<Index> number(triangles.empty() ? 0 : positions.size(), no_index);
@@ -119,9 +119,9 @@ SurfaceMesh used_part(std::span<const glm::dvec3> positions, std::vector<Triangl
     return part;
 }
 
-/// Fills holes; refuses some as large as the surface.
+/// Fills the holes. Refuses holes that are as large as the surface.
 void fill(SurfaceMesh& mesh, std::span<const Index> twin, CleanUpReport& report, ProgressMeter& meter) {
-    constexpr double max_part = 0.95;  // of the surface's own area; the lid of a shallow dish
+    constexpr double max_part = 0.95;  // of the surface's own area; allows the lid of a shallow dish
     const std::size_t own_count = mesh.triangles.size();
     const std::vector<FilledHole> holes = fill_holes(mesh, twin, meter);
     if (holes.empty()) return;
@@ -159,7 +159,8 @@ void check_genus(const SurfaceMesh& mesh) {
         throw InputError("the surface is a single triangle; a closed surface is expected");
 }
 
-/// Turns the surface so that it encloses a positive volume; whether it did not already.
+/// Turns the surface so that it encloses a positive volume.
+/// \return whether it had to be turned
 bool turn_outward(SurfaceMesh& mesh) {
     const std::vector<glm::dvec3> positions = in_unit_box(mesh.positions);
     double volume = 0;
@@ -170,7 +171,7 @@ bool turn_outward(SurfaceMesh& mesh) {
         volume += glm::dot(positions[a] - origin, normal) / 6;
         area += glm::length(normal) / 2;
     }
-    constexpr double least = 1e-7;  // of a ball of the same area it is about 0.1
+    constexpr double least = 1e-7;  // a ball of the same area has about 0.1
     if (!(std::abs(volume) > least * area * std::sqrt(area)))
         throw InputError("the surface encloses no volume: it is flat or folded onto itself");
     if (volume > 0) return false;
@@ -178,7 +179,7 @@ bool turn_outward(SurfaceMesh& mesh) {
     return true;
 }
 
-/// Lets triangles name the first of equal vertices.
+/// Replaces each vertex in the triangles by the first equal one.
 void weld_equal(SurfaceMesh& mesh, CleanUpReport& report, ProgressMeter& meter) {
     const std::vector<Index> first = first_at_same_point(mesh.positions, meter);
     std::vector<char> is_welded(first.size(), 0);
@@ -190,7 +191,7 @@ void weld_equal(SurfaceMesh& mesh, CleanUpReport& report, ProgressMeter& meter) 
     report.welded_vertices = static_cast<std::size_t>(std::ranges::count(is_welded, 1));
 }
 
-/// Refuses what is no surface at all: triangles that share no edges, and the faces inside a volume mesh.
+/// Refuses meshes that are not surfaces: triangles that share no edges, and the faces inside a volume mesh.
 void check_edges(std::size_t triangles, std::span<const Index> twin, std::size_t crowded_edges) {
     const auto open = static_cast<std::size_t>(std::ranges::count(twin, no_index));
     constexpr std::size_t min_triangles = 8;

@@ -13,12 +13,12 @@ std::string triangles_text(std::size_t count) {
     return count == 1 ? "1 triangle" : fmt::format("{} triangles", count);
 }
 
-/// "0.03 %", "14 %".
+/// For instance "0.03 %" or "14 %".
 std::string percent(double part) {
     return fmt::format("{:.2g} %", 100 * part);
 }
 
-/// "7.2 %, 3.1 % and 4 more", the largest first.
+/// For instance "7.2 %, 3.1 % and 4 more", largest first.
 template <typename Thing>
 std::string areas_text(const std::vector<Thing>& things) {
     constexpr std::size_t most = 6;

@@ -15,7 +15,7 @@ struct EdgeUse {
     Index low;
     Index high;
     Index half_edge;
-    bool is_forward;  ///< from the lower vertex to the higher
+    bool is_forward;  ///< whether it runs from the lower vertex to the higher
     auto key() const { return std::pair(low, high); }
 };
 
@@ -37,7 +37,7 @@ std::vector<EdgeUse> sorted_uses(std::span<const Triangle> triangles, ProgressMe
     return uses;
 }
 
-/// The uses of one edge sorted counter-clockwise about it, seen from its higher vertex.
+/// The uses of one edge, sorted counter-clockwise around the edge, seen from its higher vertex.
 void sort_by_angle(std::span<EdgeUse> uses, std::span<const glm::dvec3> positions,
                    std::span<const Triangle> triangles) {
     const glm::dvec3 low = positions[uses.front().low];
@@ -45,7 +45,7 @@ void sort_by_angle(std::span<EdgeUse> uses, std::span<const glm::dvec3> position
     const auto direction = [&](const EdgeUse& use) {
         const Index third = triangles[use.half_edge / 3][(use.half_edge % 3 + 2) % 3];
         return glm::cross(axis,
-                          positions[third] - low);  // turned by a quarter, without the part along the axis
+                          positions[third] - low);  // turned by a right angle, without the axial part
     };
     const glm::dvec3 x = direction(uses.front());
     const glm::dvec3 y = glm::cross(axis, x);
@@ -61,8 +61,8 @@ void sort_by_angle(std::span<EdgeUse> uses, std::span<const glm::dvec3> position
     for (std::size_t i = 0; i < uses.size(); ++i) uses[i] = by_angle[i].second;
 }
 
-/// The inside is counter-clockwise of a backward use and clockwise of a forward one, so the two are matched
-/// like brackets, around the edge.
+/// The inside lies counter-clockwise of a backward use and clockwise of a forward use. So the two kinds are
+/// matched like brackets, around the edge.
 void pair_wedges(std::span<const EdgeUse> uses, std::vector<Index>& twin) {
     std::vector<Index> open;
     for (int round = 0; round < 2; ++round) {

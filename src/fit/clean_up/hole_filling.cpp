@@ -10,7 +10,7 @@
 namespace interleaf {
 namespace {
 
-/// A position and a color that are blended alike.
+/// A position and a color, which are blended in the same way.
 struct Sample {
     glm::dvec3 position{0};
     glm::vec3 color{0};
@@ -24,7 +24,7 @@ class Filler {
   public:
     Filler(SurfaceMesh& mesh, ProgressMeter& meter) : mesh_(mesh), meter_(meter) {}
 
-    /// \param rim  the vertices counter-clockwise seen from outside, as the new triangles see them
+    /// \param rim  vertices, counter-clockwise as seen from outside and from the new triangles
     void fill(std::vector<Index> rim) {
         if (rim.size() == 3) {
             add(rim[0], rim[1], rim[2]);
@@ -50,7 +50,7 @@ class Filler {
         return {mesh_.positions[vertex], mesh_.colors.empty() ? glm::vec3(0) : mesh_.colors[vertex]};
     }
 
-    /// The mean along the rim, whatever the spacing of its vertices.
+    /// The mean along the rim, independent of the spacing of its vertices.
     static Sample middle_of(std::span<const Sample> rim) {
         Sample sum;
         double whole = 0;
@@ -65,7 +65,7 @@ class Filler {
         return {sum.position / whole, sum.color / float(whole)};
     }
 
-    /// \p count vertices parallel to the rim, the nearer to the middle the fewer they are.
+    /// A ring of \p count vertices parallel to the rim. Rings nearer to the middle have fewer vertices.
     std::vector<Index> add_ring(std::span<const Sample> rim, const Sample& middle, std::size_t count) {
         std::vector<Index> ring;
         const double radius = double(count) / double(rim.size());
@@ -111,7 +111,7 @@ class Filler {
     ProgressMeter& meter_;
 };
 
-/// The boundary half-edge that follows \p half_edge, itself on the boundary.
+/// The boundary half-edge that follows \p half_edge, which is a boundary half-edge, too.
 Index next_on_boundary(std::span<const Index> twin, Index half_edge) {
     Index next = HalfEdgeMesh::next(half_edge);
     while (twin[next] != no_index) next = HalfEdgeMesh::next(twin[next]);

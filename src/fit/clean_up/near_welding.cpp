@@ -21,7 +21,7 @@ struct MeshEdge {
     auto operator<=>(const MeshEdge&) const = default;
 };
 
-/// Whether each vertex is at an edge of only one triangle.
+/// Per vertex, whether it belongs to an edge of only one triangle.
 std::vector<char> find_rims(std::size_t vertex_count, std::span<const Triangle> triangles,
                             ProgressMeter& meter) {
     std::vector<MeshEdge> edges;
@@ -43,7 +43,7 @@ std::vector<char> find_rims(std::size_t vertex_count, std::span<const Triangle> 
     return is_at_rim;
 }
 
-/// Per vertex, how far another may be to be joined with it; 0 for none.
+/// Per vertex, the largest distance over which another vertex is joined to it; 0 for none.
 std::vector<double> tolerances(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles) {
     glm::dvec3 least(std::numeric_limits<double>::infinity());
     glm::dvec3 most = -least;
@@ -61,23 +61,24 @@ std::vector<double> tolerances(std::span<const glm::dvec3> positions, std::span<
     const double size = glm::distance(least, most);
     for (double& length : shortest) {
         length = std::min(welding_part_of_edge * length, welding_part_of_size * size);
-        // Below the rounding of doubles there is nothing to join, and cells would be too many to count.
+        // Below the rounding of doubles there is nothing to join, and there would be too many cells to count.
         if (length < 1e-14 * size) length = 0;
     }
     return shortest;
 }
 
-/// Vertices whose tolerance is at most \p tolerance, and over half of it, by the cell of a grid.
+/// The vertices whose tolerance is at most \p tolerance and more than half of it, by the cell of a grid.
 class Grid {
   public:
-    /// \p positions must outlive this.
+    /// \param positions  must outlive this object
     Grid(std::span<const glm::dvec3> positions, double tolerance)
         : positions_(positions), tolerance_(tolerance) {}
 
     void add(Index vertex) { cells_[key(cell_of(positions_[vertex]))].push_back(vertex); }
 
-    /// Puts into \p nearest the vertex next to \p position that is no farther than \p shortest and its own
-    /// tolerance, if there is one, and its distance into \p shortest; the least of equally near ones.
+    /// Finds the vertex nearest to \p position that is no farther than \p shortest and the vertex's own
+    /// tolerance. If there is one, stores the vertex in \p nearest and its distance in \p shortest. Of
+    /// equally near vertices, takes the one with the lowest index.
     void find_nearer(const glm::dvec3& position, std::span<const double> tolerance, Index& nearest,
                      double& shortest) const {
         const double reach = std::min(shortest, tolerance_);
@@ -120,7 +121,7 @@ class Grid {
 
     std::span<const glm::dvec3> positions_;
     double tolerance_;
-    std::unordered_map<Key, std::vector<Index>, Hash> cells_;  ///< only looked up, so its order is no matter
+    std::unordered_map<Key, std::vector<Index>, Hash> cells_;  ///< only looked up, so order does not matter
 };
 
 }  // namespace
@@ -129,7 +130,7 @@ std::size_t weld_nearby(std::span<const glm::dvec3> positions, std::vector<Trian
                         ProgressMeter& meter) {
     const std::vector<char> is_at_rim = find_rims(positions.size(), triangles, meter);
     const std::vector<double> tolerance = tolerances(positions, triangles);
-    // A grid for the tolerances up to each power of two: few vertices of one are near each other.
+    // One grid per power of two of the tolerance: few vertices of one grid are near each other.
     std::map<int, Grid> grids;
     std::vector<Index> joined(positions.size());
     std::size_t count = 0;

@@ -34,7 +34,7 @@ double area_of(const SurfaceMesh& mesh) {
     return area;
 }
 
-/// The volume that each component encloses, positive where it looks outward.
+/// The volume that each component encloses, positive if the component looks outward.
 std::vector<double> volumes_of(const SurfaceMesh& mesh, std::span<const Index> component, std::size_t count) {
     std::vector<double> volumes(count, 0);
     const glm::dvec3 origin = mesh.positions[mesh.triangles.front()[0]];
@@ -48,7 +48,7 @@ std::vector<double> volumes_of(const SurfaceMesh& mesh, std::span<const Index> c
     return volumes;
 }
 
-/// Of the rims along which the half-edges without a partner lie.
+/// Number of rims, that is, closed paths of half-edges without a partner.
 std::size_t count_openings(std::span<const Index> twin) {
     std::vector<char> is_done(twin.size(), 0);
     std::size_t openings = 0;

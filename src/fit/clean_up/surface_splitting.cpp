@@ -9,13 +9,13 @@
 namespace interleaf {
 namespace {
 
-/// For each corner 3 t + k, the number of its fan; fans are numbered by their first corners.
+/// Per corner 3 t + k, the number of its fan. Fans are numbered in the order of their first corners.
 std::vector<Index> fans_of_corners(std::span<const Index> twin, ProgressMeter& meter) {
     std::vector<Index> fan(twin.size(), no_index);
     Index count = 0;
     for (Index first = 0; first < twin.size(); ++first) {
         if (fan[first] != no_index) continue;
-        // Counter-clockwise to the boundary or around, then clockwise from the start.
+        // Walks counter-clockwise to the boundary or around, then clockwise from the start.
         for (Index corner = first; corner != no_index && fan[corner] == no_index;
              corner = twin[HalfEdgeMesh::previous(corner)])
             fan[corner] = count;
@@ -40,7 +40,7 @@ struct Edge {
 std::vector<Edge> sorted_edges(const SurfaceMesh& mesh, std::span<const Index> twin, ProgressMeter& meter) {
     std::vector<Edge> edges;
     for (Index half_edge = 0; half_edge < twin.size(); ++half_edge) {
-        if (twin[half_edge] < half_edge) continue;  // once an edge; no_index is larger than any
+        if (twin[half_edge] < half_edge) continue;  // once per edge; no_index is larger than any
         const Index from = mesh.triangles[half_edge / 3][half_edge % 3];
         const Index to = mesh.triangles[half_edge / 3][(half_edge % 3 + 1) % 3];
         edges.push_back({std::min(from, to), std::max(from, to), half_edge});
@@ -53,7 +53,7 @@ std::vector<Edge> sorted_edges(const SurfaceMesh& mesh, std::span<const Index> t
     return edges;
 }
 
-/// Puts a vertex on the edge of \p half_edge and a new triangle on each of its sides.
+/// Puts a vertex on the edge of \p half_edge, and a new triangle on each side of the edge.
 void bisect_edge(SurfaceMesh& mesh, std::vector<Index>& twin, Index half_edge) {
     const auto midpoint = static_cast<Index>(mesh.positions.size());
     const Index from = mesh.triangles[half_edge / 3][half_edge % 3];
@@ -61,7 +61,8 @@ void bisect_edge(SurfaceMesh& mesh, std::vector<Index>& twin, Index half_edge) {
     mesh.positions.push_back((mesh.positions[from] + mesh.positions[to]) * 0.5);
     if (!mesh.colors.empty()) mesh.colors.push_back((mesh.colors[from] + mesh.colors[to]) * 0.5F);
 
-    // Of (from, to, x) makes (from, midpoint, x) and the new (midpoint, to, x), whose number it gives.
+    // Turns (from, to, x) into (from, midpoint, x), adds (midpoint, to, x), and returns the new triangle's
+    // number.
     const auto divide = [&](Index edge) {
         const auto added = static_cast<Index>(mesh.triangles.size());
         Triangle& triangle = mesh.triangles[edge / 3];
@@ -89,7 +90,7 @@ void bisect_edge(SurfaceMesh& mesh, std::vector<Index>& twin, Index half_edge) {
 
 std::vector<Index> split_vertices(SurfaceMesh& mesh, std::span<const Index> twin, ProgressMeter& meter) {
     const std::vector<Index> fan = fans_of_corners(twin, meter);
-    std::vector<Index> old_vertex;  // of each fan
+    std::vector<Index> old_vertex;  // per fan
     for (Index corner = 0; corner < fan.size(); ++corner)
         if (fan[corner] == old_vertex.size()) old_vertex.push_back(mesh.triangles[corner / 3][corner % 3]);
 
@@ -117,7 +118,7 @@ std::vector<Index> split_vertices(SurfaceMesh& mesh, std::span<const Index> twin
 }
 
 std::size_t split_double_edges(SurfaceMesh& mesh, std::vector<Index>& twin, ProgressMeter& meter) {
-    // Bisecting an edge renames others of its triangles, so each round leaves these for the next.
+    // Bisecting an edge renames other edges of its triangles, so each round leaves these for the next round.
     std::size_t count = 0;
     for (std::size_t before = no_index; count != before;) {
         before = count;

@@ -34,7 +34,7 @@ SortedTriangle sorted(const Triangle& triangle, Index index) {
     return {{a, b, c}, is_even, index};
 }
 
-/// Keeps the triangles for which \p keep is not 0.
+/// Keeps the triangles whose entry in \p keep is not 0.
 std::size_t erase_others(std::vector<Triangle>& triangles, std::span<const char> keep) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < triangles.size(); ++i)
@@ -44,8 +44,8 @@ std::size_t erase_others(std::vector<Triangle>& triangles, std::span<const char>
     return removed;
 }
 
-/// The first of the equal triangles \p copies that looks the way that most do; or no_index where as many look
-/// one way as the other.
+/// Of the equal triangles \p copies, the first one that looks the way that most of them do; no_index if equal
+/// numbers look either way.
 Index most_common(std::span<const SortedTriangle> copies) {
     const auto even =
         std::count_if(copies.begin(), copies.end(), [](const auto& copy) { return copy.is_even; });
@@ -56,12 +56,12 @@ Index most_common(std::span<const SortedTriangle> copies) {
         ->triangle;
 }
 
-/// Patches of triangles that are there for both sides, joined along edges, and whether the surface needs
-/// them.
+/// Patches of triangles that exist for both sides, joined along edges. Finds the patches that the surface
+/// needs.
 class FoldedPatches {
   public:
-    /// \param folded  one triangle of each such pair
-    /// \param keep    1 for the triangles that are kept anyway
+    /// \param folded  one triangle of each pair of triangles with opposite sides
+    /// \param keep    1 for the triangles that are kept in any case
     FoldedPatches(std::span<const Triangle> triangles, std::span<const Index> folded,
                   std::span<const char> keep)
         : patch_(folded.size()), votes_(folded.size(), 0) {
@@ -86,7 +86,8 @@ class FoldedPatches {
             if (edge.back().place == no_index) return;
             for (const EdgeUse& use : edge) patch_[root(use.place)] = root(edge.front().place);
         });
-        // An edge of the patch at which an odd number of others ends would be the rim of a hole without it.
+        // Without the patch, an edge of it at which an odd number of other triangles ends would be the rim of
+        // a hole.
         for_each_edge([&](std::span<const EdgeUse> edge) {
             const auto others = std::ranges::count(edge, no_index, &EdgeUse::place);
             if (std::ptrdiff_t(edge.size()) - others == 1)
@@ -100,7 +101,7 @@ class FoldedPatches {
     struct EdgeUse {
         Index low;
         Index high;
-        Index place;  ///< in folded; no_index for another triangle, which is the last of an edge then
+        Index place;  ///< in folded; no_index for another triangle, which comes last
     };
 
     static void add_edges(const Triangle& triangle, Index place, std::vector<EdgeUse>& uses) {
@@ -115,14 +116,14 @@ class FoldedPatches {
         return place;
     }
 
-    std::vector<Index> patch_;  ///< by place, another of the same patch, in the end its first
+    std::vector<Index> patch_;  ///< by place, another triangle of the same patch; finally its first
     std::vector<std::ptrdiff_t> votes_;
 };
 
-/// Turns a triangle over, with the twins of its half-edges.
+/// Turns a triangle over, and updates the twins of its half-edges.
 void turn(Index triangle, std::vector<Triangle>& triangles, std::vector<Index>& twin) {
     std::swap(triangles[triangle][1], triangles[triangle][2]);
-    // From a b, b c, c a to a c, c b, b a.
+    // a b, b c, c a become a c, c b, b a.
     const std::size_t first = 3 * std::size_t(triangle);
     std::swap(twin[first], twin[first + 2]);
     for (Index k = 0; k < 3; ++k) {

@@ -7,7 +7,7 @@
 namespace interleaf {
 namespace {
 
-/// The half-edges sorted by their origin: those from vertex v are at places first[v] to first[v + 1].
+/// The half-edges, sorted by origin: those from vertex v are at places first[v] to first[v + 1].
 struct HalfEdgesByOrigin {
     std::vector<Index> first;
     std::vector<Index> half_edges;
@@ -45,7 +45,7 @@ HalfEdgeMesh::HalfEdgeMesh(Index vertex_count, std::span<const Triangle> triangl
         origin_.insert(origin_.end(), triangle.begin(), triangle.end());
     }
     const HalfEdgesByOrigin sorted(vertex_count, origin_);
-    std::vector<Index> to_target(vertex_count, no_index);  // from the vertex at hand
+    std::vector<Index> to_target(vertex_count, no_index);  // from the present vertex
     for (Index vertex = 0; vertex < vertex_count; ++vertex) {
         const std::span<const Index> from_vertex(sorted.half_edges.data() + sorted.first[vertex],
                                                  sorted.half_edges.data() + sorted.first[vertex + 1]);
@@ -164,7 +164,7 @@ void HalfEdgeMesh::flip(Index half_edge) {
     const Index before_ad = twin_[a_to_d];
     const Index before_db = twin_[d_to_b];
 
-    // The triangles become d c a and c d b; their half-edges keep the order in their triangles.
+    // The triangles become d c a and c d b. The half-edges keep their order in the triangles.
     origin_[half_edge] = d;
     origin_[b_to_c] = c;
     origin_[c_to_a] = a;

@@ -8,7 +8,7 @@
 namespace interleaf {
 namespace {
 
-/// The square of the distance of the origin from the segment from \p a along \p edge.
+/// The square of the distance of the origin from the segment that starts at \p a and runs along \p edge.
 double squared_distance_to_segment(const glm::dvec3& a, const glm::dvec3& edge) {
     const double squared_length = glm::dot(edge, edge);
     const double t = squared_length > 0 ? glm::clamp(-glm::dot(a, edge) / squared_length, 0.0, 1.0) : 0.0;
@@ -25,7 +25,7 @@ glm::dvec3 unit_normal(const TriangleCorners& corners) {
 }
 
 double squared_distance_to_triangle(const glm::dvec3& point, const TriangleCorners& corners) {
-    const glm::dvec3 a = corners[0] - point;  // the point is the origin
+    const glm::dvec3 a = corners[0] - point;  // shifted so that the point is the origin
     const glm::dvec3 b = corners[1] - point;
     const glm::dvec3 c = corners[2] - point;
     const glm::dvec3 normal = glm::cross(b - a, c - a);

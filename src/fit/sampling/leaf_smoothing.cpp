@@ -18,17 +18,17 @@ namespace {
 
 constexpr int max_rounds = 6;
 
-/// Parts of the way to a neighbor that are tried, towards it and away from it.
+/// Fractions of the way to a neighbor that are tried, towards it and away from it.
 constexpr std::array<double, 10> way_parts = {0.4, -0.4, 0.2, -0.2, 0.1, -0.1, 0.05, -0.05, 0.025, -0.025};
 
-/// Places of a vertex, those of the best angles first, that are looked at closely.
+/// Number of places per vertex that are checked closely, in the order of their angles, best first.
 constexpr std::size_t max_places = 8;
 
-/// After a move no place of the star may be farther than this part of the largest distance there is: a
-/// margin, since distances are measured at some places only.
+/// After a move no place of the star may be farther than this fraction of the largest distance. The margin is
+/// needed because distances are measured at some places only.
 constexpr double near_enough = 0.9;
 
-/// Distances are measured on grids over the leaves, first on a coarse one, which rules most places out.
+/// Distances are measured on grids over the leaves. A coarse grid comes first and rules out most places.
 constexpr auto coarse_grid = barycentric_grid<4>();
 constexpr auto fine_grid = barycentric_grid<8>();
 
@@ -59,10 +59,10 @@ bool is_faulty(const Triangle& leaf, const SampledSurface& surface, const Mapped
     return max_cosine(corners_of(leaf, surface)) > good_cosine || is_turned_over(leaf, surface, mapped);
 }
 
-/// What is wrong with some leaves.
+/// The faults of some leaves.
 struct Fault {
     int turned_over = 0;
-    double cosine = -1;  ///< of the least angle, or of the wanted one where that is smaller
+    double cosine = -1;  ///< of the least angle, or of the wanted angle if that is smaller
 
     bool is_less_than(const Fault& other) const {
         return turned_over <= other.turned_over && cosine <= other.cosine &&
@@ -70,7 +70,7 @@ struct Fault {
     }
 };
 
-/// Where a vertex of the key lies.
+/// The place of a vertex of the key.
 struct Place {
     glm::dvec3 direction;
     MeshPoint point;
@@ -168,12 +168,12 @@ class Smoothing {
     std::vector<Index> star_begin_;
     std::vector<Index> stars_;   ///< leaves around vertices
     std::vector<Index> inside_;  ///< the first of the mesh's vertices that lie in a leaf
-    std::vector<Index> next_;    ///< the one after it, by vertex
+    std::vector<Index> next_;    ///< per vertex, the next vertex in the same leaf
     std::vector<bool> at_rest_;  ///< whether a vertex found no better place since its star changed
     double allowed_distance_ = 0;
 };
 
-/// Puts every vertex of the mesh into the leaf it is mapped into.
+/// Puts every vertex of the mesh into the leaf into which the map takes it.
 void Smoothing::assign_vertices(ProgressMeter& meter) {
     const SphereLocation location(leaves_, surface_.sphere_points);
     inside_.assign(leaves_.size(), no_index);
@@ -204,7 +204,7 @@ void Smoothing::assign_anew(std::span<const Index> star) {
     }
 }
 
-/// The worst first.
+/// The worst leaves first.
 std::vector<Index> Smoothing::faulty_leaves(ProgressMeter& meter) const {
     std::vector<std::pair<double, Index>> found;
     for (Index leaf = 0; leaf < leaves_.size(); ++leaf) {
@@ -220,7 +220,7 @@ std::vector<Index> Smoothing::faulty_leaves(ProgressMeter& meter) const {
     return leaves;
 }
 
-/// Of the mesh from the key, at its vertices and at the middles of leaves.
+/// The distance of the mesh from the key, at the vertices of the mesh and at the middles of leaves.
 double Smoothing::max_distance(ProgressMeter& meter) const {
     const std::vector<glm::dvec3> positions(surface_.positions.begin(), surface_.positions.end());
     const SurfaceDistance to_key(leaves_, positions);
@@ -242,7 +242,7 @@ double Smoothing::max_distance(ProgressMeter& meter) const {
     return largest;
 }
 
-/// Whether the mesh is near the star over it, and the star near the mesh, at the places of a grid.
+/// Whether the mesh over the star is near the star, and the star near the mesh, at the places of a grid.
 bool Smoothing::is_near(std::span<const Index> star, std::span<const glm::dvec3> grid) const {
     const double allowed = allowed_distance_ * allowed_distance_;
     const auto is_near_star = [&](const glm::dvec3& place) {
@@ -266,7 +266,7 @@ bool Smoothing::is_near(std::span<const Index> star, std::span<const glm::dvec3>
     return true;
 }
 
-/// Places that leave the star one to one, with angles no worse than before; the best first.
+/// Places at which the star stays one to one and its angles are no worse than before, best first.
 std::vector<Place> Smoothing::better_places(Index vertex, const Fault& before) {
     const Place here = place_of(vertex);
     std::vector<std::pair<double, Place>> found;
@@ -296,7 +296,7 @@ std::vector<Place> Smoothing::better_places(Index vertex, const Fault& before) {
     return better;
 }
 
-/// Moves the vertex to the first place that is better for its star and near enough to the surface.
+/// Moves the vertex to the first place that improves its star and is near enough to the surface.
 bool Smoothing::improve(Index vertex) {
     const Fault before = fault(star(vertex));
     const Place here = place_of(vertex);

@@ -42,7 +42,7 @@ std::vector<Field> sampled_colors(const SurfaceMesh& mesh, const MappedSurface& 
         for (const MeshPoint& point : surface.mesh_points)
             add(point.of(std::span(mesh.triangles), std::span(mesh.colors)));
     } else {
-        // Edges of the mesh are flipped in the finer one: between its vertices colors would differ.
+        // The finer mesh has flipped edges of the mesh, so colors between vertices would differ.
         const SurfaceDistance distance(mesh.triangles, mesh.positions);
         Index nearest = no_index;
         for (const MeshPoint& point : surface.mesh_points)

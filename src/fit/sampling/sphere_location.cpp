@@ -13,18 +13,18 @@
 namespace interleaf {
 namespace {
 
-/// Of a walk: it comes to its end in fewer from nearby, and might go in circles.
+/// Maximum length of a walk. A walk from nearby ends sooner, and a walk might go in circles.
 constexpr int max_steps = 24;
 
-/// Boxes are larger by this, so that rounding leaves no direction outside all of them.
+/// Boxes are enlarged by this, so that rounding leaves no direction outside all boxes.
 constexpr double rounding = 1e-12;
 
 /// A box of the spherical triangle with these corners.
 ///
-/// It bulges out of the flat triangle by 1 - |q| at most, q the flat triangle's point nearest to the origin.
-/// q is a mean of the corners with some weights, so |q|^2 is 1 less their mean squared distance from q, which
-/// is at most the square of the radius of a ball around the triangle: a third of its squared longest edge
-/// (Jung 1901).
+/// The spherical triangle bulges out of the flat triangle by at most 1 - |q|, where q is the point of the
+/// flat triangle nearest to the origin. q is a weighted mean of the corners, so |q|^2 is 1 minus their mean
+/// squared distance from q. That distance is at most the squared radius of a ball around the triangle: a
+/// third of the square of its longest edge (Jung 1901).
 SpaceBox box_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const auto squared_distance = [](const glm::dvec3& p, const glm::dvec3& q) {
         return glm::dot(p - q, p - q);
@@ -60,7 +60,7 @@ SphereLocation::SphereLocation(std::span<const Triangle> triangles, std::span<co
       tree_(cone_boxes_of(triangles, points)) {}
 
 /// The coordinates of \p direction in the cone of a triangle, not normalized: side_of_arc() of the edges
-/// opposite to its corners.
+/// opposite the corners.
 glm::dvec3 SphereLocation::volumes(Index triangle, const glm::dvec3& direction) const {
     const auto& [a, b, c] = triangles_[triangle];
     return {side_of_arc(points_[b], points_[c], direction), side_of_arc(points_[c], points_[a], direction),

@@ -18,20 +18,21 @@
 namespace interleaf {
 namespace {
 
-/// What the turn of the normal adds to a leaf's error, as a fraction of its size.
+/// Weight of the turn of the normal in a leaf's error, as a fraction of the leaf's size.
 constexpr double turn_share = 0.1;
 
-/// Where on a leaf its distance is measured closely.
+/// The places on a leaf at which its distance is measured closely.
 constexpr auto close_places = barycentric_grid<8>();
 
-/// The work of that, in the units of a progress meter; a vertex of the surface in the leaf is one more.
+/// The work of a close measurement, in the units of a progress meter. Each vertex of the surface in the leaf
+/// adds one unit.
 constexpr std::size_t close_work = 400;
 
-/// When leaves are levelled, those that seemed farthest before are measured closely: this many times as many
-/// as can be added.
+/// Leveling measures closely the leaves that seemed farthest: this many times the number of leaves that can
+/// be added.
 constexpr std::size_t leveling_choice = 3;
 
-/// A deeper leaf is not bisected on its own account. Closure may add two levels, and max_level is the end.
+/// Only closure bisects a deeper leaf. Closure may add two levels, and max_level is the limit.
 constexpr unsigned deepest_level = max_level - 4;
 
 TriangleCorners corners_of(const AdaptiveMesh& mesh, Index leaf) {
@@ -39,8 +40,8 @@ TriangleCorners corners_of(const AdaptiveMesh& mesh, Index leaf) {
     return {mesh.positions()[a], mesh.positions()[b], mesh.positions()[c]};
 }
 
-/// The square of the distance of a place of the surface from the key: from \p leaf, or from a leaf that is
-/// nearer, as far as one comes to it by going to ever nearer neighbors, until it is \p enough.
+/// The square of the distance of a place of the surface from the key: from \p leaf, or from a nearer leaf
+/// that is reached by moving to ever nearer neighbors. Stops when the square is at most \p enough.
 double squared_distance_to_key(const glm::dvec3& place, const AdaptiveMesh& mesh, Index leaf, double enough) {
     double least = squared_distance_to_triangle(place, corners_of(mesh, leaf));
     for (bool is_nearer = true; is_nearer && least > enough;) {
@@ -66,7 +67,7 @@ class Sampler {
 
     glm::vec3 position(Index vertex) const { return glm::vec3(mapped_.position(mesh_points_[vertex])); }
 
-    /// The rule of the adaptive mesh for new vertices.
+    /// The adaptive mesh's rule for new vertices.
     glm::vec3 place_midpoint(Index a, Index b, Index midpoint) {
         assert(midpoint == sphere_points_.size());
         add_vertex(glm::normalize(sphere_points_[a] + sphere_points_[b]), mesh_points_[a].triangle);
@@ -74,24 +75,25 @@ class Sampler {
         return position(midpoint);
     }
 
-    /// Takes notice of bisections: \p changed holds the children of each.
+    /// Records bisections.
+    /// \param changed  the children of each bisection
     void divide_vertices(std::span<const Index> changed) {
         for (std::size_t i = 0; i < changed.size(); i += 2) divide_vertices(changed[i], changed[i + 1]);
         divided_edges_.clear();
     }
 
-    /// The error by which most leaves are made.
+    /// The error that orders most bisections.
     double error(const AdaptiveMesh& mesh, Index leaf);
 
-    /// The distance of a leaf from the surface as error() has found it: of a few places and the vertices of
-    /// the surface in it, from this leaf alone; infinite when it has not been asked.
+    /// The distance of a leaf from the surface as error() found it: for a few places and the vertices of the
+    /// surface in the leaf, from this leaf alone. Infinite if error() has not been called.
     double noted_distance(Index leaf) const { return leaves_[leaf].distance; }
 
-    /// The largest distance between the key at a leaf and the surface there, either way, at the places of a
-    /// grid and the vertices of the surface; \p least when that is larger.
+    /// The largest distance between the key at a leaf and the surface there, in both directions, at the
+    /// places of a grid and at the vertices of the surface; \p least if that is larger.
     double close_distance(const AdaptiveMesh& mesh, Index leaf, double least) const;
 
-    /// Vertices of the surface in a leaf.
+    /// Number of vertices of the surface in a leaf.
     std::size_t vertex_count(Index leaf) const { return vertices_of(leaves_[leaf]).size(); }
 
     SampledSurface result(const AdaptiveMesh& mesh) && {
@@ -105,15 +107,15 @@ class Sampler {
     }
 
   private:
-    /// What is known of a leaf, so that its bisection has little left to locate.
+    /// What is known about a leaf, so that its bisection has little left to locate.
     struct LeafRecord {
         Triangle corners;
         std::array<MeshPoint, 3> middles;  ///< of the sides, on the surface
-        Index begin;                       ///< of those vertices of the surface that lie in it: a range of
+        Index begin;                       ///< the leaf's vertices of the surface are a range of
         Index end;                         ///< vertices_
         double distance = std::numeric_limits<double>::infinity();  ///< see noted_distance()
     };
-    /// An edge bisected in the present step. Leaves at both its sides take its halves over.
+    /// An edge bisected in the present step. The leaves on both sides take over its halves.
     struct DividedEdge {
         NewVertex vertex;
         MeshPoint middle_at_a;  ///< of the half from a to the new vertex
@@ -124,7 +126,7 @@ class Sampler {
         sphere_points_.push_back(sphere_point);
         mesh_points_.push_back(mapped_.location.locate(sphere_point, guess));
     }
-    /// Where the middle of an edge lies on the surface; \p b lies there already.
+    /// The place of the middle of an edge on the surface. The place of \p b is known already.
     MeshPoint middle_of(Index a, Index b) const {
         return mapped_.location.locate(glm::normalize(sphere_points_[a] + sphere_points_[b]),
                                        mesh_points_[b].triangle);
@@ -136,14 +138,14 @@ class Sampler {
     void divide_vertices(Index first, Index second);
 
     const MappedSurface& mapped_;
-    std::vector<glm::dvec3> sphere_points_;  ///< one a vertex of the key
+    std::vector<glm::dvec3> sphere_points_;  ///< one per vertex of the key
     std::vector<MeshPoint> mesh_points_;
-    std::vector<Index> vertices_;  ///< of the surface, those of a leaf together
+    std::vector<Index> vertices_;  ///< of the surface; those in one leaf are consecutive
     std::vector<LeafRecord> leaves_;
     std::vector<DividedEdge> divided_edges_;  ///< in the present step
 };
 
-/// Puts every vertex of the surface into the root triangle it is mapped into.
+/// Puts every vertex of the surface into the root triangle into which the map takes it.
 void Sampler::assign_vertices(const SphereRoots& roots) {
     const auto triangles = roots.complex.triangles();
     const SphereLocation root_location(triangles, roots.points);
@@ -165,7 +167,7 @@ void Sampler::assign_vertices(const SphereRoots& roots) {
         vertices_[leaves_[root_of[v]].end++] = static_cast<Index>(v);
 }
 
-/// One bisection: the first child takes its parent's place.
+/// Performs one bisection: the first child takes the place of its parent.
 void Sampler::divide_vertices(Index first, Index second) {
     const auto [corners, middles, begin, end, ignored] = leaves_[first];
     const auto [low, high] = std::minmax(corners[1], corners[2]);
@@ -184,7 +186,7 @@ void Sampler::divide_vertices(Index first, Index second) {
     const auto between = static_cast<Index>(divide - vertices_.begin());
     if (leaves_.size() <= second) leaves_.resize(second + 1);
 
-    // The children's sides, as hierarchy/triangle.h numbers them: the first has the half at corners[2].
+    // The sides of the children, numbered as in hierarchy/triangle.h: the first has the half at corners[2].
     const bool first_at_b = corners[2] == edge->vertex.b;
     const MeshPoint& middle_of_first = first_at_b ? edge->middle_at_b : edge->middle_at_a;
     const MeshPoint& middle_of_second = first_at_b ? edge->middle_at_a : edge->middle_at_b;
@@ -243,8 +245,8 @@ double Sampler::close_distance(const AdaptiveMesh& mesh, Index leaf, double leas
     return std::sqrt(squared);
 }
 
-/// About the largest distance that a leaf is noted to have when those of the first \p count are left out: a
-/// little less, so that rounding does not part leaves that are equal.
+/// About the largest noted distance of a leaf when the first \p count leaves are left out. It is a little
+/// less, so that rounding does not separate equal leaves.
 double noted_distance_behind(std::size_t count, const Sampler& sampler, const AdaptiveMesh& mesh) {
     std::vector<double> distances;
     distances.reserve(mesh.leaf_count());
@@ -292,7 +294,7 @@ SampledSurface sample_surface(const MappedSurface& mapped, const SphereRoots& ro
                         {.leaves = options.leaves - leveling, .after_step = after_step});
         if (leveling == 0) return std::move(sampler).result(leaves);
         const double far = noted_distance_behind(leveling_choice * leveling, sampler, leaves);
-        // What is nearer than half of that need not be told apart: it is not what leveling is for.
+        // Distances below half of this need not be told apart: leveling does not change those leaves.
         refine_greedily(
             leaves,
             [&](const AdaptiveMesh& refined, Index leaf) {

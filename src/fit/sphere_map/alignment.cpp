@@ -8,8 +8,8 @@
 namespace interleaf {
 namespace {
 
-/// Directions of the vertices from the surface's center of area, each as long as its vertex has area, in
-/// parts of the whole.
+/// Directions of the vertices from the surface's center of area. The length of each direction is the
+/// vertex's fraction of the area.
 std::vector<glm::dvec3> weighted_directions(const SurfaceMesh& mesh) {
     std::vector<double> areas(mesh.positions.size(), 0.0);
     double whole = 0;

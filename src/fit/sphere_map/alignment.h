@@ -1,9 +1,10 @@
-// Turning a spherical map so that directions on the sphere agree with directions in space.
+// Turns a spherical map so that directions on the sphere agree with directions in space.
 //
-// A spherical map is free up to a rotation. When a key's front, seen from the middle of its surface, is not
-// mapped to where another key's front is, the body turns inside out while one becomes the other. So each map
-// is turned by the rotation under which sphere directions agree best with surface directions (Kabsch 1976;
-// the form with a quaternion: Horn 1987). Keys aligned in this way are aligned to each other.
+// A spherical map is free up to a rotation. If the fronts of two bodies, seen from the middle of their
+// surfaces, are mapped to different places of the sphere, a body turns inside out while it becomes the other.
+// So each map is turned by the rotation under which sphere directions agree best with surface directions
+// (Kabsch 1976; the form with a quaternion: Horn 1987). Keys that are aligned in this way are aligned to each
+// other.
 #pragma once
 
 #include <span>

@@ -19,7 +19,7 @@ glm::dvec3 row(const Points& points, Index vertex) {
     return {points(vertex, 0), points(vertex, 1), points(vertex, 2)};
 }
 
-/// The cotangent Laplacian of the surface as it was; the flow keeps it, and so has no singularities.
+/// The cotangent Laplacian of the original surface. The flow keeps it, and so has no singularities.
 Stiffness stiffness_of(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions, double blend) {
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(12 * std::size_t(mesh.triangle_capacity()));
@@ -42,7 +42,7 @@ Stiffness stiffness_of(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> pos
     return matrix;
 }
 
-/// A third of the area of the triangles at each vertex.
+/// Per vertex, a third of the area of its triangles.
 Eigen::VectorXd lumped_masses(const HalfEdgeMesh& mesh, const Points& points) {
     Eigen::VectorXd masses = Eigen::VectorXd::Zero(points.rows());
     for (Index triangle = 0; triangle < mesh.triangle_capacity(); ++triangle) {
@@ -56,7 +56,8 @@ Eigen::VectorXd lumped_masses(const HalfEdgeMesh& mesh, const Points& points) {
     return masses;
 }
 
-/// Solves (masses + step * stiffness) x = masses * x by conjugate gradients, from x, all coordinates at once.
+/// Solves (masses + step * stiffness) x = masses * x by conjugate gradients, starting from x, for all
+/// coordinates at once.
 void flow_once(Points& x, const Eigen::VectorXd& masses, const Stiffness& stiffness, double step,
                const auto& report) {
     constexpr double tolerance = 1e-7;

@@ -11,8 +11,8 @@
 namespace interleaf {
 namespace {
 
-/// The squared ratio of (sum of squared sides) to area, 1 for an equilateral triangle; large, not infinite,
-/// for one of no area.
+/// The squared ratio of (sum of squared sides) to area, 1 for an equilateral triangle; large but finite for a
+/// triangle without area.
 double squared_shape(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 ab = b - a;
     const glm::dvec3 ac = c - a;
@@ -75,12 +75,12 @@ class Decimation {
         if (best.half_edge != no_index) queue_.push({best.cost, vertex, stamp_[vertex], best.half_edge});
     }
 
-    /// The half-edge to collapse next, or none when the cheapest entry was out of date.
+    /// The half-edge to collapse next; none if the cheapest entry is out of date.
     Index pop() {
         const Entry entry = queue_.top();
         queue_.pop();
         if (!mesh_.has_vertex(entry.vertex) || stamp_[entry.vertex] != entry.stamp) return no_index;
-        // Edges that came about beyond its own star can block the collapse by now.
+        // Edges made since then, beyond the vertex's own star, can block the collapse.
         gather_ring(entry.vertex);
         const bool blocked = blocked_[place_of(entry.half_edge)];
         clear_ring();
@@ -98,8 +98,8 @@ class Decimation {
         for (const Index vertex : changed) push(vertex);
     }
 
-    /// Fills ring_ with the neighbors of \p vertex and marks those that its collapse must not go to: they
-    /// have a third neighbor in common with it.
+    /// Fills ring_ with the neighbors of \p vertex. Marks the neighbors onto which it must not collapse,
+    /// because they have a third neighbor in common with it.
     void gather_ring(Index vertex) {
         ring_.clear();
         half_edges_.clear();
@@ -112,7 +112,8 @@ class Decimation {
         } while (half_edge != mesh_.outgoing(vertex));
         blocked_.assign(ring_.size(), 0);
         if (ring_.size() == 3) return;
-        // Whether an edge joins two neighbors of large degree is not looked up: both count as blocked.
+        // The mesh does not look up whether an edge joins two neighbors of large degree: both count as
+        // blocked.
         const auto is_large = [&](Index neighbor) { return mesh_.degree(neighbor) > max_degree_; };
         const bool block_large = std::count_if(ring_.begin(), ring_.end(), is_large) > 1;
         for (Index place = 0; place < ring_.size(); ++place) {
@@ -163,8 +164,8 @@ class Decimation {
         return best;
     }
 
-    /// The squared cost of moving \p vertex onto its neighbor at \p place; anything not below \p limit
-    /// when it is not.
+    /// The squared cost of moving \p vertex onto its neighbor at \p place; any value that is not below
+    /// \p limit if the cost is not.
     double cost_of(Index vertex, Index place, double limit) const {
         const auto size = static_cast<Index>(ring_.size());
         const glm::dvec3 target = positions_[ring_[place]];
@@ -188,7 +189,7 @@ class Decimation {
     HalfEdgeMesh& mesh_;
     std::span<const glm::dvec3> positions_;
     std::priority_queue<Entry> queue_;
-    Index max_degree_ = 16;  // vertices of larger degree wait, or a fan would take quadratic time
+    Index max_degree_ = 16;  // vertices of larger degree wait; a fan would take quadratic time
     std::vector<Index> stamp_;
     std::vector<Index> place_in_ring_;
     std::vector<Index> ring_;

@@ -17,8 +17,8 @@
 
 namespace interleaf {
 
-/// Collapses \p mesh to four vertices. Counts one step of \p meter per vertex, up to the fraction \p
-/// last_part of the whole.
+/// Collapses \p mesh to four vertices. Counts one step of \p meter per vertex, up to the fraction
+/// \p last_part of the whole.
 /// \return the collapsed half-edges, in order
 /// \pre    \p mesh is a simplicial complex and a sphere; no coordinate in \p positions is beyond about 1e30
 std::vector<Index> decimate(HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions, ProgressMeter& meter,

@@ -31,7 +31,7 @@ glm::dvec3 center_of_mass(std::span<const glm::dvec3> points, std::span<const do
     return sum;
 }
 
-/// The inversion that would bring the center of mass to the origin if it were linear.
+/// The inversion that would bring the center of mass to the origin if the effect were linear.
 glm::dvec3 newton_inversion(std::span<const glm::dvec3> points, std::span<const double> weights) {
     Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -54,7 +54,7 @@ std::vector<glm::dvec3> inverted(std::span<const glm::dvec3> points, const glm::
     return moved;
 }
 
-/// The points after a Newton step that brings the center of mass nearer to the origin; empty when none does.
+/// The points after a Newton step that brings the center of mass nearer to the origin; empty if none does.
 std::vector<glm::dvec3> centered_once(std::span<const glm::dvec3> points, std::span<const double> weights,
                                       double max_step) {
     constexpr int max_halvings = 20;
@@ -78,8 +78,8 @@ void center_map(const SurfaceMesh& mesh, std::vector<glm::dvec3>& points) {
     constexpr double shortest = 0.01;
     constexpr int max_steps = 100;
     const std::vector<double> weights = vertex_weights(mesh);
-    // Great circles do not stay great circles, so a triangle much longer than wide can flip. Then the way
-    // goes in shorter steps, as far as it goes.
+    // Great circles do not stay great circles, so a triangle much longer than wide can flip. Then shorter
+    // steps follow, as long as they succeed.
     for (double step = longest; step > shortest; step /= 8) {
         std::vector<glm::dvec3> valid = points;
         std::vector<glm::dvec3> moved = points;

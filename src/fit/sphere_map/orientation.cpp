@@ -10,7 +10,7 @@
 namespace interleaf {
 namespace {
 
-/// A sum of doubles that is exact: its parts do not overlap and grow in size.
+/// An exact sum of doubles: its parts do not overlap, and grow in size.
 class Expansion {
   public:
     void add(double number) {
@@ -26,7 +26,7 @@ class Expansion {
         size_ = kept;
     }
 
-    /// Adds the product of three numbers: each product of two is a double and its rounding error.
+    /// Adds the product of three numbers. Each product of two is a double plus its rounding error.
     void add_product(double a, double b, double c) {
         const double high = a * b;
         const double low = std::fma(a, b, -high);
@@ -37,7 +37,7 @@ class Expansion {
         }
     }
 
-    /// The largest part outweighs all others together.
+    /// The sign of the sum: the largest part outweighs all others together.
     int sign() const {
         if (size_ == 0) return 0;
         return parts_[size_ - 1] > 0 ? 1 : -1;
@@ -51,8 +51,8 @@ class Expansion {
 }  // namespace
 
 int orientation(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    // Differences of near points are exact or nearly so, which lets the filter see triangles far smaller than
-    // its error on det(a, b, c) itself.
+    // Differences of near points are exact or nearly exact, so the filter can decide triangles far smaller
+    // than its error on det(a, b, c) itself.
     constexpr double relative_error = 32 * std::numeric_limits<double>::epsilon();
     const glm::dvec3 ab = b - a;
     const glm::dvec3 ac = c - a;

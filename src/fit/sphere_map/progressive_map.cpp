@@ -15,7 +15,7 @@
 namespace interleaf {
 namespace {
 
-/// How much of the whole time the collapses take.
+/// The fraction of the whole time that the collapses take.
 constexpr double collapse_part = 0.1;
 
 class ProgressiveMapping {
@@ -37,14 +37,14 @@ class ProgressiveMapping {
         meter_.enter("mapping to the sphere", collapse_part);
         place_tetrahedron();
         const std::size_t count = mesh_.vertex_capacity();
-        std::size_t relaxed = 0;  // when there were so many vertices
+        std::size_t relaxed = 0;  // number of vertices at the last relaxation
         for (restored_ = 4; restored_ < count;) {
             if (double(restored_) >= options_.growth * double(relaxed)) {
                 relax_all();
                 relaxed = restored_;
             }
             if (restore_next()) continue;
-            // The neighborhood may be crowded by those that came since the last relaxation.
+            // Vertices added since the last relaxation may crowd the neighborhood.
             if (relaxed == restored_) return failure();
             relax_all();
             relaxed = restored_;
@@ -54,8 +54,8 @@ class ProgressiveMapping {
     }
 
   private:
-    /// A removed vertex leaves its area to the one that it moved onto, so that the sphere has room for a limb
-    /// before its vertices come back.
+    /// A removed vertex leaves its area to the vertex onto which it moved, so that the sphere has room for a
+    /// limb before the limb's vertices return.
     void gather_areas() {
         for (const Index half_edge : collapses_) {
             double& kept = vertex_area_[mesh_.origin(mesh_.twin(half_edge))];
@@ -64,7 +64,7 @@ class ProgressiveMapping {
         }
     }
 
-    /// The four vertices that are left go to the corners of a regular tetrahedron.
+    /// Puts the four remaining vertices at the corners of a regular tetrahedron.
     void place_tetrahedron() {
         const double height = 1 / std::sqrt(3.0);
         const std::array<glm::dvec3, 4> corners = {
@@ -77,7 +77,7 @@ class ProgressiveMapping {
         points_[mesh_.origin(HalfEdgeMesh::previous(mesh_.twin(3 * triangle)))] = corners[3];
     }
 
-    /// Brings the last collapsed vertex back, or leaves all as it is when there is no room for it.
+    /// Restores the last collapsed vertex, or changes nothing if there is no room for the vertex.
     bool restore_next() {
         const Index half_edge = collapses_.back();
         const Index vertex = mesh_.origin(half_edge);
@@ -85,8 +85,8 @@ class ProgressiveMapping {
         std::swap(vertex_area_[kept], other_area_.back());
         mesh_.undo_collapse(half_edge);
         relaxation_.update_shapes_at(vertex, blend_);
-        // The one that it had moved onto is in the closure of the kernel, since the triangles that were in
-        // the star's place were all its own.
+        // The vertex onto which it had moved is in the closure of the kernel, because all triangles in the
+        // place of the star belonged to that vertex.
         if (!relaxation_.put_into_kernel(vertex, points_[kept])) {
             mesh_.collapse(half_edge);
             std::swap(vertex_area_[kept], other_area_.back());
@@ -113,7 +113,7 @@ class ProgressiveMapping {
                             mesh_.vertex_capacity())};
     }
 
-    /// Coarse meshes are only likenesses of the surface, so their shapes bind less.
+    /// Coarse meshes only resemble the surface, so their shapes count less.
     void relax_all() {
         constexpr double coarse_blend = 10;
         constexpr double max_blend = 0.5;

@@ -12,7 +12,8 @@
 namespace interleaf {
 namespace {
 
-/// A vertex rests when less of its star's energy goes; steps are no measure in stars much longer than wide.
+/// A vertex rests when a step lowers its star's energy by less than this fraction. The length of steps is no
+/// measure in stars that are much longer than wide.
 constexpr double still = 1e-3;
 
 }  // namespace
@@ -75,7 +76,7 @@ double Relaxation::relax(Index vertex) {
 
 void Relaxation::relax_star(Index vertex) {
     constexpr int rounds = 2;
-    constexpr Index max_degree = 32;  // a hub takes part in each star, and would make the work quadratic
+    constexpr Index max_degree = 32;  // a hub is in every star, and would make the work quadratic
     for (int round = 0; round < rounds; ++round) {
         relax(vertex);
         Index half_edge = mesh_.outgoing(vertex);

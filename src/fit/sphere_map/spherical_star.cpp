@@ -11,8 +11,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A determinant below this much of its edges' length is too near to 0: rounding a unit vector moves it by
-/// 1e-16.
+/// A determinant below this fraction of the length of its edges is too close to 0: rounding a unit vector
+/// moves it by 1e-16.
 constexpr double min_height = 8e-16;
 
 double squared_length(const glm::dvec3& vector) {
@@ -29,17 +29,17 @@ constexpr Exponents exponents_of(Keeps keeps) {
     return keeps == Keeps::areas ? Exponents{2, 1} : Exponents{3, 5.0 / 16};
 }
 
-/// By square roots, which are the same on every machine.
+/// Uses square roots, which are the same on every machine.
 double to_5_16th(double value) {
     const double fourth_root = std::sqrt(std::sqrt(value));
     return fourth_root * std::sqrt(std::sqrt(fourth_root));
 }
 
-/// The stretch and the determinant of a triangle whose first corner is somewhere, and the two distortions
-/// that they make.
+/// The stretch and the determinant of a triangle for one place of its first corner, and the two resulting
+/// distortions.
 struct Distortion {
     double mips;   ///< stretch / (2 determinant)
-    double ratio;  ///< of the area to the one wanted
+    double ratio;  ///< of the area to the target area
 
     Distortion(const StarTriangle& triangle, double stretch, double determinant)
         : mips(stretch / (2 * determinant)), ratio(determinant / (2 * triangle.area)) {}
@@ -56,7 +56,7 @@ double stretch_of(const StarTriangle& triangle, double squared_to_a, double squa
            triangle.cotangent_to_b * squared_to_b;
 }
 
-/// Where the second derivatives do not make a bowl, they are raised until they do.
+/// Raises the second derivatives until they form a bowl, if they do not.
 glm::dvec2 newton_direction(const StarEnergy& here) {
     const double mean = (here.ss + here.tt) / 2;
     const double half = (here.ss - here.tt) / 2;
@@ -106,7 +106,7 @@ double SphericalStar::energy(const glm::dvec2& place) const {
     const double squared_tangent = glm::dot(place, place);
     const double secant = std::sqrt(1 + squared_tangent);
     const double height = 1 / secant;
-    const glm::dvec3 moved = {place * height, -squared_tangent / (secant * (secant + 1))};  // less the center
+    const glm::dvec3 moved = {place * height, -squared_tangent / (secant * (secant + 1))};  // from center
     double sum = 0;
     for (const StarTriangle& triangle : triangles_) {
         const double determinant =

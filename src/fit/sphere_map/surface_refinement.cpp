@@ -103,7 +103,7 @@ class Refinement {
         meter_.step(40);
     }
 
-    /// Flips the changed edges, and those that this changes.
+    /// Flips the changed edges, and the edges that this changes in turn.
     void flip_all() {
         while (!changed_.empty()) {
             const Index half_edge = changed_.back();
@@ -121,7 +121,7 @@ class Refinement {
         }
     }
 
-    /// Whether an edge lies inside of a flat face and is not Delaunay's.
+    /// Whether an edge lies inside a flat face and is not Delaunay.
     bool is_to_flip(Index half_edge) const {
         const Index a = mesh_.origin(half_edge);
         const Index b = mesh_.target(half_edge);
@@ -135,22 +135,22 @@ class Refinement {
         if (!(glm::dot(adc, whole) > 0 && glm::dot(bcd, whole) > 0 && glm::dot(abc, whole) >= 0 &&
               glm::dot(bad, whole) >= 0))
             return false;
-        // The two pairs of triangles lie as far apart as the diagonals do.
+        // The distance between the two pairs of triangles is the distance between the diagonals.
         const glm::dvec3 ab = positions_[b] - positions_[a];
         const glm::dvec3 dc = positions_[c] - positions_[d];
         const glm::dvec3 across = glm::cross(ab, dc);
         const double volume = glm::dot(across, positions_[d] - positions_[a]);
         if (!(volume * volume <= options_.flatness * options_.flatness * glm::dot(across, across)))
             return false;
-        // Delaunay: the angles at c and d add up to at most two right ones, that is, their cotangents to 0 or
-        // more.
+        // Delaunay: the angles at c and d add up to at most two right angles, so their cotangents add up to
+        // at least 0.
         const glm::dvec3 ca = positions_[a] - positions_[c];
         const glm::dvec3 cb = positions_[b] - positions_[c];
         const glm::dvec3 da = positions_[a] - positions_[d];
         const glm::dvec3 db = positions_[b] - positions_[d];
         const double at_c = glm::dot(ca, cb) * glm::length(bad);
         const double at_d = glm::dot(da, db) * glm::length(abc);
-        constexpr double sure = 1e-9;  // so that rounding does not flip an edge to and fro
+        constexpr double sure = 1e-9;  // keeps rounding from flipping an edge back and forth
         const double size = glm::dot(ab, ab) * std::sqrt(glm::dot(bad, bad) + glm::dot(abc, abc));
         return at_c + at_d < -sure * size && !mesh_.are_joined(c, d);
     }
@@ -159,8 +159,8 @@ class Refinement {
     ProgressMeter& meter_;
     HalfEdgeMesh mesh_;
     std::vector<glm::dvec3> positions_;  // in the unit box
-    std::vector<glm::dvec3> result_;     // where they are
-    double longest_ = 0;                 // squared length of an edge that stays
+    std::vector<glm::dvec3> result_;     // in the units of the input
+    double longest_ = 0;                 // squared length up to which an edge stays
     std::priority_queue<LongEdge> long_edges_;
     std::vector<Index> changed_;
 };

@@ -1,4 +1,4 @@
-// Cleaning up: each fault is repaired, counted and said; what cannot be repaired is refused.
+// Clean-up: it repairs, counts and reports each fault, and refuses what it cannot repair.
 #include "fit/clean_up/clean_up.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ double volume(const SurfaceMesh& mesh) {
     return sum;
 }
 
-/// Cleans up and checks what must hold of any result.
+/// Cleans up, and checks what must hold for any result.
 CleanMesh cleaned(const SurfaceMesh& mesh) {
     CleanMesh clean = clean_up(mesh, {});
     CHECK(is_closed_manifold(clean.mesh.triangles));
@@ -57,7 +57,7 @@ SurfaceMesh cube_at(const glm::dvec3& corner) {
     return cube;
 }
 
-/// All faces of the cubes of a grid, those inside once, each as two triangles.
+/// All faces of the cubes of a grid, each as two triangles. Faces inside the grid appear once.
 SurfaceMesh faces_of_grid(Index count) {
     SurfaceMesh mesh;
     const Index side = count + 1;
@@ -180,7 +180,7 @@ TEST_CASE("triangles that are there for both sides are kept where they close the
 }
 
 TEST_CASE("a wall inside that has triangles for both of its sides goes") {
-    // Two cubes side by side, with the square between them once for either.
+    // Two cubes side by side. The square between them appears once per cube.
     SurfaceMesh mesh = joined(cube_at({0, 0, 0}), cube_at({1, 0, 0}));
     const CleanMesh clean = cleaned(mesh);
     CHECK(clean.report.duplicate_triangles == 4);
@@ -250,7 +250,7 @@ TEST_CASE("a surface that touches itself at a vertex gets a second vertex there"
 }
 
 TEST_CASE("of two edges between the same vertices one gets a midpoint") {
-    // Two tetrahedra over one edge (0, 1), joined there not each to itself but to the other.
+    // Two tetrahedra at one edge (0, 1). There, each is joined to the other instead of to itself.
     SurfaceMesh mesh;
     mesh.positions = {{-1, 0, 0}, {1, 0, 0}, {0, 1, 1}, {0, -1, 1}, {0, 1, -1}, {0, -1, -1}};
     mesh.triangles = {{0, 1, 2}, {1, 0, 3}, {2, 3, 0}, {3, 2, 1}, {0, 1, 5}, {1, 0, 4}, {5, 4, 0}, {4, 5, 1}};

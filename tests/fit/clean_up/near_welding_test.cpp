@@ -1,4 +1,4 @@
-// Seams are closed, thin walls are not.
+// Near welding closes seams, and leaves thin walls alone.
 #include "fit/clean_up/near_welding.h"
 
 #include <random>
@@ -14,7 +14,7 @@ using namespace interleaf::testing;
 
 namespace {
 
-/// Each triangle with vertices of its own, moved by up to \p noise along each axis.
+/// Gives each triangle its own vertices, moved by up to \p noise along each axis.
 SurfaceMesh soup_of(const SurfaceMesh& mesh, double noise, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> offset(-noise, noise);
@@ -36,7 +36,7 @@ std::size_t welded(const SurfaceMesh& mesh) {
     return weld_nearby(mesh.positions, triangles, meter);
 }
 
-/// A box of 1 x 1 x \p height without two of its sides, its other walls of two triangles each.
+/// A box of 1 x 1 x \p height without two of its sides. Each of the other walls has two triangles.
 SurfaceMesh open_box(double height) {
     SurfaceMesh box;
     for (int i = 0; i < 8; ++i) box.positions.emplace_back(i & 1, (i >> 1) & 1, height * (i >> 2));

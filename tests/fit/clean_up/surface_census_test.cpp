@@ -1,4 +1,4 @@
-// The figures of meshes that are known.
+// The figures of meshes whose figures are known.
 #include "fit/clean_up/surface_census.h"
 
 #include <utility>

@@ -16,7 +16,7 @@ std::vector<SpaceBox> random_boxes(std::mt19937& random, std::size_t count) {
     std::uniform_real_distribution<double> side(0, 0.1);
     std::vector<SpaceBox> boxes;
     for (std::size_t i = 0; i < count; ++i) {
-        // Many centers coincide, as those of equal triangles do.
+        // Many centers coincide, as the centers of equal triangles do.
         const glm::dvec3 low =
             i % 3 == 0 ? glm::dvec3(0.25) : glm::dvec3(place(random), place(random), place(random));
         boxes.push_back({low, low + glm::dvec3(side(random), side(random), side(random))});

@@ -1,4 +1,4 @@
-// Collapses and their undoing: the mesh stays a simplicial sphere on the way down, and comes back as it was.
+// Collapses and their undoing: the mesh stays a simplicial sphere on the way down, and is restored exactly.
 #include "fit/mesh/half_edge_mesh.h"
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ std::vector<Triangle> triangles_of(const HalfEdgeMesh& mesh) {
     return triangles;
 }
 
-/// What the half-edges say of each other, said by the triangles alone.
+/// The relations of the half-edges, derived from the triangles alone.
 void check_links(const HalfEdgeMesh& mesh) {
     std::vector<Index> degree(mesh.vertex_capacity());
     for (Index t = 0; t < mesh.triangle_capacity(); ++t) {
@@ -73,7 +73,7 @@ TEST_CASE("every mesh goes down to a tetrahedron and comes back, a simplicial sp
 }
 
 TEST_CASE("a vertex of 60,000 edges does not make the collapses quadratic") {
-    // The literal way would take some 10^10 steps here; this takes none of note.
+    // The direct way would take about 10^10 steps here; this takes almost none.
     const SurfaceMesh surface = double_pyramid(60000);
     HalfEdgeMesh mesh(static_cast<Index>(surface.positions.size()), surface.triangles);
     const Progress none;

@@ -1,4 +1,4 @@
-// Smoothing: what it must keep of a sampled surface, and that it makes leaves better.
+// Smoothing: it keeps what it must of a sampled surface, and improves the leaves.
 #include "fit/sampling/leaf_smoothing.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Location on the sphere: every direction is found, also on edges and vertices, and in needles.
+// Location on the sphere finds every direction, also on edges and vertices, and in needles.
 #include "fit/sampling/sphere_location.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using namespace interleaf::testing;
 
 namespace {
 
-/// The angle between \p direction and the point that was found for it.
+/// The angle between \p direction and the point found for it.
 double miss(const SurfaceMesh& mesh, std::span<const glm::dvec3> points, const SphereLocation& location,
             const glm::dvec3& direction, Index guess) {
     const MeshPoint found = location.locate(direction, guess);
@@ -63,7 +63,7 @@ TEST_CASE("every direction is found, on edges and vertices as well, from any gue
 }
 
 TEST_CASE("from a neighbor, the walk crosses the edge between") {
-    // A vertex lies in all triangles around it, and a search without a guess has the same one of them always.
+    // A vertex lies in all triangles around it. A search without a guess always finds the same one of them.
     const SurfaceMesh mesh = icosphere(3);
     const std::vector<glm::dvec3> points = on_sphere(mesh);
     const SphereLocation location(mesh.triangles, points);

@@ -1,4 +1,4 @@
-// Sampling: what a key of a mapped surface must be, on surfaces whose map is known.
+// Sampling: the properties of a key of a mapped surface, on surfaces whose map is known.
 #include "fit/sampling/surface_sampling.h"
 
 #include <algorithm>
@@ -31,8 +31,8 @@ SampledSurface sampled(const MappedMesh& mapped, const SamplingOptions& options,
     return sample_surface(MappedSurface(mapped.mesh, mapped.points), roots, options, {});
 }
 
-/// Sampling as it is defined, without leveling: every leaf's places are located, and the vertices of the
-/// surface in it looked for, from nothing.
+/// Sampling by definition, without leveling: locates every leaf's places, and finds the vertices of the
+/// surface in the leaf, without earlier results.
 std::vector<Triangle> literally_sampled(const MappedMesh& mapped, const SphereRoots& roots, Index leaves) {
     const SphereLocation location(mapped.mesh.triangles, mapped.points);
     const auto position = [&](Index vertex) { return mapped.mesh.positions[vertex]; };
@@ -136,7 +136,7 @@ TEST_CASE("the same surface gives the same bits") {
 }
 
 TEST_CASE("a spike that a single vertex makes is found") {
-    // Far thinner than the first leaves: no middle of an edge or of a leaf comes near it for many levels.
+    // Far thinner than the first leaves: for many levels, no middle of an edge or of a leaf comes near it.
     for (const unsigned divisions : {4U, 6U}) {
         const SampledSurface surface = sampled(ball_with_spike(divisions), {.leaves = 1000});
         float highest = 0;

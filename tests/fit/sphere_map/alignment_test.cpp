@@ -1,4 +1,4 @@
-// Alignment finds the rotation that a map is turned by.
+// Alignment finds the rotation by which a map is turned.
 #include "fit/sphere_map/alignment.h"
 
 #include <random>

@@ -1,4 +1,5 @@
-// Roots over the sphere: those offered are sound, and what does not cover the sphere once is refused.
+// Roots over the sphere: the built-in roots are sound, and roots that do not cover the sphere once are
+// refused.
 #include "fit/sphere_map/sphere_roots.h"
 
 #include <string>

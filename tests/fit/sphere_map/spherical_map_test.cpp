@@ -1,4 +1,4 @@
-// The map to the sphere: one to one, the same every time, and stopped at once when told to.
+// The map to the sphere: one to one, the same every time, and cancelled at once on request.
 #include "fit/sphere_map/spherical_map.h"
 
 #include <cmath>
@@ -25,7 +25,7 @@ double spherical_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
     return glm::dot(a, glm::cross(b - a, c - a)) / 2;
 }
 
-/// The least ratio of a triangle's share of the sphere to its share of the surface.
+/// The smallest ratio of a triangle's share of the sphere to its share of the surface.
 double min_share(const SurfaceMesh& mesh, std::span<const glm::dvec3> points) {
     std::vector<double> areas;
     double whole = 0;
@@ -179,7 +179,7 @@ TEST_CASE("what is no clean mesh of genus 0 is refused with the reason") {
     mesh.positions.emplace_back(1, 2, 3);
     CHECK_THROWS_WITH_AS(map_to_sphere(mesh, {}), doctest::Contains("no triangle uses vertex 42"),
                          InputError);
-    // Two tetrahedra that share a vertex, and a third apart.
+    // Two tetrahedra that share a vertex, and a separate third one.
     mesh = joined(tetrahedron(), tetrahedron());
     for (Triangle& triangle : mesh.triangles)
         for (Index& vertex : triangle)

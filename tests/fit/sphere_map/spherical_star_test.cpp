@@ -19,7 +19,7 @@ struct RandomStar {
     SphericalStar star;
 };
 
-/// A star of \p size about a random point, with random shapes and areas wanted.
+/// A star of \p size around a random point, with random shapes and target areas.
 RandomStar random_star(unsigned seed, double size) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> number(-1, 1);
@@ -102,7 +102,7 @@ TEST_CASE("the middle of the kernel is in it, seen from any point of it; a star 
         REQUIRE(middle);
         CHECK(is_in_kernel(made, made.star.frame().point_at(*middle)));
     }
-    // A ring of eight whose every other vertex is behind the middle of its edge, twisted: a pinwheel.
+    // A ring of eight vertices, twisted: every other vertex lies behind the middle of its edge. A pinwheel.
     const glm::dvec3 center(0, 0, 1);
     const TangentFrame frame(center);
     SphericalStar pinwheel(center);

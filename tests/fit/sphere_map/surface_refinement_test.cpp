@@ -1,4 +1,4 @@
-// Refined meshes of the same surface, and the keys that bodies of few large triangles get by them.
+// Refined meshes of the same surface, and the keys that they give for bodies with few large triangles.
 #include "fit/sphere_map/surface_refinement.h"
 
 #include <algorithm>
@@ -81,7 +81,7 @@ TEST_CASE("a refined mesh has no more triangles than are allowed, and does not f
     const SurfaceMesh fine = refined(mesh, {.triangles = 1e6, .max_added = 1000});
     CHECK(fine.triangles.size() <= mesh.triangles.size() + 1002);
     const SurfaceMesh plate = moved(cylinder(4, 2, Cap::corner_fan), [](const glm::dvec3& p) {
-        return p * glm::dvec3(1, 1, 1e-4);  // its sides are nearer than the flatness asks for
+        return p * glm::dvec3(1, 1, 1e-4);  // the sides are closer than the flatness
     });
     CHECK(area_of(refined(plate)) == doctest::Approx(area_of(plate)).epsilon(1e-4));
 }
