@@ -15,8 +15,8 @@ namespace interleaf {
 /// The axis of a mesh that points up.
 enum class UpAxis { x, y, z };
 
-/// Turns \p positions so that \p up becomes y. The result is exact, because only coordinates and signs change
-/// places.
+/// Turns \p positions so that \p up becomes y. The result is exact, because the turn only swaps coordinates
+/// and signs.
 void turn_up(std::vector<glm::dvec3>& positions, UpAxis up);
 
 struct PlacingOptions {

@@ -62,8 +62,8 @@ class HalfEdgeMesh {
     /// Whether an edge joins the two vertices. Takes time proportional to the smaller degree.
     bool are_joined(Index a, Index b) const;
 
-    /// Turns the edge a b of \p half_edge, between the triangles a b c and b a d, into the edge d c. \p
-    /// half_edge then runs from d to c, and its twin from c to d.
+    /// Turns the edge a b of \p half_edge, between the triangles a b c and b a d, into the edge d c.
+    /// \p half_edge then runs from d to c, and its twin from c to d.
     /// \pre c and d are not joined. No earlier collapse may be undone afterwards.
     void flip(Index half_edge);
 

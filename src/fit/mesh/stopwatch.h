@@ -16,7 +16,7 @@ struct StageTime {
 
 class Stopwatch {
   public:
-    /// \param times  receives one entry per lap
+    /// \param times  receives one entry per lap; must outlive this object
     explicit Stopwatch(std::vector<StageTime>& times) : times_(times) {}
 
     /// Ends the present stage, which began at the last call or when the stopwatch was made.

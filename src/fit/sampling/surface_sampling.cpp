@@ -294,7 +294,7 @@ SampledSurface sample_surface(const MappedSurface& mapped, const SphereRoots& ro
                         {.leaves = options.leaves - leveling, .after_step = after_step});
         if (leveling == 0) return std::move(sampler).result(leaves);
         const double far = noted_distance_behind(leveling_choice * leveling, sampler, leaves);
-        // Distances below half of this need not be told apart: leveling does not change those leaves.
+        // Distances below half of this need not be told apart: leveling is not meant for those leaves.
         refine_greedily(
             leaves,
             [&](const AdaptiveMesh& refined, Index leaf) {

@@ -112,7 +112,7 @@ class Decimation {
         } while (half_edge != mesh_.outgoing(vertex));
         blocked_.assign(ring_.size(), 0);
         if (ring_.size() == 3) return;
-        // The mesh does not look up whether an edge joins two neighbors of large degree: both count as
+        // The search does not look up whether an edge joins two neighbors of large degree: both count as
         // blocked.
         const auto is_large = [&](Index neighbor) { return mesh_.degree(neighbor) > max_degree_; };
         const bool block_large = std::count_if(ring_.begin(), ring_.end(), is_large) > 1;
