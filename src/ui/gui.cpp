@@ -145,8 +145,11 @@ void Gui::hold_taps(std::span<const int> pressed) {
     const auto end = key == waiting_taps_.end() ? key : key + 1;
     // Nor does it expect a key before a menu that opens has its window.
     const bool is_opening = has_menu_ && ImGui::GetCurrentContext()->OpenPopupStack.back().Window == nullptr;
-    const bool is_early = is_opening || std::any_of(waiting_taps_.begin(), end,
-                                                    [&](int tap) { return io.KeysDownDuration[tap] >= 0; });
+    const auto is_down = [&](int tap) {
+        const bool is_held = is_modifier(tap) && io.KeysDown[tap];  // and can be held for the next key, too
+        return io.KeysDownDuration[tap] >= 0 && !is_held;
+    };
+    const bool is_early = is_opening || std::any_of(waiting_taps_.begin(), end, is_down);
     for (const int waiting : waiting_taps_) io.KeysDown[waiting] = false;
     if (!is_early) {
         for (auto tap = waiting_taps_.begin(); tap != end; ++tap) io.KeysDown[*tap] = true;

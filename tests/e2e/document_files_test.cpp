@@ -170,7 +170,14 @@ TEST_CASE(
                     [&](const State& s) { return s["browsed"] == (home.path() / "other").string(); });
     viewer.type_keys("mi");
     viewer.wait_for("the cursor on it", [&](const State& s) { return s["browsed"] == folder.string(); });
-    viewer.press(XK_Return, XK_Control_L);
+    // Ctrl is held for a while, and released before the program can look again.
+    viewer.desktop().set_key(XK_Control_L, true);
+    viewer.settled_picture();
+    viewer.while_it_is_busy([&] {
+        viewer.desktop().set_key(XK_Return, true);
+        viewer.desktop().set_key(XK_Return, false);
+        viewer.desktop().set_key(XK_Control_L, false);
+    });
     wait_for_no_question(viewer);
     viewer.wait_for("the family", has_opened);
     CHECK(viewer.state()["document"]["keys"].size() == 5);

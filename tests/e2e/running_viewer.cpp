@@ -207,6 +207,12 @@ void RunningViewer::press(KeyName key, KeyName modifier, KeyName second_modifier
     if (modifier != 0) desktop_.set_key(modifier, false);
 }
 
+void RunningViewer::while_it_is_busy(const std::function<void()>& act) const {
+    ::kill(process_, SIGSTOP);
+    act();
+    ::kill(process_, SIGCONT);
+}
+
 void RunningViewer::type(const std::string& text) const {
     wait_for("a field to type in", [](const State& s) { return s["takes_text"] == true; });
     desktop_.type(text);

@@ -63,6 +63,9 @@ class RunningViewer {
 
     void turn_wheel(bool forward) const;
 
+    /// All that \p act does with mouse and keys reaches the program in one frame, as if it were busy meanwhile.
+    void while_it_is_busy(const std::function<void()>& act) const;
+
     /// Presses and releases \p key, held down with the modifiers if any.
     void press(KeyName key, KeyName modifier = 0, KeyName second_modifier = 0) const;
 

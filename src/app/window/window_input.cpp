@@ -6,13 +6,27 @@
 #include <GLFW/glfw3.h>
 
 namespace interleaf {
+namespace {
+
+/// The modifiers come first, as they were when \p key was pressed. By the next frame they may be released.
+void add_press(std::vector<int>& keys, int key, int modifiers) {
+    const bool is_modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+    if (!is_modifier) {
+        if ((modifiers & GLFW_MOD_CONTROL) != 0) keys.push_back(GLFW_KEY_LEFT_CONTROL);
+        if ((modifiers & GLFW_MOD_SHIFT) != 0) keys.push_back(GLFW_KEY_LEFT_SHIFT);
+        if ((modifiers & GLFW_MOD_ALT) != 0) keys.push_back(GLFW_KEY_LEFT_ALT);
+    }
+    keys.push_back(key);
+}
+
+}  // namespace
 
 GLFWwindow* watch_input(GLFWwindow* window, WindowInput& input) {
     glfwSetWindowUserPointer(window, &input);
     glfwSetKeyCallback(window, [](GLFWwindow* source, int key, int, int action, int modifiers) {
         if (action == GLFW_RELEASE) return;
         auto& seen = *static_cast<WindowInput*>(glfwGetWindowUserPointer(source));
-        if (action == GLFW_PRESS) seen.keyboard_keys.push_back(key);
+        if (action == GLFW_PRESS) add_press(seen.keyboard_keys, key, modifiers);
         const Shortcut shortcut{key, modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT)};
         const Command* const command = find_command(shortcut);
         if (command == nullptr || (action == GLFW_REPEAT && !command->repeats)) return;

@@ -12,7 +12,7 @@ namespace interleaf {
 
 /// What has come from outside since the last frame; callbacks add to it.
 struct WindowInput {
-    std::vector<int> keyboard_keys;  ///< pressed, as GLFW numbers them
+    std::vector<int> keyboard_keys;  ///< pressed, each after its modifiers, as GLFW numbers them
     std::vector<Shortcut> pressed;
     std::vector<std::filesystem::path> dropped;
 };
