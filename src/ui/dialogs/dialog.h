@@ -37,8 +37,9 @@ class Dialog {
 
     bool is_open() const { return question_.has_value(); }
 
-    /// Draws it, if it is open, in the middle of \p area; call it in every frame from the same place. \return
-    /// the answer, once
+    /// Draws the dialog, if it is open, in the middle of \p area. Call it in every frame,
+    /// from the same place.
+    /// \return the answer, once
     std::optional<Answer> show(const Rect& area);
 
   private:
