@@ -53,7 +53,7 @@ class Gui {
     /// Whether this frame has any button of the mouse down.
     bool is_button_down() const;
 
-    /// Whether what is typed goes into a field.
+    /// Whether a text field receives the typed text.
     bool takes_text() const;
 
     /// Whether a menu, or the list of a box of choices, is or was open in this frame: it has the keyboard.

@@ -28,8 +28,9 @@ struct Answer {
     std::string entry;
 };
 
-/// Enter presses the button in focus, or the default one from the entry; Esc the last; Left, Right and Tab
-/// move; a button's first letter presses it where no other begins so, unless there is an entry.
+/// Enter presses the focused button, or the default button if the entry has the focus. Esc presses the last
+/// button. Left, Right and Tab move the focus. Without an entry, a letter presses the button that begins with
+/// it, if only one does.
 class Dialog {
   public:
     /// \pre  it is not open
