@@ -16,7 +16,8 @@ struct Character {
 
 /// The character that \p text begins with, by the table of well-formed UTF-8 (Unicode 15, table 3-7; RFC
 /// 3629). None if \p text begins with a character that is cut off, longer than necessary, a surrogate or
-/// beyond Unicode. \pre \p text is not empty
+/// beyond Unicode.
+/// \pre  \p text is not empty
 std::optional<Character> first_character(std::string_view text);
 
 /// Appends the character \p code, at most 0x10ffff, in UTF-8. A surrogate gets three bytes, too.

@@ -24,14 +24,15 @@ class Gui {
     Gui& operator=(const Gui&) = delete;
 
     /// Begins a frame with the input that has come since the last one. Panels that are shown from here on
-    /// read it, but are not drawn. \param pressed  GLFW's keys that were pressed since: those that have been
+    /// read it, but are not drawn.
+    /// \param pressed  GLFW's keys that were pressed since: those that have been
     /// released again, too
     void begin_frame(std::span<const int> pressed);
 
     /// Begins to draw the frame: its panels are shown once more, from the state that the input has led to.
     /// Mouse and keys are where they were, but do nothing new. Dear ImGui reads and draws a panel in one
-    /// call; without this second pass, a panel would be drawn before the panels after it have been read. \pre
-    /// begin_frame() has been called
+    /// call; without this second pass, a panel would be drawn before the panels after it have been read.
+    /// \pre begin_frame() has been called
     void begin_drawing();
 
     /// Draws the frame over what the window shows.
@@ -52,7 +53,7 @@ class Gui {
     /// Whether this frame has any button of the mouse down.
     bool is_button_down() const;
 
-    /// Whether what is typed goes into a field.
+    /// Whether a text field receives the typed text.
     bool takes_text() const;
 
     /// Whether a menu, or the list of a box of choices, is or was open in this frame: it has the keyboard.

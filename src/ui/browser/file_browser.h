@@ -61,8 +61,9 @@ class FileBrowser {
     /// The file or folder of the cursor, or the folder that is shown if it is empty; none unless it is open.
     std::optional<std::filesystem::path> cursor_path() const;
 
-    /// Draws it, if it is open, in the middle of \p area; call it in every frame from the same place. \return
-    /// what was chosen, once; to save, the user has agreed to replace what is there
+    /// Draws the browser, if it is open, in the middle of \p area. Call it in every frame,
+    /// from the same place.
+    /// \return the choice, once; when saving, the user has agreed to replace an existing file
     std::optional<FileChoice> show(const Rect& area);
 
   private:

@@ -1,4 +1,4 @@
-// The list of the file browser: a row an entry, with columns to sort by. Only the rows in sight are drawn.
+// The list of the file browser: one row per entry, with columns to sort by. Only the rows in sight are drawn.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Finding a name in a list by typing how it begins.
+// Finds a name in a list from its first typed letters.
 #pragma once
 
 #include <cstddef>

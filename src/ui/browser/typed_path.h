@@ -11,7 +11,8 @@ namespace interleaf {
 std::filesystem::path home_folder();
 
 /// What \p text means to a person who sees \p folder. Blanks around it, and a pair of quotation marks as a
-/// terminal would take them, are passed over. \return an absolute path, without "." and ".."
+/// terminal would take them, are ignored.
+/// \return an absolute path, without "." and ".."
 std::filesystem::path typed_path(std::string_view text, const std::filesystem::path& folder,
                                  const std::filesystem::path& home);
 

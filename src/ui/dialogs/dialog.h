@@ -28,8 +28,9 @@ struct Answer {
     std::string entry;
 };
 
-/// Enter presses the button in focus, or the default one from the entry; Esc the last; Left, Right and Tab
-/// move; a button's first letter presses it where no other begins so, unless there is an entry.
+/// Enter presses the focused button, or the default button if the entry has the focus. Esc presses the last
+/// button. Left, Right and Tab move the focus. Without an entry, a letter presses the button that begins with
+/// it, if only one does.
 class Dialog {
   public:
     /// \pre  it is not open
@@ -37,8 +38,9 @@ class Dialog {
 
     bool is_open() const { return question_.has_value(); }
 
-    /// Draws it, if it is open, in the middle of \p area; call it in every frame from the same place. \return
-    /// the answer, once
+    /// Draws the dialog, if it is open, in the middle of \p area. Call it in every frame,
+    /// from the same place.
+    /// \return the answer, once
     std::optional<Answer> show(const Rect& area);
 
   private:

@@ -66,7 +66,7 @@ class FitDialog {
     /// nothing.
     const std::string& fault() const { return fault_; }
 
-    /// The mesh whose turn is shown.
+    /// The mesh whose rotation is shown.
     std::size_t selected_mesh() const { return mesh_; }
 
     /// Of the pictures, in screen coordinates; known once it has been shown.

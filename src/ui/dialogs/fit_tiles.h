@@ -35,7 +35,7 @@ struct FitTilesResult {
 };
 
 /// As many of \p tiles, from \p first on, as have room in a row; \p first is moved so that \p selected is
-/// among them; arrows lead to the others. The row is centerd in the present window.
+/// among them; arrows lead to the others. The row is centered in the present window.
 FitTilesResult fit_tiles(std::span<const FitTile> tiles, std::size_t selected, std::size_t& first, float side,
                          bool has_focus);
 

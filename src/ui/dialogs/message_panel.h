@@ -17,7 +17,8 @@ struct MessagePicture {
 };
 
 /// Shows \p message, if any, at the top of \p area, and at most two \p pictures side by side, as large as
-/// there is room. It can be copied. \return whether it was dismissed
+/// there is room. The user can copy the text.
+/// \return whether the message was dismissed
 bool message_panel(const std::string& message, std::span<const MessagePicture> pictures, const Rect& area);
 
 struct NoticeResult {

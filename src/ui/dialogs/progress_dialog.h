@@ -1,4 +1,4 @@
-// Long work going on, in the middle of the window: how far it is, how long it will take, and a way to end it.
+// A dialog for long work: its progress, the time left, and a button to cancel it.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct ProgressShown {
 };
 
 /// Call it in every frame while the work goes on, from the same place, and once more with \p closing.
-/// \return whether it shall be cancelled: by the button or by Esc
+/// \return whether the user cancels the work, by the button or by Esc
 bool progress_dialog(const ProgressShown& shown, const Rect& area, bool closing);
 
 /// "about 12 s left"; empty before there is anything to go by.

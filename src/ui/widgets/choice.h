@@ -1,4 +1,4 @@
-// Buttons side by side of which one is chosen.
+// A row of buttons. One of them is chosen.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 namespace interleaf {
 
 /// \param name    unique in its window
-/// \param width   of all together
-/// \return the one that is chosen now: \p chosen, or what was clicked
+/// \param width   total width of the buttons
+/// \return the chosen button: the clicked one, or \p chosen if none was clicked
 std::size_t choice(const char* name, std::span<const char* const> labels, std::size_t chosen, float width);
 
 }  // namespace interleaf

@@ -10,11 +10,12 @@
 
 namespace interleaf {
 
-/// Begins a window in the middle of \p area; all else is dimmed and gets no input. \p size is what it would
-/// like. \return whether it is shown: then draw it and call end_modal()
+/// Begins a window in the middle of \p area. Everything else is dimmed and gets no input.
+/// \param size  the preferred size
+/// \return whether the window is shown; if so, draw its content and call end_modal()
 bool begin_modal(const char* name, const Rect& area, glm::vec2 size);
 
-/// \param closing  whether this was the last frame of it
+/// \param closing  whether this was the last frame of the window
 void end_modal(bool closing);
 
 struct ModalButton {
@@ -31,7 +32,7 @@ bool modal_button(const ModalButton& button);
 /// The width a button with this label wants.
 float modal_button_width(const std::string& label);
 
-/// Marks the last item as the one the keyboard has.
+/// Marks the last item as the one with the keyboard focus.
 void draw_focus();
 
 enum class KeyRepeat { no, yes };

@@ -13,7 +13,7 @@ namespace interleaf {
 
 class PlotFrame {
   public:
-    /// Fits the bounding box of \p vertices into \p area, centerd.
+    /// Fits the bounding box of \p vertices into \p area, centered.
     PlotFrame(std::span<const DomainVertex> vertices, const Rect& area);
 
     glm::vec2 pixel(glm::dvec2 point) const;

@@ -1,4 +1,4 @@
-// Where the numbers of a scale go.
+// Positions of the numbers along a scale.
 #pragma once
 
 #include <cstddef>

@@ -23,8 +23,8 @@ inline constexpr ImU32 dark = IM_COL32(12, 13, 16, 255);
 inline constexpr ImU32 white = IM_COL32(255, 255, 255, 255);
 }  // namespace colors
 
-/// Sets Dear ImGui's style and makes the typeface at \p scale; \p density is framebuffer pixels a screen
-/// coordinate.
+/// Sets Dear ImGui's style and makes the typeface at \p scale; \p density is framebuffer pixels per
+/// screen coordinate.
 void apply_style(float scale, float density);
 
 /// \p length at scale 1, in screen coordinates at the present scale.

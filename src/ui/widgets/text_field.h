@@ -32,8 +32,8 @@ class TextField {
     /// Takes the focus anew, as after a message about what was entered.
     void refocus() { had_focus_ = false; }
 
-    /// \param focused  whether it is to have the keyboard
-    /// \param hint     shown while it is empty
+    /// \param focused  whether the field has the keyboard focus
+    /// \param hint     shown while the field is empty
     TextFieldResult show(const char* name, const char* hint, float width, bool focused,
                          const Completion& completion = nullptr);
 
