@@ -31,8 +31,8 @@ class Document {
     /// \pre         check(family) finds nothing
     void edit(std::string step, Family family);
 
-    /// Replaces the present state within the same step. A drag calls edit() for its first movement and amend()
-    /// for all others.
+    /// Replaces the present state within the same step. A drag calls edit() for its first movement and
+    /// amend() for all others.
     /// \pre the last change was an edit() or an amend()
     void amend(Family family);
 

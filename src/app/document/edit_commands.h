@@ -18,8 +18,8 @@ using FamilyChange = std::function<Family(const Family&)>;
 /// Makes the result of \p change the document's next state. \p step names the edit.
 void edit(ViewerState& state, std::string step, const FamilyChange& change, double now);
 
-/// The same for one movement of a drag: all movements until end_drag() are one step. A movement that \p change
-/// rejects has no effect, so a drag can pass through invalid places.
+/// The same for one movement of a drag: all movements until end_drag() are one step. A movement that \p
+/// change rejects has no effect, so a drag can pass through invalid places.
 void drag_edit(ViewerState& state, std::string step, const FamilyChange& change, double now);
 void end_drag(ViewerState& state);
 

@@ -22,8 +22,8 @@ struct FitComparison {
     std::vector<glm::vec3> positions;
     std::vector<float> mesh_distances;  ///< from each vertex of the mesh to the key
 
-    /// Per vertex of the key, the largest distance to the mesh from the vertex, from the centers of the leaves
-    /// around it, and from the middles of their edges. The vertices themselves lie on the mesh.
+    /// Per vertex of the key, the largest distance to the mesh from the vertex, from the centers of the
+    /// leaves around it, and from the middles of their edges. The vertices themselves lie on the mesh.
     std::vector<float> key_distances;
 
     FitQuality quality;

@@ -1,9 +1,9 @@
 // Opening: looks at files and determines what they are. The command line, a drop, the file browser, *Reopen*
 // and *Add keys* all use these functions.
 //
-// A new kind of source is one more alternative of Opening. Users that open name all alternatives (std::visit),
-// so the compiler lists the places that must say what to do with the new one. `check` and `info` look for
-// meshes alone and treat everything else as a family.
+// A new kind of source is one more alternative of Opening. Users that open name all alternatives
+// (std::visit), so the compiler lists the places that must say what to do with the new one. `check` and
+// `info` look for meshes alone and treat everything else as a family.
 #pragma once
 
 #include <filesystem>

@@ -27,16 +27,16 @@ std::string_view name_of(Driver driver);
 
 class Session {
   public:
-    /// Starts paused at the begin of the timeline; without a timeline, at the first vertex of the domain; without
-    /// either, at the first key.
+    /// Starts paused at the begin of the timeline; without a timeline, at the first vertex of the domain;
+    /// without either, at the first key.
     /// \pre check(*family) finds nothing
     explicit Session(std::shared_ptr<const Family> family);
 
     const Family& family() const { return *family_; }
 
     /// Continues with \p family, an edited version, at the same or the nearest time and point. A single key
-    /// remains the key with the same hierarchy, or becomes the first key. If the family has lost what drove the
-    /// morph, the timeline drives; without a timeline the point; without either the first key.
+    /// remains the key with the same hierarchy, or becomes the first key. If the family has lost what drove
+    /// the morph, the timeline drives; without a timeline the point; without either the first key.
     /// \pre check(*family) finds nothing
     void replace_family(std::shared_ptr<const Family> family, double now);
 
@@ -50,7 +50,8 @@ class Session {
     /// The point with the present weights; none without a domain, or if no point has these weights.
     const std::optional<DomainPoint>& point() const { return point_; }
 
-    /// Moves the point to \p at, or to the nearest point of the domain, and lets the point drive. Pauses playback.
+    /// Moves the point to \p at, or to the nearest point of the domain, and lets the point drive. Pauses
+    /// playback.
     /// \pre the family has a domain
     void move_point(glm::dvec2 at, double now);
 
@@ -76,8 +77,8 @@ class Session {
     Display display;
 
   private:
-    /// Lets the timeline drive; without a timeline the point, which starts at the first vertex if there was none;
-    /// without either the first key.
+    /// Lets the timeline drive; without a timeline the point, which starts at the first vertex if there was
+    /// none; without either the first key.
     void drive_with_what_there_is();
 
     std::shared_ptr<const Family> family_;

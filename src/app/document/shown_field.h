@@ -15,8 +15,8 @@ void require_field(const Display& display, std::span<const FamilyField> fields);
 /// The field that \p display shows; null if it shows none.
 const FamilyField* shown_field(const Display& display, std::span<const FamilyField> fields);
 
-/// Adapts \p display to a family with \p fields. If \p display names none of them, it names the first. Without
-/// fields, it shows the plain color. An unlocked range becomes the range over all keys.
+/// Adapts \p display to a family with \p fields. If \p display names none of them, it names the first.
+/// Without fields, it shows the plain color. An unlocked range becomes the range over all keys.
 void adapt_display(Display& display, std::span<const FamilyField> fields);
 
 }  // namespace interleaf

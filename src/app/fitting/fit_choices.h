@@ -29,6 +29,7 @@ PlacingOptions placing_of(const FitChoices& choices);
 /// The up axes, one per mesh.
 std::vector<UpAxis> ups_of(const FitChoices& choices);
 
+/// The rotation of one mesh.
 /// \pre fault_of() finds nothing
 glm::dmat3 rotation_of(const FitChoices::Turn& turn);
 
