@@ -1,5 +1,5 @@
-// The files of the document: opening and saving it with the file browser, asking before changes are lost,
-// recent files, the autosave and the offer to recover, and changes on disk by others.
+// The files of the document: opens and saves with the file browser, asks before changes are lost, keeps
+// recent files, autosaves, offers recovery, and detects changes on disk by other programs.
 #pragma once
 
 #include <cstdint>
