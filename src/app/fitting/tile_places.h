@@ -25,8 +25,8 @@ struct TilePlace {
     float radius = 1;
 };
 
-/// The balls of the bodies after placing(), in the coordinates where the ball of the first is the unit ball.
-/// \param reference  the extent that determines sizes and places; by default that of the first body
+/// The balls of the bodies after placing(), moved so that the first one's center is 0, and scaled so that all
+/// lie in the unit ball.
 std::vector<TilePlace> tile_places(std::span<const TileBody> bodies, const PlacingOptions& placing,
                                    const std::optional<SurfaceExtent>& reference);
 
