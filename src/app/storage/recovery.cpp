@@ -143,7 +143,7 @@ std::optional<Recovery> claim_recovery(const Recovery& recovery) {
 
 void discard_recovery(const Recovery& recovery) {
     std::error_code error;
-    // Removes the family first, so that a recovery whose removal was interrupted is never offered.
+    // Removes family.json first, so that a recovery whose removal was interrupted is never offered.
     fs::remove(recovery.family() / "family.json", error);
     if (!error) fs::remove_all(recovery.folder, error);
     if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)

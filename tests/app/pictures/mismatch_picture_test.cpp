@@ -70,7 +70,7 @@ glm::vec3 device_coordinates(const Camera& camera, glm::vec3 point) {
     return glm::vec3(clip) / clip.w;
 }
 
-/// The number of triangles from \p begin on that the picture shows unhidden, and their total number.
+/// Of about 40 sampled triangles from \p begin on, the number that the picture shows unhidden, and all.
 struct Seen {
     std::size_t triangles = 0;
     std::size_t all = 0;
@@ -87,7 +87,7 @@ Seen seen_from(const MismatchPicture& picture, std::size_t begin) {
         ++seen.all;
         if (std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}) > 1) continue;
         const auto hit = first_hit(picture.mesh.triangles, positions, {picture.camera.eye(), middle});
-        // Either the triangle itself, or one of the tube's that turns towards the eye.
+        // The ray meets the triangle itself, or another one of the tube that faces the eye.
         if (!hit || hit->triangle >= begin) ++seen.triangles;
     }
     return seen;
