@@ -1,4 +1,4 @@
-// The built-in family: the five keys of the paper's figure 8. Where its files are, and how they are made.
+// The built-in family: the five keys of the paper's figure 8, the folder of its files, and its construction.
 #pragma once
 
 #include <filesystem>
@@ -7,13 +7,12 @@
 
 namespace interleaf {
 
-/// The folder of the built-in family: ../share/interleaf/families/five-keys seen from the executable when it
-/// is installed, assets/families/five-keys of the source tree otherwise.
+/// The folder of the built-in family: ../share/interleaf/families/five-keys relative to an installed
+/// executable, assets/families/five-keys of the source tree otherwise.
 std::filesystem::path builtin_family_folder();
 
-/// Makes the built-in family: the keys icosahedron, bone, cushion, star and sphere at the corners and the
-/// middle of a square domain of four triangles, and a timeline that goes round all five along edges of the
-/// domain.
+/// Makes the built-in family. Its keys icosahedron, bone, cushion, star and sphere are at the corners and the
+/// middle of a square domain of four triangles. Its timeline visits all five along edges of the domain.
 Family make_five_keys();
 
 }  // namespace interleaf

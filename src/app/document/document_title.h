@@ -1,4 +1,4 @@
-// What a document is called in the title of the window and in the menu bar.
+// The title of a document in the window's title and in the menu bar.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace interleaf {
 
-/// The family's name; the name of its folder behind it, where that says something else; and a bullet before
-/// it, if it has changed: "• Five keys (copy)". A folder "five-keys" says the same as a name "Five keys".
+/// The family's name, followed by the name of its folder if that differs, and preceded by a bullet if the
+/// document has changed: "• Five keys (copy)". A folder "five-keys" does not differ from a name "Five keys".
 std::string title_of(const Document& document);
 
 }  // namespace interleaf

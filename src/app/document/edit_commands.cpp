@@ -24,8 +24,8 @@ const std::string& name_of(const ViewerState& state, std::size_t key) {
     return state.document.family().keys[key].name;
 }
 
-/// Where the selected key is after the document has changed: the one with the same hierarchy and name; or
-/// else with the same hierarchy, in its place or, where another is there now, the first.
+/// The place of the selected key after the document has changed: the key with the same hierarchy and name;
+/// otherwise the key in the same place if it has the same hierarchy; otherwise the first with that hierarchy.
 void follow_selection(ViewerState& state, const Key& selected) {
     const auto& keys = state.document.family().keys;
     const auto is_selected = [&](const Key& key) { return key.hierarchy.is_same(selected.hierarchy); };
@@ -38,7 +38,7 @@ void follow_selection(ViewerState& state, const Key& selected) {
     if (found != keys.end()) state.selected_key = static_cast<std::size_t>(found - keys.begin());
 }
 
-/// Carries session and selection over to the document's present state.
+/// Updates session and selection to the document's present state.
 template <typename Change>
 void change_document(ViewerState& state, double now, Change change) {
     std::optional<Key> selected;
@@ -53,7 +53,7 @@ std::optional<double> time_in(const std::string& text) {
     return time && std::isfinite(*time) ? time : std::nullopt;
 }
 
-/// Without the digits of rounding: 1.39 and not 1.3900000000000001.
+/// The time as text, without digits that come from rounding: 1.39 rather than 1.3900000000000001.
 std::string time_text(double time) {
     return fmt::format("{:.10g}", time);
 }
@@ -86,7 +86,7 @@ void drag_edit(ViewerState& state, std::string step, const FamilyChange& change,
         });
         state.is_dragging = true;
     } catch (const InputError&) {
-        return;  // the pointer is where it cannot be: the state stays
+        return;  // the pointer is at an invalid place: keep the state
     }
 }
 
@@ -226,7 +226,8 @@ void ask_for_time(ViewerState& state, std::size_t place) {
                      .button = "Set",
                      .fault = fault_of_time,
                      .answer = [=](ViewerState& changed, const std::string& text, double now) {
-                         if (text == time_text(entry.time)) return;  // though it may be rounded
+                         if (text == time_text(entry.time))
+                             return;  // unchanged, although the text may be rounded
                          const double time = time_in(text).value_or(entry.time);
                          if (time == entry.time) return;
                          edit(

@@ -1,4 +1,4 @@
-// The extent of all keys of a family: what a camera views, so that it need not move while the keys morph.
+// The extent of all keys of a family. A camera that shows it need not move while the keys morph.
 #pragma once
 
 #include "family/family.h"

@@ -14,13 +14,13 @@ namespace interleaf {
 
 namespace {
 
-/// Distances from a mesh, in parts of \p unit, as progress goes from \p begin to \p end.
+/// Measures distances from a mesh, in parts of \p unit, while progress goes from \p begin to \p end.
 class Measure {
   public:
     Measure(const SurfaceDistance& mesh, double unit, ProgressMeter& meter, double begin, double end)
         : mesh_(mesh), unit_(unit), meter_(meter), begin_(begin), length_(end - begin) {}
 
-    /// The \p n-th of \p count pieces of work is next.
+    /// Reports that the \p n-th of \p count pieces of work is next.
     void go_on(std::size_t n, std::size_t count) {
         meter_.set_part(begin_ + length_ * static_cast<double>(n) / static_cast<double>(count));
     }
@@ -49,7 +49,7 @@ std::vector<float> distances_at_vertices(std::span<const glm::dvec3> vertices, M
     return found;
 }
 
-/// At each vertex the largest of the leaves about it.
+/// Per vertex, the largest value of the leaves around it.
 std::vector<float> distances_of_leaves(std::span<const Triangle> leaves, std::span<const glm::dvec3> vertices,
                                        Measure measure) {
     std::vector<float> found(vertices.size(), 0.0F);

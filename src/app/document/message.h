@@ -1,5 +1,5 @@
-// A message to a person in front of the window: a fault, which stays until it is dismissed, or a notice,
-// which goes by itself.
+// A message to the user in front of the window. A fault stays until the user dismisses it. A notice
+// disappears by itself.
 #pragma once
 
 #include <cstdint>
@@ -13,35 +13,34 @@
 namespace interleaf {
 
 enum class MessageKind : std::uint8_t {
-    fault,   ///< something is wrong, or asks for something to be done
-    notice,  ///< good to know
+    fault,   ///< an error, or a request to act
+    notice,  ///< information
 };
 
 struct Message {
-    std::string text;  ///< empty for no message
-    std::shared_ptr<const MismatchedKeys> mismatch =
-        nullptr;  ///< what it is about, to be shown; null for other things
+    std::string text;                                          ///< empty for no message
+    std::shared_ptr<const MismatchedKeys> mismatch = nullptr;  ///< keys to show with it; null for none
     MessageKind kind = MessageKind::fault;
-    double seen = 0;  ///< when a notice came, or was last pointed at; seconds
+    double seen = 0;  ///< when a notice appeared or was last hovered; seconds
 
     bool empty() const { return text.empty(); }
     bool is_fault() const { return !empty() && kind == MessageKind::fault; }
     void clear() { *this = {}; }
 };
 
-/// How long a notice stays when it is not pointed at; seconds.
+/// How long a notice stays after it appeared or was last hovered; seconds.
 inline constexpr double notice_time = 10;
 
-/// Whether \p message is a notice that has been there long enough.
+/// Whether \p message is a notice whose time has passed.
 bool is_over(const Message& message, double now);
 
-/// What \p error says, and shows if it is a MismatchError.
+/// The message of \p error, with its keys if it is a MismatchError.
 Message message_of(const std::runtime_error& error);
 
-/// What \p error says; in words where it has none of its own.
+/// The text of \p error, or a general text if \p error has none.
 std::string cause_of(const std::exception& error);
 
-/// What to say when \p error, which nothing was prepared for, has been lived through.
+/// The message after the program has survived an unexpected \p error.
 Message message_of_mishap(const std::exception& error);
 
 }  // namespace interleaf

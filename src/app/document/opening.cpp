@@ -51,7 +51,7 @@ Opening open_keys(std::vector<std::filesystem::path> files) {
     return MeshesToFit{std::move(files), std::move(reason)};
 }
 
-/// Why \p meshes are no family, to a command that does not fit.
+/// The reason why \p meshes are not a family, for a command that does not fit meshes.
 std::string fault_of(const MeshesToFit& meshes) {
     if (!meshes.reason.empty()) return meshes.reason;
     if (meshes.files.size() == 1)

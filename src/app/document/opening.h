@@ -1,9 +1,9 @@
-// Opening: looks at files and says what they are. The command line, a drop, the file browser, *Reopen* and
-// *Add keys* all ask here.
+// Opening: looks at files and determines what they are. The command line, a drop, the file browser, *Reopen*
+// and *Add keys* all use these functions.
 //
-// A new kind of source is one more alternative of Opening. Users that open name all alternatives (std::visit),
-// so the compiler lists the places that must say what to do with the new one. `check` and `info` look for
-// meshes alone and treat everything else as a family.
+// A new kind of source is one more alternative of Opening. Users that open name all alternatives
+// (std::visit), so the compiler lists the places that must say what to do with the new one. `check` and
+// `info` look for meshes alone and treat everything else as a family.
 #pragma once
 
 #include <filesystem>
@@ -19,23 +19,23 @@ namespace interleaf {
 /// A family as its file describes it.
 struct OpenedFamily {
     Family family;
-    std::vector<std::string> changes;  ///< a sentence for each key that was changed
+    std::vector<std::string> changes;  ///< one sentence per changed key
 };
 
 /// A new family of one key per file.
 struct OpenedKeys {
     Family family;
-    std::vector<std::string> changes;          ///< a sentence for each remark and each key that was changed
+    std::vector<std::string> changes;          ///< one sentence per remark and per changed key
     std::vector<std::filesystem::path> files;  ///< in the keys' order
 
     /// Whether every file holds a mesh, to which a key can be fitted instead.
     bool can_be_fitted() const;
 };
 
-/// Meshes that are not keys as they are.
+/// Meshes that cannot serve as keys without a fit.
 struct MeshesToFit {
     std::vector<std::filesystem::path> files;
-    std::string reason;  ///< why they are not keys; empty where their formats hold no keys
+    std::string reason;  ///< why they are not keys; empty if their formats hold no keys
 };
 
 using Opening = std::variant<OpenedFamily, OpenedKeys, MeshesToFit>;
@@ -57,25 +57,26 @@ Cases(Functions...) -> Cases<Functions...>;
 /// \throw InputError, MachineError as files_of(), read_family() and read_keys()
 Opening open_files(std::span<const std::filesystem::path> paths);
 
-/// The same where meshes cannot be fitted.
-/// \param changes     gets the changes of the opened keys
-/// \throw InputError  for meshes to fit, too, naming what was expected
+/// As open_files(), for callers that cannot fit meshes.
+/// \param changes     receives the changes of the opened keys
+/// \throw InputError  also for meshes to fit, naming what was expected
 Family open_family(std::span<const std::filesystem::path> paths, std::vector<std::string>* changes = nullptr);
 
-/// The family of \p opened, as open_family() gives it.
+/// The family of \p opened, as open_family() returns it.
 Family family_of(Opening opened, std::vector<std::string>* changes = nullptr);
 
 /// Whether \p path is a folder with a family.json.
 bool is_family_folder(const std::filesystem::path& path);
 
-/// The files that a folder without family.json stands for, in natural order: its files of formats that hold
-/// keys alone, or else its meshes. None for a family's folder, and for a path that is not a folder.
+/// The files of a folder without family.json, in natural order: the files whose formats hold only keys, or,
+/// if there are none, the meshes. Empty for the folder of a family, and for a path that is not a folder.
 std::vector<std::filesystem::path> files_in_folder(const std::filesystem::path& path);
 
 /// The files that \p paths stand for. A pattern such as flow.*.obj stands for the files that match, in
-/// natural order (file_pattern.h), a folder of keys or meshes for its files, another path for itself. Files
-/// that differ only in numbers are put in natural order; other files stay in the given order. \throw
-/// InputError, MachineError as matching_files(); InputError for a file that does not exist
+/// natural order (file_pattern.h). A folder of keys or meshes stands for its files. Any other path stands for
+/// itself. Files whose names differ only in numbers are sorted in natural order; other files keep the given
+/// order.
+/// \throw InputError, MachineError as matching_files(); InputError for a file that does not exist
 std::vector<std::filesystem::path> files_of(std::span<const std::filesystem::path> paths);
 
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-// The field that the picture shows: whether there is one, and on what scale.
+// The field that the picture shows, if any, and the scale of its colors.
 #pragma once
 
 #include <span>
@@ -8,14 +8,15 @@
 
 namespace interleaf {
 
-/// \throw UsageError if \p display is to show a field that is not among \p fields, naming those there are
+/// Checks that \p fields have the field that \p display shows.
+/// \throw UsageError naming the existing fields, if the field is not among \p fields
 void require_field(const Display& display, std::span<const FamilyField> fields);
 
-/// The field that \p display shows; null where it shows none.
+/// The field that \p display shows; null if it shows none.
 const FamilyField* shown_field(const Display& display, std::span<const FamilyField> fields);
 
-/// Adapts \p display to a family with \p fields: it names one of them, the first if it named none, and
-/// colors plainly where there are none; a range that is not locked is that of all keys.
+/// Adapts \p display to a family with \p fields. If \p display names none of them, it names the first.
+/// Without fields, it shows the plain color. An unlocked range becomes the range over all keys.
 void adapt_display(Display& display, std::span<const FamilyField> fields);
 
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-// Numbers of things as a person types them, on the command line or into a field.
+// Counts as a person types them, on the command line or into a text field.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace interleaf {
 
-/// The whole of \p text as a number of things: "20000", and "2e4" or "1.5e6" where that is a whole number;
-/// none otherwise.
+/// The count that \p text as a whole gives: "20000", or "2e4" and "1.5e6", whose values are whole numbers.
+/// None otherwise.
 std::optional<Index> typed_count(std::string_view text);
 
 }  // namespace interleaf

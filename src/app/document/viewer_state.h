@@ -1,5 +1,4 @@
-// What the window is about: the document, where the session stands in it, and wishes of commands that the
-// window grants.
+// The state of the viewer: the document, its session, and requests of commands that the window carries out.
 #pragma once
 
 #include <cstddef>
@@ -17,24 +16,25 @@
 
 namespace interleaf {
 
-/// What a command asks of the files of the document.
+/// The request of a command that concerns the files of the document.
 enum class FileWish : std::uint8_t { none, open, reopen, save, save_as, add_keys, quit };
 
-/// What the camera shall see the whole of from the next frame on.
+/// What the camera frames as a whole from the next frame on.
 enum class ViewTarget {
-    none,      ///< it stays where it is
-    surface,   ///< what is shown now
-    all_keys,  ///< so that it need not move while they morph
+    none,      ///< the camera does not move
+    surface,   ///< the surface shown now
+    all_keys,  ///< the camera need not move while the keys morph
 };
 
 struct ViewerState;
 
-/// A question with one line of text for an answer.
+/// A question that the user answers with one line of text.
 struct TextQuestion {
     std::string text;
-    std::string entry;  ///< at first
+    std::string entry;  ///< the initial text of the entry
     std::string button;
-    std::function<std::string(const std::string& entry)> fault;  ///< what is wrong with it; "" for nothing
+    std::function<std::string(const std::string& entry)>
+        fault;  ///< what is wrong with the entry; "" if valid
     std::function<void(ViewerState& state, const std::string& entry, double now)> answer;
 };
 
@@ -46,12 +46,12 @@ struct ViewerState {
     Session session;  ///< of the document's present state
     std::optional<std::size_t> selected_key;
     bool edits_domain = false;  ///< dragging in the domain moves its vertices
-    bool is_dragging = false;   ///< the present step of the document is a drag that goes on
+    bool is_dragging = false;   ///< the document's present step is a drag in progress
 
     Comparisons comparisons;      ///< of keys that were fitted to meshes since the document was opened
-    bool is_comparing = false;    ///< one of them is shown instead of the document
-    bool compares_colors = true;  ///< with distances as colors
-    std::shared_ptr<const FitComparison> compared;  ///< which of them; the first where this is none of them
+    bool is_comparing = false;    ///< the window shows a comparison, not the document
+    bool compares_colors = true;  ///< the comparison shows distances as colors
+    std::shared_ptr<const FitComparison> compared;  ///< the shown one; the first if not in comparisons
 
     FileWish file_wish = FileWish::none;
     std::optional<TextQuestion> question;

@@ -1,4 +1,4 @@
-// A turn about an axis of the coordinate system, as options and dialogs have it.
+// A rotation about a coordinate axis, as options and dialogs specify it.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -11,7 +11,7 @@ struct AxisTurn {
     bool operator==(const AxisTurn&) const = default;
 };
 
-/// Of directions as columns, counter-clockwise seen from the axis's end.
+/// The matrix that rotates column vectors counter-clockwise, seen from the positive end of the axis.
 glm::dmat3 matrix_of(const AxisTurn& turn);
 
 }  // namespace interleaf

@@ -74,7 +74,7 @@ glm::dmat3 rotation_of(const FitChoices::Turn& turn) {
 
 std::vector<std::array<glm::vec3, 2>> edges_over_mesh(const SphereRoots& roots,
                                                       const FitChoices::Turn& turn) {
-    // The surface is turned under the roots, so over a surface that stands still they turn the other way.
+    // The turn rotates the surface under the roots. Over a fixed surface, the roots turn the other way.
     const glm::dmat3 rotation = glm::transpose(rotation_of(turn));
     std::vector<std::array<glm::vec3, 2>> edges;
     for (const Triangle& triangle : roots.complex.triangles())

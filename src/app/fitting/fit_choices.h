@@ -1,4 +1,4 @@
-// What a person has chosen in the offer to fit meshes, as options of the fit; and what is wrong with it.
+// Converts the user's choices in the fit dialog to options of the fit, and checks them.
 #pragma once
 
 #include <array>
@@ -15,24 +15,26 @@
 
 namespace interleaf {
 
-/// What is wrong with \p choices, the number and what it may be; "" for nothing.
-/// \param names  of the meshes, one a turn
+/// What is wrong with \p choices: the number and its valid range; "" for nothing.
+/// \param names  the names of the meshes, one per turn
 std::string fault_of(const FitChoices& choices, const SphereRoots& roots,
                      const std::vector<std::string>& names);
 
-/// Without a rotation, which each mesh has of its own. \pre fault_of() finds nothing
+/// The options of the fit without a rotation, because each mesh has its own.
+/// \pre fault_of() finds nothing
 FitOptions fit_options(const FitChoices& choices, const SphereRoots& roots);
 
 PlacingOptions placing_of(const FitChoices& choices);
 
-/// One per mesh.
+/// The up axes, one per mesh.
 std::vector<UpAxis> ups_of(const FitChoices& choices);
 
+/// The rotation of one mesh.
 /// \pre fault_of() finds nothing
 glm::dmat3 rotation_of(const FitChoices::Turn& turn);
 
-/// The edges of \p roots, their ends as directions, where they come to lie over a mesh that is turned by \p
-/// turn before it is mapped; not turned where the turn is none.
+/// The edges of \p roots over a mesh that \p turn rotates before it is mapped. The ends are directions. An
+/// empty turn does not rotate.
 std::vector<std::array<glm::vec3, 2>> edges_over_mesh(const SphereRoots& roots, const FitChoices::Turn& turn);
 
 }  // namespace interleaf

@@ -48,7 +48,7 @@ FittedMesh MeshFitter::fit_next(const Progress& progress) {
             return !progress || progress(stage, fitting_begins + (1 - fitting_begins) * part);
         });
     } catch (const InputError& error) {
-        // How it was read may be why.
+        // The remarks on reading the file may explain the error.
         std::string text = fmt::format("{}: {}", file.string(), error.what());
         for (const std::string& remark : fitted.remarks) text += fmt::format(" ({})", remark);
         throw InputError(text);

@@ -1,4 +1,4 @@
-// Meshes from files made keys: what `interleaf fit` does, and the window on a thread of its own.
+// Fits keys to meshes from files: for `interleaf fit`, and for the window on a separate thread.
 #pragma once
 
 #include <exception>
@@ -20,15 +20,16 @@
 
 namespace interleaf {
 
-/// What is to be fitted, and how.
+/// The meshes to fit, and the options.
 struct FitTask {
     std::vector<std::filesystem::path> meshes;
-    FitOptions options;                 ///< in which the rotation is left out
-    std::vector<glm::dmat3> rotations;  ///< one per mesh; empty for none
-    std::vector<UpAxis> ups;            ///< one per mesh; empty where all have y up
+    FitOptions options;                 ///< without a rotation
+    std::vector<glm::dmat3> rotations;  ///< one per mesh; empty for no rotation
+    std::vector<UpAxis> ups;            ///< one per mesh; empty if y is up in all
     PlacingOptions placing;
 
-    /// What keys that are there already have, which these are to go with; else the first mesh decides.
+    /// The origin and the extent of existing keys that the new keys must match; by default those of the first
+    /// mesh.
     std::optional<glm::dvec3> origin{};
     std::optional<SurfaceExtent> reference{};
 };
@@ -36,7 +37,7 @@ struct FitTask {
 struct FittedMesh {
     FittedKey key;
     std::vector<std::string> remarks;  ///< sentences about how the file was read
-    std::string warning;               ///< about its size and place beside the first; "" for none
+    std::string warning;               ///< on size and place relative to the first mesh; "" for none
 };
 
 /// Reads, cleans up, places and fits the meshes of a task, one after the other.
@@ -44,11 +45,12 @@ class MeshFitter {
   public:
     explicit MeshFitter(FitTask task) : task_(std::move(task)) {}
 
-    /// \pre there is a mesh left
+    /// Fits the next mesh.
+    /// \pre a mesh is left
     /// \throw InputError naming the file, UsageError, MachineError, Cancelled as read_surface() and fit()
     FittedMesh fit_next(const Progress& progress);
 
-    /// What was subtracted from all positions (family/origin.h); 0 before the first is fitted.
+    /// The origin, subtracted from all positions (family/origin.h); 0 before the first mesh is fitted.
     glm::dvec3 origin() const { return task_.origin.value_or(glm::dvec3(0)); }
 
   private:
@@ -58,38 +60,40 @@ class MeshFitter {
     std::size_t next_ = 0;
 };
 
-/// Keys that have been fitted, each beside its mesh.
+/// Fitted keys, each with its mesh.
 struct FittedMeshes {
     Comparisons comparisons;
-    glm::dvec3 origin{0};               ///< that was subtracted from all positions
+    glm::dvec3 origin{0};               ///< subtracted from all positions
     std::vector<std::string> warnings;  ///< sentences that name the mesh
 };
 
-/// Keys of what was fitted, called as the files of the meshes.
+/// The fitted keys, named after the files of their meshes.
 std::vector<Key> keys_of(const Comparisons& fitted);
 
-/// Fits several meshes, one after the other, on a thread of its own. Its members are called from one thread.
+/// Fits several meshes, one after the other, on a separate thread. All members must be called from the same
+/// thread.
 class FitJob {
   public:
     explicit FitJob(FitTask task);
 
-    /// Cancels what is not done.
+    /// Cancels the remaining work.
     ~FitJob() = default;
     FitJob(const FitJob&) = delete;
     FitJob& operator=(const FitJob&) = delete;
 
     struct State {
         std::string stage;  ///< "bunny.off: sampling"
-        double part = 0;    ///< of the whole, 0 to 1
+        double part = 0;    ///< finished part of the whole work, 0 to 1
         bool is_done = false;
     };
     State state() const;
 
-    /// It is done soon after.
+    /// Asks the job to end, which it does soon after.
     void cancel() { thread_.request_stop(); }
 
-    /// \pre it is done
-    /// \throw what MeshFitter::fit_next() threw
+    /// The result.
+    /// \pre the job is done
+    /// \throw the exception of MeshFitter::fit_next()
     FittedMeshes take();
 
   private:
@@ -99,12 +103,12 @@ class FitJob {
     const std::vector<std::filesystem::path> meshes_;
     MeshFitter fitter_;
 
-    mutable std::mutex mutex_;  ///< of what follows
+    mutable std::mutex mutex_;  ///< guards the members below
     State state_;
     FittedMeshes fitted_;
     std::exception_ptr error_;
 
-    std::jthread thread_;  ///< last, so that it ends before what it uses
+    std::jthread thread_;  ///< last member: must end before the members it uses
 };
 
 }  // namespace interleaf

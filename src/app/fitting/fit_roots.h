@@ -1,4 +1,4 @@
-// The roots that meshes can be fitted over, by their names: the command line and the window offer the same.
+// The named roots over which meshes can be fitted, the same for the command line and the window.
 #pragma once
 
 #include <string>
@@ -15,15 +15,15 @@ struct NamedRoots {
     SphereRoots roots;
 };
 
-/// The cube, which is the best in general, the icosahedron, the octahedron.
+/// The cube, which is the best choice in general, the icosahedron and the octahedron.
 const std::vector<NamedRoots>& named_roots();
 
-/// The one called \p name; null when there is none.
+/// The roots called \p name; null if there are none.
 const NamedRoots* find_roots(std::string_view name);
 
-/// Roots over which fitted keys go into \p family: the named ones that it has, or those of its first key that
-/// can be projected to the sphere, called as this key is.
-/// \throw InputError saying why not, where there is no such key
+/// Roots over which keys for \p family must be fitted: the named roots that the family has, or the roots of
+/// the first key that can be projected to the sphere, named after this key.
+/// \throw InputError if there is no such key, with the reason
 NamedRoots roots_of(const Family& family);
 
 }  // namespace interleaf

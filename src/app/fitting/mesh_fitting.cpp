@@ -63,7 +63,7 @@ std::optional<std::string> MeshFitting::update(float density, double now) {
     return std::exchange(is_work_closed_, false) ? hand_on_keys() : std::nullopt;
 }
 
-// ---- the offer ----
+// ---- the fit dialog ----
 
 void MeshFitting::close_offer(bool is_accepted, double now) {
     previews_->stop();
@@ -104,7 +104,7 @@ FitOfferShown MeshFitting::offer_shown() const {
     return shown;
 }
 
-/// What would be lost or made of the mesh of which that is most, and that it must be allowed.
+/// Describes the largest loss and the largest addition among the meshes, which the user must allow.
 void MeshFitting::tell_changes(FitOfferShown& shown) const {
     const auto& previews = previews_->previews();
     const FitChoices& choices = dialog_.choices();

@@ -1,5 +1,5 @@
-// Fitting in the window: the offer with its choices, the work on its thread, how far it is in front of all
-// else, and what becomes of it.
+// Fits meshes in the window: shows the fit dialog with its choices, runs the fit on a separate thread, shows
+// its progress in front of the window, and hands on the fitted keys.
 #pragma once
 
 #include <filesystem>
@@ -23,31 +23,32 @@ class MeshFitting {
 
     struct Task {
         std::vector<std::filesystem::path> meshes;
-        std::string reason;  ///< why they are no keys as they are; empty where their kind says so
-        std::optional<NamedRoots> roots;     ///< to fit over; without, the person chooses among named_roots()
-        std::optional<glm::dvec3> origin{};  ///< of the family that the keys are for
-        std::optional<SurfaceExtent> reference{};  ///< of a key of that family
+        std::string reason;                  ///< why they are not keys; empty if their formats hold no keys
+        std::optional<NamedRoots> roots;     ///< by default, the user chooses among named_roots()
+        std::optional<glm::dvec3> origin{};  ///< of the family that receives the keys
+        std::optional<SurfaceExtent> reference{};  ///< extent of a key of that family
     };
 
-    /// Offers to fit meshes; what comes of it goes to \p receiver. \pre it is not open
+    /// Opens the fit dialog. \p receiver receives the fitted keys.
+    /// \pre neither dialog nor work is open
     void offer(Task task, Receiver receiver);
 
-    /// Whether the offer or the work is in front of all else.
+    /// Whether the fit dialog or the progress of the work is in front of the window.
     bool is_open() const { return dialog_.is_open() || job_.has_value(); }
 
-    /// Whether it needs to be shown again soon, though nothing else happens.
+    /// Whether work in progress needs new frames soon, even without input.
     bool is_working() const { return job_.has_value() || is_reading_; }
 
-    /// The offer, while there is one; null otherwise.
+    /// The fit dialog while it is open; null otherwise.
     const FitDialog* offered() const { return dialog_.is_open() ? &dialog_ : nullptr; }
 
-    /// Shows the offer or the work, if it is open, in the middle of \p area; call it in every frame from the
-    /// same place.
+    /// Shows the fit dialog or the progress, if open, in the middle of \p area. Call it in every frame from
+    /// the same place.
     void show(const Rect& area, double now);
 
-    /// Acts on the answer, and hands on the keys once the work is done; call it in every frame.
+    /// Acts on the user's answer, and hands on the keys when the work is done. Call it in every frame.
     /// \param density  framebuffer pixels per screen coordinate
-    /// \return what went wrong, once
+    /// \return         an error, reported once
     std::optional<std::string> update(float density, double now);
 
   private:
@@ -64,18 +65,19 @@ class MeshFitting {
     std::string reason_;
     std::optional<glm::dvec3> origin_;
     std::optional<SurfaceExtent> reference_;
-    std::vector<NamedRoots> roots_;  ///< that are offered
+    std::vector<NamedRoots> roots_;  ///< the choices of the dialog
     bool are_roots_given_ = false;
     Receiver receiver_;
 
     FitDialog dialog_;
-    std::optional<bool> answer_;  ///< whether to fit; waits for update()
+    std::optional<bool> answer_;  ///< whether to fit; kept for update()
     std::unique_ptr<MeshPreviews> previews_;
-    std::vector<std::unique_ptr<MeshPreviews>> leaving_;  ///< of which one may still be reading a large file
+    std::vector<std::unique_ptr<MeshPreviews>>
+        leaving_;  ///< dismissed previews; one may still read a large file
     bool is_reading_ = false;
 
     std::optional<FitJob> job_;
-    bool is_work_closed_ = false;  ///< the dialog of the work, since the work is done
+    bool is_work_closed_ = false;  ///< whether the progress dialog has closed after the work
     double started_ = 0;
 };
 

@@ -24,11 +24,11 @@ namespace interleaf {
 
 namespace {
 
-/// Samples a pixel, in either direction, from which the pictures are made.
+/// Samples per pixel in each direction, from which the previews are averaged.
 constexpr std::size_t subpixels = 3;
 
-/// A picture of a part of \p target's width and height, each pixel the mean of the samples that show
-/// something, and as opaque as there are such samples. RGBA, top row first.
+/// A picture whose width and height are those of \p target divided by subpixels. The color of a pixel is the
+/// mean of its covered samples, and its opacity is their share. RGBA, top row first.
 std::vector<std::uint8_t> without_background(OffscreenTarget& target) {
     const std::vector<std::uint8_t> colors = target.read_rgba();
     const std::vector<float> depths = target.read_depths();
@@ -54,11 +54,11 @@ std::vector<std::uint8_t> without_background(OffscreenTarget& target) {
     return pixels;
 }
 
-/// sRGB, 0 to 1, of what is lost and of what is made.
+/// The colors of removed and of added parts; sRGB, 0 to 1.
 constexpr glm::vec3 dropped_color{0.93F, 0.55F, 0.2F};
 constexpr glm::vec3 made_color{0.36F, 0.64F, 0.98F};
 
-/// Triangles of several colors as one mesh for a picture.
+/// Collects triangles of several colors into one mesh for a picture.
 class PictureMesh {
   public:
     void add(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions,
@@ -71,7 +71,7 @@ class PictureMesh {
 
     std::span<const Triangle> triangles() const { return triangles_; }
 
-    /// Moved and scaled into the unit ball about \p center, whose radius comes to be \p radius.
+    /// The mesh moved and scaled into the unit ball about \p center. \p radius becomes the ball's radius.
     UnionMesh in_unit_ball(const glm::dvec3& center, double& radius) const {
         radius = 0;
         for (const Triangle& triangle : triangles_)
@@ -122,7 +122,7 @@ MeshPreviews::Read MeshPreviews::read(const std::filesystem::path& file) {
             read.body.surface = extent_of(clean.mesh);
             read.dropped = clean.report.dropped_area;
             read.made = clean.report.made_area;
-        } catch (const InputError&) {  // fitting will say why; it is shown as it is
+        } catch (const InputError&) {  // the fit will report the reason; show the mesh unchanged
             picture.add(brought.triangles, brought.positions, plain_color);
             read.body.surface = extent_of(brought);
         }

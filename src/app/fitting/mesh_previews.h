@@ -1,5 +1,5 @@
-// Meshes from files as small pictures, before anything is made of them: read one after the other on a thread
-// of its own, drawn once each.
+// Previews of meshes from files before they are fitted. A separate thread reads the files one after the
+// other, and each preview is drawn once.
 #pragma once
 
 #include <atomic>
@@ -22,7 +22,8 @@ namespace interleaf {
 
 class MeshPreviews {
   public:
-    /// Begins to read \p meshes. \pre a context is current
+    /// Begins to read \p meshes.
+    /// \pre a GL context is current
     explicit MeshPreviews(std::vector<std::filesystem::path> meshes);
     MeshPreviews(const MeshPreviews&) = delete;
     MeshPreviews& operator=(const MeshPreviews&) = delete;
@@ -31,30 +32,32 @@ class MeshPreviews {
     struct Preview {
         bool is_read = false;
         std::size_t triangles = 0;
-        std::string fault;   ///< why it cannot be read or drawn, naming the file; empty otherwise
-        TileBody body;       ///< with the up axis that was asked for last
-        double dropped = 0;  ///< part of the area that is lost where only the largest part is kept
-        double made = 0;     ///< area that is added to fill holes, as a part of what there is
-        GlTexture picture;   ///< by tile_camera(), with nothing where the mesh is not; none until it is drawn
+        std::string fault;   ///< why the mesh has no preview, naming the file; empty if it has one
+        TileBody body;       ///< with the up axis of the last update()
+        double dropped = 0;  ///< part of the area lost if only the largest component stays
+        double made = 0;     ///< area added to fill holes, as a part of the present area
+        GlTexture picture;   ///< by tile_camera(), transparent background; none until drawn
     };
-    /// One a mesh.
+    /// One per mesh.
     const std::vector<Preview>& previews() const { return previews_; }
 
-    /// Takes over what has been read meanwhile, and draws one picture that is missing, or of another size
-    /// than \p side pixels, or of another axis up than \p ups says, one per mesh. \return whether more is to
-    /// come
+    /// Takes over meshes that the thread has read meanwhile. Draws at most one preview that is missing, or
+    /// whose size or up axis has changed.
+    /// \param side  width and height of a preview, in pixels
+    /// \param ups   the up axes, one per mesh
+    /// \return      whether more previews will follow
     bool update(int side, std::span<const UpAxis> ups);
 
-    /// No mesh is begun to be read any more.
+    /// Stops the thread before it begins the next mesh.
     void stop() { thread_.request_stop(); }
 
-    /// Whether reading has ended, so that this can be destroyed without waiting.
+    /// Whether reading has ended, so that the destructor does not wait.
     bool is_over() const { return is_over_; }
 
   private:
-    /// A mesh that has been read and cleaned up as far as possible, in the unit ball about its center.
+    /// A mesh after reading and, as far as possible, cleaning; scaled into the unit ball about its center.
     struct Read {
-        UnionMesh mesh;  ///< with a color field where parts are lost or made
+        UnionMesh mesh;  ///< with a color field if parts are removed or added
         TileBody body;
         double dropped = 0;
         double made = 0;
@@ -63,7 +66,7 @@ class MeshPreviews {
 
     /// How a picture was drawn.
     struct Drawn {
-        int side = 0;  ///< 0 for not yet
+        int side = 0;  ///< 0 if not drawn yet
         UpAxis up = UpAxis::y;
         bool operator==(const Drawn&) const = default;
     };
@@ -75,15 +78,15 @@ class MeshPreviews {
 
     const std::vector<std::filesystem::path> files_;
     std::vector<Preview> previews_;
-    std::vector<Read> meshes_;  ///< as far as they have been taken over
+    std::vector<Read> meshes_;  ///< the meshes taken over so far
     std::vector<Drawn> drawn_;
     std::optional<Renderer> renderer_;
 
-    std::mutex mutex_;        ///< of done_
-    std::vector<Read> done_;  ///< and not taken over
+    std::mutex mutex_;        ///< guards done_
+    std::vector<Read> done_;  ///< read, not taken over yet
     std::atomic<bool> is_over_ = false;
 
-    std::jthread thread_;  ///< last, so that it ends before what it uses
+    std::jthread thread_;  ///< last member: must end before the members it uses
 };
 
 }  // namespace interleaf

@@ -1,5 +1,5 @@
-// Where meshes that may be fitted lie in the tiles of the offer: all at one scale, beside each other as the
-// keys will be.
+// The places of meshes in the tiles of the fit dialog: all at one scale, and placed relative to each other
+// as the keys will be.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 
 namespace interleaf {
 
-/// A mesh as its file has it, with y up.
+/// The size and place of a mesh as in its file, with y up.
 struct TileBody {
-    SurfaceExtent surface;      ///< of the part that a key is fitted to
-    glm::dvec3 ball_center{0};  ///< of a ball that holds all of it
+    SurfaceExtent surface;      ///< the part that a key is fitted to
+    glm::dvec3 ball_center{0};  ///< of a ball that contains the whole mesh
     double ball_radius = 1;
 };
 
@@ -25,8 +25,8 @@ struct TilePlace {
     float radius = 1;
 };
 
-/// The ball of each body after placing(), in the unit ball about the first.
-/// \param reference  what sizes and places go by; the first body, if there is none
+/// The balls of the bodies after placing(), moved so that the first one's center is 0, and scaled so that all
+/// lie in the unit ball.
 std::vector<TilePlace> tile_places(std::span<const TileBody> bodies, const PlacingOptions& placing,
                                    const std::optional<SurfaceExtent>& reference);
 

@@ -1,5 +1,5 @@
-// What is shown of each key by itself: its figures, and a small picture. Both are made once for each
-// hierarchy, however the document changes.
+// Portraits of keys: the figures and a small picture of each key. Both are made once per hierarchy, however
+// the document changes.
 #pragma once
 
 #include <cstddef>
@@ -15,28 +15,29 @@ namespace interleaf {
 struct KeyPortrait {
     SharedHierarchy hierarchy;
     std::size_t leaves;
-    unsigned deepest;  ///< level
+    unsigned deepest;  ///< the deepest level
     Extent extent;
-    GlTexture picture;  ///< none until it has been drawn
+    GlTexture picture;  ///< none until drawn
 };
 
 class KeyPortraits {
   public:
-    /// \pre a context is current
+    /// \pre a GL context is current
     KeyPortraits() = default;
 
-    /// Brings the portraits in line with the keys of \p family; new pictures are still to be drawn. Textures
-    /// of pictures that are no longer needed are deleted at once.
+    /// Updates the portraits to the keys of \p family. draw_next() draws the new pictures. Textures of
+    /// pictures that are no longer needed are deleted at once.
     void update(const Family& family);
 
-    /// Draws the first picture that is missing among the keys from \p begin to \p end - 1, \p side pixels
-    /// wide and high. \return whether there was one
+    /// Draws the first missing picture among the keys from \p begin to \p end - 1.
+    /// \param side  width and height of the picture, in pixels
+    /// \return      whether a picture was missing
     bool draw_next(std::size_t begin, std::size_t end, int side);
 
-    /// One a key.
+    /// One per key.
     const std::vector<KeyPortrait>& portraits() const { return portraits_; }
 
-    /// Of all keys: what a camera views, so that it need not move while they morph.
+    /// The extent of all keys. A camera that shows it need not move while the keys morph.
     const Extent& extent() const { return extent_; }
 
   private:

@@ -21,7 +21,7 @@ namespace interleaf {
 
 namespace {
 
-/// Of tube and ball, as a part of their distance from the eye.
+/// The radius of tube and ball, as a part of their distance from the eye.
 constexpr float tube_radius = 0.006F;
 constexpr float ball_radius = 0.014F;
 
@@ -29,7 +29,7 @@ constexpr float ball_radius = 0.014F;
 constexpr float min_reach = 0.45F;
 constexpr float max_reach = 0.75F;
 
-/// Triangles that are looked at to find a view: about a second's worth.
+/// The number of triangles examined to find a view: about one second of work.
 constexpr std::size_t max_tests = 100'000'000;
 
 std::vector<std::size_t> leaves_in(const UnionMesh& mesh, Index root) {
@@ -68,7 +68,7 @@ class EdgeWay {
     std::vector<Index> vertices_;
 };
 
-/// About \p most of \p all, from the first to the last.
+/// About \p most elements of \p all, evenly spread from the first to the last.
 template <typename T>
 std::vector<T> some_of(const std::vector<T>& all, std::size_t most) {
     if (all.size() <= most) return all;
@@ -78,7 +78,7 @@ std::vector<T> some_of(const std::vector<T>& all, std::size_t most) {
     return some;
 }
 
-/// What is to be seen of a key.
+/// The part of a key that the picture must show.
 struct Subject {
     std::vector<std::size_t> leaves;  ///< of the root
     std::vector<glm::vec3> line;      ///< the edge, or the vertex alone; may be empty
@@ -113,7 +113,7 @@ Subject subject_in(const UnionMesh& mesh, const RootPlace& place) {
     return subject;
 }
 
-/// Directions to look from: along the normal, ever more slanted about it, from behind.
+/// Viewing directions: along the normal, then ever more slanted around it, then from behind.
 std::vector<glm::vec3> directions_about(glm::vec3 normal) {
     const glm::vec3 axis = normalized_or(normal, {0, 0, 1});
     const glm::vec3 across = any_perpendicular(axis);
@@ -144,7 +144,7 @@ Camera looking_at(const Subject& subject, glm::vec3 from, const Extent& extent, 
     return camera;
 }
 
-/// How many of the subject's points nothing hides.
+/// The number of the subject's points that nothing hides.
 std::size_t seen_points(const UnionMesh& mesh, const Subject& subject, glm::vec3 eye, float slack) {
     const auto& positions = mesh.positions.front();
     return static_cast<std::size_t>(std::ranges::count_if(subject.points, [&](glm::vec3 point) {
@@ -180,7 +180,7 @@ void append_color(Buffer<float>& values, glm::vec3 color) {
     values.insert(values.end(), {light.r, light.g, light.b});
 }
 
-/// Gives the leaves of the root vertices of their own, in its color.
+/// Gives the leaves of the root separate vertices in the root's color.
 void fill_root(MismatchPicture& picture, std::span<const std::size_t> leaves) {
     UnionMesh& mesh = picture.mesh;
     std::map<Index, Index> own;

@@ -1,4 +1,4 @@
-// The pictures that go with a message about keys that do not match: the key, and the one it should match.
+// The pictures of a message about keys that do not match: the key, and the key it should match.
 #pragma once
 
 #include <array>
@@ -19,18 +19,19 @@ namespace interleaf {
 
 class MismatchPictures {
   public:
-    /// Draws pictures of \p keys, \p size pixels each, unless they have been drawn; for null, drops those
-    /// there are. \pre a context is current
+    /// Draws the pictures of \p keys, \p size pixels each, unless they are drawn already. If \p keys is null,
+    /// drops the pictures.
+    /// \pre a GL context is current
     void update(const std::shared_ptr<const MismatchedKeys>& keys, glm::ivec2 size);
 
-    /// None without keys, and where they are too large to be drawn here.
+    /// The pictures; none without keys, or if the keys are too large to be drawn here.
     const std::vector<MessagePicture>& shown() const { return shown_; }
 
   private:
     void draw(const Key& key, const RootPlace& place, glm::ivec2 size);
 
     std::shared_ptr<const MismatchedKeys> keys_;
-    std::optional<Renderer> renderer_;  ///< while there is something to draw
+    std::optional<Renderer> renderer_;  ///< exists while there is something to draw
     std::vector<GlTexture> textures_;
     std::vector<MessagePicture> shown_;
 };

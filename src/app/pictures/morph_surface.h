@@ -1,4 +1,4 @@
-// The surface in the window: the union of the active keys on the GPU, made anew only when their set changes.
+// The surface in the window: the union of the active keys on the GPU, rebuilt only when their set changes.
 #pragma once
 
 #include <optional>
@@ -15,34 +15,36 @@
 
 namespace interleaf {
 
-/// What is known about the union that is shown, all of one state of the family. Keys have their names here,
-/// since the family may have changed by the time that this is read.
+/// Figures of the union that is shown, all from one state of the family. They include the names of the keys,
+/// because the family may have changed when the figures are read.
 struct SurfaceFigures {
-    std::vector<std::size_t> keys;       ///< active, as indices of the family
-    std::vector<std::string> key_names;  ///< of these, in their order
+    std::vector<std::size_t> keys;       ///< the active keys, as indices in the family
+    std::vector<std::string> key_names;  ///< names of the active keys, in the same order
     std::size_t leaves = 0;
     std::size_t vertices = 0;
     LevelRange levels;
-    std::vector<KeySet> origins;  ///< the sets of active keys that occur
+    std::vector<KeySet> origins;  ///< the sets of active keys that occur in the union
     std::size_t rebuilds = 0;
-    double rebuild_milliseconds = 0;               ///< of the last one: union, normal products, upload
-    std::optional<std::string> key_without_field;  ///< an active key that lacks the field that is shown
+    double rebuild_milliseconds = 0;               ///< of the last rebuild: union, normal products, upload
+    std::optional<std::string> key_without_field;  ///< an active key without the shown field
 };
 
 class MorphSurface {
   public:
-    /// \pre a context is current
+    /// \pre a GL context is current
     MorphSurface() = default;
 
-    /// Rebuilds the union if the active keys of \p weights are others than before, and unites \p field, null
-    /// for none, if it is another one than before or the union is new.
+    /// Rebuilds the union if \p weights have other active keys than before. Unites \p field if it has changed
+    /// or the union is new.
+    /// \param field  the field to show; null for none
     void update(const Family& family, const Weights& weights, const FieldName* field);
 
-    /// The field of the surface with \p weights where \p ray first meets it: one number, or the linear light
-    /// of a color. None where it does not, and without a field.
+    /// The value of the field where \p ray first meets the surface with \p weights: one number, or the linear
+    /// light of a color. None if the ray misses the surface, or without a field.
     std::optional<glm::vec3> field_at(const Ray& ray, const Weights& weights);
 
-    /// The extent of the surface with \p weights. \pre they are those of the last update()
+    /// The extent of the surface with \p weights.
+    /// \pre \p weights are those of the last update()
     Extent extent(const Weights& weights) const;
 
     const SurfaceFigures& figures() const { return figures_; }
@@ -51,7 +53,7 @@ class MorphSurface {
   private:
     void update_field(const Family& family, const Weights& weights, const FieldName* field);
 
-    UnionMesh mesh_;  ///< with the field that is shown as its only one
+    UnionMesh mesh_;  ///< has the shown field as its only field
     NormalForm form_;
     std::vector<SharedHierarchy> hierarchies_;  ///< of the active keys
     SurfaceFigures figures_;

@@ -23,7 +23,7 @@ bool ScenePicture::update(Renderer& renderer, const Scene& scene) {
 void ScenePicture::draw(Renderer& renderer, const Scene& scene, int samples) {
     if (!target_ || samples != samples_ || target_->width() != scene.width ||
         target_->height() != scene.height) {
-        target_.reset();  // two at a time could be more than there is memory for
+        target_.reset();  // two targets at a time may exceed the memory
         target_ = std::make_unique<OffscreenTarget>(scene.width, scene.height, samples);
     }
     const auto start = std::chrono::steady_clock::now();

@@ -1,5 +1,5 @@
-// The picture of the surface in the window: drawn again only when what it shows has changed, with one sample
-// a pixel while it moves on a machine that is slow at it, and with four as soon as it rests.
+// The picture of the surface in the window. It is redrawn only when its scene changes: with one sample per
+// pixel while the scene changes on a machine that draws slowly, and with four as soon as it rests.
 #pragma once
 
 #include <cstddef>
@@ -16,27 +16,27 @@
 
 namespace interleaf {
 
-/// What is to be seen.
+/// The content of the picture.
 struct Scene {
     int width;   ///< pixels
     int height;  ///< pixels
     Camera camera;
     std::vector<float> weights;
     Display display;
-    std::size_t surface;  ///< a number that changes with the uploaded surface
+    std::size_t surface;  ///< version number of the uploaded surface
     bool operator==(const Scene&) const = default;
 };
 
 class ScenePicture {
   public:
-    /// Brings the picture up to date.
-    /// \return whether it is as good as it gets; otherwise it wants another update soon
+    /// Updates the picture to \p scene.
+    /// \return whether the picture has its final quality; otherwise it needs another update soon
     bool update(Renderer& renderer, const Scene& scene);
 
-    /// The next update draws, whatever has changed.
+    /// Makes the next update draw even if the scene has not changed.
     void forget() { drawn_.reset(); }
 
-    /// What was drawn; null before the first update.
+    /// The drawn picture; null before the first update.
     OffscreenTarget* target() { return target_.get(); }
 
   private:
@@ -44,8 +44,8 @@ class ScenePicture {
 
     std::unique_ptr<OffscreenTarget> target_;
     std::optional<Scene> drawn_;
-    int samples_ = 0;       ///< of target_
-    bool is_slow_ = false;  ///< at drawing with all samples
+    int samples_ = 0;       ///< per pixel of target_
+    bool is_slow_ = false;  ///< whether drawing with all samples is slow
 };
 
 }  // namespace interleaf

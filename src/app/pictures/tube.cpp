@@ -1,4 +1,5 @@
-// Rings about the line, each turned into the next by the least turn there is; half balls at both ends.
+// The tube consists of rings around the line, each rotated from the previous one by the smallest rotation,
+// and of half balls at both ends.
 #include "app/pictures/tube.h"
 
 #include <cmath>
@@ -11,7 +12,7 @@ namespace interleaf {
 namespace {
 
 constexpr int sides = 12;
-constexpr int cap_rings = 3;  // of a half ball, between its pole and its widest
+constexpr int cap_rings = 3;  // rings of a half ball, between pole and equator
 
 constexpr float pi = std::numbers::pi_v<float>;
 
@@ -37,7 +38,7 @@ class TubeMaker {
   private:
     static float lean(int n) { return static_cast<float>(n) * pi / 2 / (cap_rings + 1); }
 
-    /// Along the line at point \p n: from the one before to the one behind.
+    /// The direction of the line at point \p n, from the previous point to the next.
     glm::vec3 axis_at(std::size_t n, glm::vec3 otherwise) const {
         const glm::vec3 before = points_[n == 0 ? 0 : n - 1];
         const glm::vec3 behind = points_[n + 1 == points_.size() ? n : n + 1];

@@ -42,14 +42,14 @@ std::optional<std::string> AutosaveWriter::take_error() {
 
 void AutosaveWriter::work(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
-    // The predicate counts also after a stop: what waits is still done.
+    // The predicate holds also after a stop, so that the waiting order is still carried out.
     while (changed_.wait(lock, stop, [this] { return waiting_.has_value(); })) {
         busy_ = true;
         {
             const Order order = *std::exchange(waiting_, std::nullopt);
             lock.unlock();
             carry_out(order);
-        }  // a large family is let go of without the lock
+        }  // releases a large family without the lock
         lock.lock();
         busy_ = false;
         changed_.notify_all();
@@ -72,7 +72,7 @@ void AutosaveWriter::carry_out(const Order& order) {
     failing_ = error.has_value();
 }
 
-/// The note comes last: without it the family is a recovery all the same.
+/// Writes the note last, because a family without a note is still a recovery.
 void AutosaveWriter::write_now(const Order& order) {
     using namespace std::chrono;
     if (!recovery_) recovery_ = make_recovery(state_folder_);

@@ -1,5 +1,5 @@
-// Writes what is not yet saved into this process's recovery, on a thread of its own, so that a family of
-// hundreds of megabytes does not hold up the window.
+// Writes unsaved changes to the recovery folder of this process on a separate thread, so that a family of
+// hundreds of megabytes does not block the window.
 #pragma once
 
 #include <condition_variable>
@@ -15,39 +15,39 @@
 
 namespace interleaf {
 
-/// All members may be called from one thread; none of them waits for the disk but the destructor,
-/// adopt() and finish().
+/// All members must be called from the same thread. Only the destructor, adopt() and finish() wait for the
+/// disk.
 class AutosaveWriter {
   public:
-    /// Nothing is made in \p state_folder before the first write.
+    /// Does not create anything in \p state_folder before the first write.
     explicit AutosaveWriter(std::filesystem::path state_folder);
 
-    /// Does what was asked for last, then ends.
+    /// Completes the last order, then ends the thread.
     ~AutosaveWriter() = default;
     AutosaveWriter(const AutosaveWriter&) = delete;
     AutosaveWriter& operator=(const AutosaveWriter&) = delete;
 
-    /// Writes \p family as soon as what is being written is done. What was asked for before and has not begun
-    /// is dropped: the newest counts.
-    /// \param document_folder  where the document is saved; empty if nowhere yet
+    /// Writes \p family when the current write is done. An earlier order that has not begun is dropped,
+    /// because only the newest state matters.
+    /// \param document_folder  the folder of the document; empty if it has none yet
     void write(std::shared_ptr<const Family> family, std::filesystem::path document_folder);
 
-    /// Writes into \p recovery from now on, a claimed one, and clear() removes it. Waits until all that was
-    /// asked for before is done.
+    /// Writes to the claimed recovery \p recovery from now on; clear() removes it. Waits until all earlier
+    /// orders are done.
     void adopt(Recovery recovery);
 
-    /// Removes what was written: the document has been saved, or its changes are not wanted.
+    /// Removes the written recovery: the document has been saved, or its changes have been discarded.
     void clear();
 
-    /// Waits until all that was asked for is done.
+    /// Waits until all orders are done.
     void finish();
 
-    /// What went wrong, once: after that it is silent until a write succeeds and a later one fails again.
+    /// The latest error, reported once. Further failures are silent until a write has succeeded.
     std::optional<std::string> take_error();
 
   private:
     struct Order {
-        std::shared_ptr<const Family> family;  ///< none: clear
+        std::shared_ptr<const Family> family;  ///< null means to clear
         std::filesystem::path document_folder;
     };
 
@@ -57,16 +57,16 @@ class AutosaveWriter {
     void clear_now();
 
     const std::filesystem::path state_folder_;
-    std::optional<Recovery> recovery_;  ///< the thread's own while it is busy
+    std::optional<Recovery> recovery_;  ///< belongs to the thread while busy_
 
-    std::mutex mutex_;  ///< of what follows
+    std::mutex mutex_;  ///< guards the members below
     std::condition_variable_any changed_;
     std::optional<Order> waiting_;
     bool busy_ = false;
     bool failing_ = false;
     std::optional<std::string> error_;
 
-    std::jthread thread_;  ///< last, so that it ends before what it uses
+    std::jthread thread_;  ///< last member: must end before the members it uses
 };
 
 }  // namespace interleaf

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How often files are looked at; seconds.
+/// The interval between checks of the files on disk; seconds.
 constexpr double look_interval = 2;
 
 std::vector<fs::path> watched_files(const std::vector<fs::path>& sources) {
@@ -36,7 +36,7 @@ std::vector<fs::path> watched_files(const std::vector<fs::path>& sources) {
             const auto keys = key_files(source);
             files.insert(files.end(), keys.begin(), keys.end());
         } catch (const std::runtime_error&) {
-            continue;  // it is watched itself
+            continue;  // the file itself is watched
         }
     }
     return files;
@@ -54,7 +54,7 @@ std::optional<fs::path> family_folder(const std::vector<fs::path>& sources) {
     if (sources.size() != 1) return std::nullopt;
     std::error_code error;
     const fs::path source = fs::absolute(sources.front(), error).lexically_normal();
-    if (error) return std::nullopt;  // relative to a folder that is gone
+    if (error) return std::nullopt;  // relative to a deleted folder
     if (is_family_folder(source)) return source.has_filename() ? source : source.parent_path();
     if (source.filename() == "family.json" && !fs::is_directory(source, error)) return source.parent_path();
     return std::nullopt;
@@ -141,7 +141,7 @@ void DocumentFiles::look_after(double now) {
         recovery_->look_after(state_.document, state_.is_dragging, now);
         if (const auto error = recovery_->take_error()) complain(*error);
     }
-    // A fault that is told is not replaced: the change is told once it has been read. What is being saved
+    // A shown fault is not replaced: the change is reported when the user has dismissed the fault. Saving
     // changes files itself.
     if (now - looked_ < look_interval || state_.message.is_fault() || saving_) return;
     looked_ = now;
@@ -175,7 +175,7 @@ void DocumentFiles::browse(FileRequest request, std::function<void(const FileCho
     browser_.open(std::move(request));
 }
 
-/// Does \p next once no changes can be lost: there are none, they have been saved, or they are not wanted.
+/// Runs \p next when no changes can be lost: there are none, or they have been saved or discarded.
 void DocumentFiles::leave_document(const Action& next) {
     finish_saving();
     if (!state_.document.is_changed()) {
@@ -236,8 +236,8 @@ void DocumentFiles::save_as(Action next) {
            [this, next = std::move(next)](const FileChoice& choice) { write(choice.files.front(), next); });
 }
 
-/// On a thread of its own, so that a family of hundreds of megabytes does not hold up the window; but where
-/// \p next is to follow, which may replace the document, it is waited for.
+/// Writes on a separate thread, so that a family of hundreds of megabytes does not block the window. If \p
+/// next follows, it may replace the document, so the function waits for the end of the write.
 void DocumentFiles::write(const fs::path& folder, const Action& next) {
     finish_saving();
     const auto family = state_.document.snapshot();
@@ -246,7 +246,8 @@ void DocumentFiles::write(const fs::path& folder, const Action& next) {
     if (next && finish_saving()) next();
 }
 
-/// Waits until what is being saved is on the disk. \return whether nothing went wrong
+/// Waits until the save in progress is on the disk.
+/// \return whether it succeeded
 bool DocumentFiles::finish_saving() {
     if (!saving_) return true;
     Saving saved = *std::exchange(saving_, std::nullopt);
@@ -257,15 +258,15 @@ bool DocumentFiles::finish_saving() {
         return false;
     }
     state_.document.mark_saved(saved.family, saved.folder);
-    if (!state_.document.is_changed()) forget_unsaved();  // else there were edits meanwhile
+    if (!state_.document.is_changed()) forget_unsaved();  // otherwise there were edits meanwhile
     remember(saved.folder);
     set_sources({saved.folder});
     return true;
 }
 
-// ---- what the user is not to lose ----
+// ---- protection of unsaved work ----
 
-/// Nothing unsaved is worth recovering any more.
+/// Removes the recovery of the document.
 void DocumentFiles::forget_unsaved() {
     if (recovery_) recovery_->forget(state_.document);
 }
@@ -287,7 +288,7 @@ void DocumentFiles::offer_recovery() {
 void DocumentFiles::recover() {
     auto claimed = recovery_->claim_offered();
     if (!claimed) return complain("the recovery has gone: another window has taken it");
-    const Message message = state_.message;  // of the start, behind the question
+    const Message message = state_.message;  // the message of the start, behind the question
     try {
         Family family = read_family(claimed->family());
         std::vector<fs::path> sources;

@@ -1,5 +1,5 @@
-// The files of the document: opening and saving it with the file browser, asking before changes are lost,
-// recent files, the autosave and the offer to recover, and changes on disk by others.
+// The files of the document: opens and saves with the file browser, asks before changes are lost, keeps
+// recent files, autosaves, offers recovery, and detects changes on disk by other programs.
 #pragma once
 
 #include <cstdint>
@@ -26,60 +26,61 @@
 
 namespace interleaf {
 
-/// The folder to save a document in that was read from \p sources; none unless they are one family.
+/// The folder in which to save a document that was read from \p sources; none unless \p sources are one
+/// family.
 std::optional<std::filesystem::path> family_folder(const std::vector<std::filesystem::path>& sources);
 
 class DocumentFiles {
   public:
-    /// \param sources   the files that the document in \p state was read from; none for the built-in family
-    /// \param is_alone  whether to leave the settings and the recoveries of the user alone
+    /// \param sources   the files that the document in \p state was read from; empty for the built-in family
+    /// \param is_alone  whether not to touch the user's settings and recoveries
     DocumentFiles(ViewerState& state, std::vector<std::filesystem::path> sources, bool is_alone);
 
-    /// Grants the wish of a command.
+    /// Carries out the request of a command.
     void grant(FileWish wish);
 
-    /// Opens \p files as a new document, or adds their keys to this one.
+    /// Opens \p files as a new document, or adds their keys to the present document.
     void open(std::vector<std::filesystem::path> files);
     void add_keys(const std::vector<std::filesystem::path>& files, double now);
 
     const std::vector<std::filesystem::path>& recent_files() const { return settings_.recent_files; }
 
-    /// Whether a question or the file browser has the keyboard.
+    /// Whether a dialog or the file browser has the keyboard focus.
     bool is_asking() const { return browser_.is_open() || dialog_.is_open() || fitting_.is_open(); }
 
-    /// Whether work goes on, so that there is something new to show soon.
+    /// Whether work in progress needs new frames soon.
     bool is_working() const { return fitting_.is_working(); }
 
-    /// The offer to fit meshes, while there is one.
+    /// The fitting of meshes, with its dialog while that is open.
     const MeshFitting& fitting() const { return fitting_; }
 
-    /// Whether the document is being written, while the window goes on.
+    /// Whether the document is being saved in the background.
     bool is_saving() const { return saving_.has_value(); }
 
-    /// Where the file browser's cursor is, while it is open.
+    /// The path at the file browser's cursor; none while the browser is closed.
     std::optional<std::filesystem::path> browsed() const { return browser_.cursor_path(); }
 
-    /// Shows questions, the file browser and the offer to fit in the middle of \p area; call it in every
-    /// frame. Answers wait for act().
+    /// Shows dialogs, the file browser and the fit dialog in the middle of \p area. Call it in every frame.
+    /// Answers are kept for act().
     void show(const Rect& area, double now);
 
-    /// Acts on the answers, asks what is to be asked, and takes the result of work that is done; call it in
-    /// every frame.
+    /// Acts on the answers, asks pending questions, and takes the results of finished work. Call it in every
+    /// frame.
     /// \param density  framebuffer pixels per screen coordinate
     void act(float density, double now);
 
-    /// Writes the autosave and looks for changes on disk, when it is time to; call it in every frame.
+    /// Writes the autosave and looks for changes on disk, when either is due. Call it in every frame.
     void look_after(double now);
 
-    /// Writes what is not saved into the autosave at once; without waiting for the disk.
+    /// Orders an autosave of unsaved changes at once, without waiting for the disk.
     void keep_unsaved();
 
-    /// Of the window when the program ended last, screen coordinates.
+    /// The size of the window when the program last ended, in screen coordinates.
     std::optional<glm::ivec2> window_size() const { return settings_.window_size; }
     void remember_window(glm::ivec2 size);
 
   private:
-    using Action = std::function<void()>;  ///< null for nothing
+    using Action = std::function<void()>;  ///< null for no action
 
     /// The kinds of files that the file browser offers to open.
     static const std::vector<FileType>& openable_types();
@@ -119,7 +120,7 @@ class DocumentFiles {
     ViewerState& state_;
     std::vector<std::filesystem::path> sources_;
     FileStamps stamps_;
-    double looked_ = 0;  ///< when stamps were compared last
+    double looked_ = 0;  ///< time of the last comparison of stamps
 
     std::optional<std::filesystem::path> settings_file_;
     Settings settings_;
@@ -134,7 +135,7 @@ class DocumentFiles {
     std::optional<Saving> saving_;
     double now_ = 0;
 
-    std::optional<DocumentRecovery> recovery_;  ///< none if the user's are left alone
+    std::optional<DocumentRecovery> recovery_;  ///< none if the user's recoveries must not be touched
 };
 
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-// DocumentFiles: opens files and adds keys from them. Keys are fitted to meshes that are not keys first.
+// DocumentFiles: opens files and adds keys from them. Meshes that are not keys are fitted first.
 #include <optional>
 #include <ranges>
 #include <utility>
@@ -52,7 +52,7 @@ void DocumentFiles::browse_to_add() {
            [this](const FileChoice& choice) { add_keys(choice.files, now_); });
 }
 
-/// What \p paths hold; none where they cannot be opened, which is told.
+/// The content of \p paths; none, with a message, if they cannot be opened.
 std::optional<Opening> DocumentFiles::opened(const std::vector<fs::path>& paths) {
     try {
         return open_files(paths);
@@ -108,14 +108,14 @@ void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
     std::visit(Cases{[&](OpenedFamily& family) { add(family.family); },
                      [&](OpenedKeys& keys) {
                          if (add(keys.family) || !keys.can_be_fitted()) return;
-                         // A mesh is over the family's roots only once a key has been fitted to it.
+                         // Only the fit puts a mesh over the family's roots.
                          offer_to_add({keys.files, std::exchange(state_.message, {}).text});
                      },
                      [&](const MeshesToFit& meshes) { offer_to_add(meshes); }},
                *found);
 }
 
-/// Keys for the document are fitted over its roots.
+/// Offers to fit keys for the document over its roots.
 void DocumentFiles::offer_to_add(const MeshesToFit& meshes) {
     try {
         const Family& family = state_.document.family();
@@ -130,8 +130,8 @@ void DocumentFiles::offer_to_add(const MeshesToFit& meshes) {
     }
 }
 
-/// The fitted keys as a new document, which is nowhere on disk yet; several are played once, from the first
-/// to the last.
+/// Opens the fitted keys as a new, unsaved document. Several keys are played once, from the first to the
+/// last.
 void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, const FittedMeshes& fitted) {
     std::vector<Key> keys = keys_of(fitted.comparisons);
     const std::string name = keys.size() == 1 ? keys.front().name : "Fitted meshes";
@@ -145,8 +145,8 @@ void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, const Fitte
     tell_fit(fitted);
 }
 
-/// Says how near to their meshes the keys are that have come into the document. No question: what has been
-/// fitted is to be seen, and to be played with, at once.
+/// Reports the distances between the keys added to the document and their meshes. It does not ask, so that
+/// the user can see and play the result at once.
 void DocumentFiles::tell_fit(const FittedMeshes& fitted) {
     const auto compared = compared_keys(state_.document.family(), fitted.comparisons);
     if (compared.empty()) return;

@@ -9,7 +9,7 @@ namespace interleaf {
 
 namespace {
 
-/// How long a changed document rests before it is autosaved; seconds.
+/// How long a document must stay unchanged before its autosave; seconds.
 constexpr double autosave_rest = 1;
 
 }  // namespace
@@ -44,7 +44,7 @@ void DocumentRecovery::look_after(const Document& document, bool is_dragging, do
     if (document.is_changed()) {
         autosave_.write(present, document.folder().value_or(std::filesystem::path()));
     } else {
-        autosave_.clear();  // undone to what is saved
+        autosave_.clear();  // undo has returned to the saved state
     }
 }
 

@@ -1,5 +1,5 @@
-// What the user is not to lose: the autosave of the document that is open, and the documents that programs
-// before have left in theirs.
+// Protects unsaved work: autosaves the open document, and offers the documents that earlier runs of the
+// program have left in their autosaves.
 #pragma once
 
 #include <filesystem>
@@ -17,47 +17,49 @@ namespace interleaf {
 
 class DocumentRecovery {
   public:
-    /// \param state_folder  of the user (user_folders.h)
+    /// \param state_folder  the user's state folder (user_folders.h)
     DocumentRecovery(const std::filesystem::path& state_folder, const Document& document);
 
-    /// The latest that is left and has not been answered; null for none.
+    /// The latest abandoned recovery without an answer yet; null if there is none.
     const Recovery* offered() const { return abandoned_.empty() ? nullptr : &abandoned_.front(); }
 
-    /// Makes the offered one this process's, and offers no other. \return it; none when another window was
-    /// faster
-    /// \pre one is offered
+    /// Claims the offered recovery for this process, and ends the offers.
+    /// \return the claimed recovery; none if another process was faster
+    /// \pre    a recovery is offered
     std::optional<Recovery> claim_offered();
 
-    /// Removes the offered one from the disk; the next one is offered then.
-    /// \pre one is offered \throw MachineError when it cannot be removed
+    /// Removes the offered recovery from the disk, and offers the next one.
+    /// \pre   a recovery is offered
+    /// \throw MachineError if it cannot be removed
     void discard_offered();
 
-    /// \p claimed is what the document, which is unsaved, was read from: from now on the autosave writes
-    /// there, so that there is one of the document, and forget() removes it.
+    /// Continues with \p claimed, the recovery that the present, unsaved document was read from. The autosave
+    /// writes there from now on, so that the document has a single recovery, and forget() removes it.
     void adopt(Recovery claimed);
 
-    /// Autosaves \p document once it has rested for a second; call it in every frame. What comes of it: see
-    /// take_error(). \param is_dragging  whether its present state is about to be replaced
+    /// Autosaves \p document when it has not changed for a second. Call it in every frame. take_error()
+    /// reports errors.
+    /// \param is_dragging  whether a drag is about to replace the present state
     void look_after(const Document& document, bool is_dragging, double now);
 
-    /// Autosaves \p document at once, if it is not saved: something has gone wrong.
+    /// Autosaves \p document at once if it has unsaved changes, because something has gone wrong.
     void keep(const Document& document);
 
-    /// Nothing in \p document is worth recovering any more: it has been saved, or its changes are not wanted.
+    /// Removes the recovery: \p document has been saved, or its changes have been discarded.
     void forget(const Document& document);
 
-    /// What went wrong with writing or removing the autosave, once.
+    /// The error of writing or removing the autosave, reported once.
     std::optional<std::string> take_error() { return autosave_.take_error(); }
 
   private:
     AutosaveWriter autosave_;
-    std::shared_ptr<const Family> autosaved_;  ///< the state that the autosave has taken care of
-    std::shared_ptr<const Family> seen_;       ///< the document's state of the last frame,
-    double seen_since_ = 0;                    ///< and since when
+    std::shared_ptr<const Family> autosaved_;  ///< the state handled by the autosave last
+    std::shared_ptr<const Family> seen_;       ///< the document's state in the last frame
+    double seen_since_ = 0;                    ///< when seen_ became the document's state
     std::vector<Recovery> abandoned_;
 };
 
-/// Recover, discard, or decide later?
+/// The question whether to recover, discard or decide later.
 Question question_about(const RecoveryNote& note);
 
 }  // namespace interleaf

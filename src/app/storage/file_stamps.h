@@ -1,4 +1,4 @@
-// Whether files have been changed by others since they were read.
+// Detects files that other programs have changed since they were read.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@ class FileStamps {
   public:
     FileStamps() = default;
 
-    /// Remembers \p files as they are now.
+    /// Records the present stamps of \p files.
     explicit FileStamps(const std::vector<std::filesystem::path>& files);
 
-    /// The first file that is other than remembered, or has gone; each change is reported once.
+    /// The first file that has changed or disappeared; each change is reported once.
     std::optional<std::filesystem::path> take_changed();
 
   private:
     struct Stamp {
         std::filesystem::path file;
-        std::filesystem::file_time_type written{};  ///< the default for none
+        std::filesystem::file_time_type written{};  ///< the default if there is no file
         std::uintmax_t size = 0;
         bool operator==(const Stamp&) const = default;
     };

@@ -29,7 +29,7 @@ constexpr double latest_time = 253'402'300'800;  // the year 10000
     throw MachineError(fmt::format("{}: cannot {}: {}", path.string(), action, error.message()));
 }
 
-/// Whose folder \p name is: "PID-START" and perhaps more after another '-'.
+/// The process that a folder called \p name belongs to: "PID-START", possibly with more after another '-'.
 std::optional<ProcessIdentity> owner_of(std::string_view name) {
     const std::size_t dash = name.find('-');
     if (dash == std::string_view::npos) return std::nullopt;
@@ -40,8 +40,8 @@ std::optional<ProcessIdentity> owner_of(std::string_view name) {
     return ProcessIdentity{.number = *number, .start_time = *start};
 }
 
-/// The names this process may give a folder, in the order to try them. What has a name already may be from
-/// before the machine was started anew.
+/// The names for a folder of this process, in the order of attempts. An existing name may be left from before
+/// a reboot of the machine.
 fs::path own_name(std::string_view kind, unsigned attempt) {
     const ProcessIdentity self = this_process();
     return fmt::format("{}-{}-{}{}", self.number, self.start_time, kind, attempt);
@@ -99,7 +99,7 @@ Recovery make_recovery(const fs::path& state_folder) {
     if (error) fail(all, "make the folder", error);
     for (unsigned attempt = 1; attempt <= max_attempts; ++attempt) {
         Recovery recovery{.folder = all / own_name("", attempt), .note = {}};
-        // A document may be private: the folder is its owner's alone.
+        // A document may be private: only the owner may access the folder.
         if (::mkdir(recovery.folder.c_str(), 0700) == 0) return recovery;
         error.assign(errno, std::generic_category());
         if (error != std::errc::file_exists) break;
@@ -143,7 +143,7 @@ std::optional<Recovery> claim_recovery(const Recovery& recovery) {
 
 void discard_recovery(const Recovery& recovery) {
     std::error_code error;
-    // First what makes it a recovery, so that one that is removed half is never offered.
+    // Removes family.json first, so that a recovery whose removal was interrupted is never offered.
     fs::remove(recovery.family() / "family.json", error);
     if (!error) fs::remove_all(recovery.folder, error);
     if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)

@@ -17,7 +17,7 @@ namespace interleaf {
 std::optional<ProcessIdentity> running_process(pid_t number) {
     std::ifstream file(fmt::format("/proc/{}/stat", number));
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    // "NUMBER (NAME) STATE ...": the name may hold blanks and parentheses itself.
+    // "NUMBER (NAME) STATE ...": the name itself may contain blanks and parentheses.
     const std::size_t end_of_name = text.rfind(')');
     if (end_of_name == std::string::npos) return std::nullopt;
     std::istringstream fields(text.substr(end_of_name + 1));

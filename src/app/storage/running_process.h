@@ -1,4 +1,4 @@
-// A process of this machine, told apart from a later one that has got the same number.
+// Identifies a process of this machine, so that a later process with the same number is not mistaken for it.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,17 @@ namespace interleaf {
 
 struct ProcessIdentity {
     pid_t number;
-    std::uint64_t start_time;  ///< clock ticks since the machine was started: proc(5), stat, field 22
+    std::uint64_t start_time;  ///< clock ticks since the boot of the machine: proc(5), stat, field 22
 
     bool operator==(const ProcessIdentity&) const = default;
 };
 
-/// The process called \p number; none when there is no such process, or it has ended and is not yet forgotten
-/// by its parent.
+/// The process with the number \p number; none if there is no such process, or if it has ended and its parent
+/// has not collected it yet.
 std::optional<ProcessIdentity> running_process(pid_t number);
 
-/// This process. \throw MachineError where there is no /proc
+/// This process.
+/// \throw MachineError if there is no /proc
 ProcessIdentity this_process();
 
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-// Where the file browser begins when a document is to be saved in a folder of its own.
+// The folder where the file browser starts when the user saves a document in a folder of its own.
 #pragma once
 
 #include <filesystem>
@@ -6,17 +6,17 @@
 
 namespace interleaf {
 
-/// What is known about where a person works; none of it need exist.
+/// The folders that a person works with. None of them needs to exist.
 struct SaveSurroundings {
     std::optional<std::filesystem::path> document;  ///< the folder of the document
-    std::filesystem::path last;                     ///< the folder that was shown last; empty for none
-    std::filesystem::path current;                  ///< the folder the program was started in; empty for none
-    std::filesystem::path builtin;                  ///< the built-in families are in it: not a place to save
+    std::filesystem::path last;                     ///< the folder shown last; empty for none
+    std::filesystem::path current;                  ///< the program's working folder; empty for none
+    std::filesystem::path builtin;                  ///< holds the built-in families; never used for saving
 };
 
-/// The folder beside the document; or else the one shown last, or the current one. Of a folder that is a
-/// family itself the one it is in, since families do not lie in each other; never one of the built-in
-/// families. Empty where there is none, which stands for home.
+/// The folder beside the document; otherwise the last or the current folder. If that folder is itself a
+/// family, its parent, because families are not nested. Never a folder of the built-in families. Empty if
+/// there is none, which stands for the home folder.
 std::filesystem::path folder_to_save_in(const SaveSurroundings& around);
 
 }  // namespace interleaf

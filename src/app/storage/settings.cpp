@@ -48,7 +48,7 @@ int length_at(const JsonPlace& place) {
     return static_cast<int>(length);
 }
 
-/// An array of those of \p paths that JSON can hold.
+/// A JSON array of the \p paths that JSON can hold.
 ordered_json array_of(const std::vector<fs::path>& paths) {
     ordered_json array = ordered_json::array();
     for (const fs::path& path : paths) {
@@ -75,7 +75,7 @@ bool is_family_file(const fs::path& path) {
     return path.filename() == "family.json" && !fs::is_directory(path, ignored);
 }
 
-/// Where the document that is remembered as \p path really lies.
+/// The resolved location of the document that is remembered as \p path.
 fs::path place_of(const fs::path& path) {
     std::error_code error;
     fs::path place = fs::weakly_canonical(path, error);
@@ -84,7 +84,7 @@ fs::path place_of(const fs::path& path) {
     return is_family_file(place) ? place.parent_path() : place;
 }
 
-/// What to say after \p fault has been found in \p file, which is kept under another name.
+/// The message about \p fault in \p file, which is kept under another name.
 std::string keep_damaged(const fs::path& file, std::string_view fault) {
     fs::path kept = file;
     kept += ".damaged";
@@ -100,7 +100,7 @@ std::string keep_damaged(const fs::path& file, std::string_view fault) {
 void remember(std::vector<fs::path>& recent, const fs::path& path) {
     std::error_code error;
     fs::path whole = fs::absolute(path, error).lexically_normal();
-    if (error) return;                                       // relative to a folder that is gone
+    if (error) return;                                       // relative to a deleted folder
     if (!whole.has_filename()) whole = whole.parent_path();  // it ends with a '/'
     std::erase(recent, whole);
     recent.insert(recent.begin(), whole);

@@ -1,5 +1,5 @@
-// What the program remembers from one run to the next, as a JSON file: docs/user-guide.md says which. Paths
-// are kept as UTF-8; one that is not UTF-8 is not remembered.
+// The settings that the program remembers between runs, as a JSON file; docs/user-guide.md lists them. Paths
+// are stored as UTF-8. A path that is not UTF-8 is not remembered.
 #pragma once
 
 #include <filesystem>
@@ -15,43 +15,43 @@ namespace interleaf {
 
 /// Paths are absolute.
 struct Settings {
-    std::vector<std::filesystem::path> recent_files;    ///< most recent first, each once
-    std::vector<std::filesystem::path> recent_folders;  ///< the same
-    std::filesystem::path last_folder;                  ///< shown first by the file browser; may be empty
+    std::vector<std::filesystem::path> recent_files;    ///< most recent first, without duplicates
+    std::vector<std::filesystem::path> recent_folders;  ///< as recent_files
+    std::filesystem::path last_folder;                  ///< where the file browser starts; may be empty
     std::optional<glm::ivec2> window_size;              ///< screen coordinates
 
     bool operator==(const Settings&) const = default;
 };
 
-/// Of files, and of folders.
+/// The largest number of recent files, and of recent folders.
 inline constexpr std::size_t max_recent_paths = 12;
 
-/// Puts \p path in front of \p recent, made absolute, and drops what is too old.
+/// Makes \p path absolute, puts it in front of \p recent, and drops paths that exceed max_recent_paths.
 void remember(std::vector<std::filesystem::path>& recent, const std::filesystem::path& path);
 
-/// The same for a document: a family.json is remembered as its folder, and of paths that lead to the same
-/// place, as through a link, only the latest is kept.
+/// As remember(), for a document. A family.json is remembered as its folder. Of several paths to the same
+/// place, for instance through a link, only the latest stays.
 void remember_document(std::vector<std::filesystem::path>& recent, const std::filesystem::path& path);
 
-/// The settings in \p json; \p name stands for the file in messages. Members it does not know are passed
-/// over. \throw InputError naming the place and what was expected
+/// The settings in \p json. \p name stands for the file in messages. Unknown members are ignored.
+/// \throw InputError naming the place and what was expected
 Settings parse_settings(std::string_view json, std::string_view name);
 
-/// config_folder()/settings.json; none where there is no such folder.
+/// config_folder()/settings.json; none if there is no such folder.
 std::optional<std::filesystem::path> settings_file();
 
 struct LoadedSettings {
     Settings settings;
-    std::string message;  ///< what was wrong with the file; empty if nothing
+    std::string message;  ///< the fault of the file; empty for none
 };
 
-/// Reads \p file. A missing file gives the defaults; a damaged one does so with a message, and is kept as
-/// FILE.damaged, so that writing settings does not destroy what a person may want to mend.
+/// Reads \p file. A missing file gives the defaults. A damaged file gives the defaults and a message, and is
+/// kept as FILE.damaged, so that writing settings does not destroy a file that the user may want to repair.
 LoadedSettings load_settings(const std::filesystem::path& file);
 
-/// Applies \p change to what \p file holds by now, so that what another running program has remembered stays,
-/// and writes it; the folder is made if missing.
-/// \throw MachineError when it cannot be written
+/// Applies \p change to the present content of \p file and writes it, so that the settings of another running
+/// program stay. Creates the folder if it is missing.
+/// \throw MachineError if the file cannot be written
 void change_settings(const std::filesystem::path& file, const std::function<void(Settings&)>& change);
 
 }  // namespace interleaf

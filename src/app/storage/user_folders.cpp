@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The absolute path that the environment variable \p name holds, if it does.
+/// The absolute path in the environment variable \p name, if there is one.
 std::optional<fs::path> folder_in(const char* name) {
     const char* const value = std::getenv(name);
     if (value == nullptr || !fs::path(value).is_absolute()) return std::nullopt;

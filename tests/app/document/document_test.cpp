@@ -1,4 +1,4 @@
-// Tests of the document: its history, and what it knows of having been saved.
+// Tests of the document: its history, and its saved state.
 #include "app/document/document.h"
 
 #include <optional>
@@ -17,7 +17,7 @@ using interleaf::testing::Random;
 
 namespace {
 
-/// The step's name; "" for none.
+/// The name of the step; "" for none.
 std::string text(const std::string* step) {
     return step != nullptr ? *step : "";
 }

@@ -1,4 +1,4 @@
-// Tests of the commands that edit: each is one step, and what cannot be done is said and changes nothing.
+// Tests of the edit commands: each is one step, and a command that fails reports it and changes nothing.
 #include "app/document/edit_commands.h"
 
 #include <algorithm>

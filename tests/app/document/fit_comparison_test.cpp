@@ -1,4 +1,4 @@
-// Tests of what is known about a fitted key beside its mesh.
+// Tests of the comparison of a fitted key with its mesh.
 #include "app/document/fit_comparison.h"
 
 #include <cmath>
@@ -34,7 +34,8 @@ TEST_CASE("distances are in percent of the box diagonal, from the mesh to the ke
     CHECK(comparison.triangles.size() == 8);
     CHECK(comparison.quality.hausdorff == 0.25);
     const double diagonal = 2 * 1.1 * std::sqrt(3.0);
-    // A tip of the larger is nearest to a tip, all places of the smaller to the planes of the larger's faces.
+    // A tip of the larger octahedron is nearest to a tip; all points of the smaller one are nearest to the
+    // planes of the larger one's faces.
     for (const float distance : comparison.mesh_distances)
         CHECK(distance == doctest::Approx(100 * 0.1 / diagonal));
     for (const float distance : comparison.key_distances)

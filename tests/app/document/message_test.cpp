@@ -1,4 +1,4 @@
-// Tests of messages: which of them leave by themselves.
+// Tests of messages: which of them disappear by themselves.
 #include "app/document/message.h"
 
 #include <new>

@@ -1,4 +1,4 @@
-// Tests of the session: what drives the morph, and what stays where it is meanwhile.
+// Tests of the session: what drives the morph, and what stays unchanged meanwhile.
 #include "app/document/session.h"
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Tests of what the offer to fit meshes makes of a person's choices.
+// Tests of the conversion of the user's choices in the fit dialog.
 #include "app/fitting/fit_choices.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Pictures of roots that do not match: what is marked, and whether the camera sees it.
+// Tests of pictures of roots that do not match: the marks, and whether the camera sees them.
 #include "app/pictures/mismatch_picture.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ bool has_color(const MismatchPicture& picture, std::size_t triangle, glm::vec3 c
     });
 }
 
-/// All arrays are as long as they should be, and every vertex exists.
+/// Checks that all arrays have the right length and that every vertex exists.
 void check_form(const MismatchPicture& picture) {
     const UnionMesh& mesh = picture.mesh;
     CHECK(mesh.tags.size() == mesh.leaf_count());
@@ -64,13 +64,13 @@ void check_form(const MismatchPicture& picture) {
         for (const Index vertex : triangle) REQUIRE(vertex < mesh.vertex_count());
 }
 
-/// Where the picture has \p point, -1 to 1 in it.
+/// The position of \p point in the picture, -1 to 1.
 glm::vec3 device_coordinates(const Camera& camera, glm::vec3 point) {
     const glm::vec4 clip = camera.projection(aspect) * camera.view() * glm::vec4(point, 1);
     return glm::vec3(clip) / clip.w;
 }
 
-/// Triangles from \p begin on that are in the picture with nothing before them, and how many there are.
+/// Of about 40 sampled triangles from \p begin on, the number that the picture shows unhidden, and all.
 struct Seen {
     std::size_t triangles = 0;
     std::size_t all = 0;
@@ -87,7 +87,7 @@ Seen seen_from(const MismatchPicture& picture, std::size_t begin) {
         ++seen.all;
         if (std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}) > 1) continue;
         const auto hit = first_hit(picture.mesh.triangles, positions, {picture.camera.eye(), middle});
-        // Either the triangle itself, or one of the tube's that turns towards the eye.
+        // The ray meets the triangle itself, or another one of the tube that faces the eye.
         if (!hit || hit->triangle >= begin) ++seen.triangles;
     }
     return seen;
@@ -117,7 +117,7 @@ TEST_CASE("a tube is closed, runs along its line, and its normals point outwards
             CHECK(glm::length(tube.normals[v]) == doctest::Approx(1).epsilon(1e-4));
         }
     }
-    // Points that coincide give no axis, but still a surface.
+    // Coincident points define no axis, but still give a surface.
     const std::vector<glm::vec3> one_place(3, glm::vec3(1, 2, 3));
     const Tube tube = tube_along(one_place, 0.5F);
     CHECK(is_closed_manifold(tube.triangles));

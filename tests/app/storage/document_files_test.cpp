@@ -1,4 +1,4 @@
-// Tests of the document's files, as far as they need no window: what is opened, saved and asked.
+// Tests of the document's files without a window: opening, saving and questions.
 #include "app/storage/document_files.h"
 
 #include <algorithm>
@@ -226,7 +226,7 @@ TEST_CASE("while it is saved the document can be edited, and what was edited mea
     ViewerState state(named("first"), folder / "first");
     DocumentFiles files(state, {}, true);
     change(state);
-    std::optional<FolderLock> other(folder / "first");  // holds the save up
+    std::optional<FolderLock> other(folder / "first");  // delays the save
     files.grant(FileWish::save);
     CHECK(files.is_saving());
     CHECK_FALSE(files.is_asking());
@@ -247,7 +247,7 @@ TEST_CASE("while it is saved the document can be edited, and what was edited mea
     CHECK_FALSE(state.document.is_changed());
     redo(state, 0);
 
-    // Leaving waits for it.
+    // Leaving the document waits for the save.
     files.grant(FileWish::save);
     files.grant(FileWish::quit);
     CHECK_FALSE(files.is_saving());
@@ -340,7 +340,7 @@ TEST_CASE("keys that do not match are kept with the message, and go with it") {
     CHECK_FALSE(state.message.empty());
     CHECK(state.message.mismatch == nullptr);
 
-    // Added, they do not match those of the document, either.
+    // The keys do not match those of the document either when they are added.
     files.add_keys({folder / "a.ilh"}, 0);
     REQUIRE(state.message.mismatch);
     CHECK(state.message.mismatch->key.name == "a 2");

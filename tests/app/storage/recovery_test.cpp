@@ -57,7 +57,7 @@ class OtherProgram {
     OtherProgram& operator=(const OtherProgram&) = delete;
     ~OtherProgram() { kill(); }
 
-    /// As a crash would. Until wait() its number stays taken.
+    /// Ends the program as a crash would. Its number stays in use until wait().
     void crash() const { ::kill(process_, SIGKILL); }
     void kill() {
         if (process_ == 0) return;
@@ -84,7 +84,7 @@ void put_abandoned(const fs::path& state, const std::string& folder, const std::
     put(path / "recovery.json", recovery_note_text({.name = name, .document_folder = {}, .time = time}));
 }
 
-/// No process has it: the kernel's largest is 2^22.
+/// A number that no process has: the kernel's largest is 2^22.
 constexpr const char* nobody = "4194305-1";
 
 }  // namespace

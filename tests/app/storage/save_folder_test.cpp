@@ -1,4 +1,4 @@
-// Tests of where saving begins.
+// Tests of the folder where saving starts.
 #include "app/storage/save_folder.h"
 
 #include "scratch_folder.h"
@@ -28,7 +28,7 @@ TEST_CASE(
     CHECK(folder_to_save_in(around) == folder / "last");
     around.document.reset();
     CHECK(folder_to_save_in(around) == folder / "last");
-    // A family was opened there last: the next one goes beside it.
+    // A family was opened from there last: the next family goes beside it.
     around.last = folder / "work" / "torus";
     CHECK(folder_to_save_in(around) == folder / "work");
     for (const fs::path& last : {fs::path(), folder / "families" / "five-keys", folder / "families"}) {

@@ -1,4 +1,4 @@
-// Tests of the settings: that they come back, and that no file can do harm.
+// Tests of the settings: they survive a round trip, and no file can do harm.
 #include "app/storage/settings.h"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ TEST_CASE("what is remembered comes first, once, and the oldest goes") {
     remember(recent, "/file10");
     CHECK(recent.front() == "/file10");
     CHECK(std::ranges::count(recent, fs::path("/file10")) == 1);
-    // An element of the list itself.
+    // The path is an element of the list itself.
     remember(recent, recent.back());
     CHECK(recent.size() == max_recent_paths);
 }
@@ -91,7 +91,7 @@ TEST_CASE("however its path is written, a document is remembered once, as it was
     CHECK(recent == std::vector<fs::path>{folder / "link"});
     remember_document(recent, folder / "key.ilh");
     CHECK(recent.size() == 2);
-    // One that an older version has put in the list as it was.
+    // The list holds an unresolved path from an older version.
     recent.push_back(folder / "torus" / "family.json");
     remember_document(recent, folder / "torus");
     CHECK(recent == std::vector<fs::path>{folder / "torus", folder / "key.ilh"});
@@ -197,7 +197,7 @@ TEST_CASE("the folders follow the XDG specification, and are none where nothing 
     CHECK(settings_file() == fs::path("/c/interleaf/settings.json"));
     CHECK(state_folder() == fs::path("/s/interleaf"));
 
-    // Relative: to be passed over, says the specification. Empty counts as unset.
+    // The specification demands that relative paths are ignored. Empty counts as unset.
     const EnvironmentChange relative_config("XDG_CONFIG_HOME", "c");
     const EnvironmentChange empty_state("XDG_STATE_HOME", "");
     CHECK(settings_file() == fs::path("/h/.config/interleaf/settings.json"));
