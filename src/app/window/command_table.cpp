@@ -1,7 +1,7 @@
-// The table of commands and what each of them does.
+// The table of commands, and the functions that they run.
 #include "app/window/commands.h"
 
-// GLFW must not bring OpenGL headers of its own.
+// GLFW must not include OpenGL headers of its own.
 #define GLFW_INCLUDE_NONE
 
 #include <iterator>
@@ -15,7 +15,7 @@ namespace interleaf {
 
 namespace {
 
-/// Step of the arrow keys, as a part of the whole timeline.
+/// Step of the arrow keys, as a fraction of the timeline's duration.
 constexpr double step_part = 0.01;
 
 void step(ViewerState& state, double direction, double now) {
@@ -30,24 +30,8 @@ void cycle_coloring(ViewerState& state, double) {
         state.compares_colors = !state.compares_colors;
         return;
     }
-    Coloring& coloring = state.session.display.coloring;
-    switch (coloring) {
-        case Coloring::plain:
-            coloring = Coloring::level;
-            break;
-        case Coloring::level:
-            coloring = Coloring::origin;
-            break;
-        case Coloring::origin:
-            coloring = Coloring::checker;
-            break;
-        case Coloring::checker:
-            coloring = state.session.display.field.empty() ? Coloring::plain : Coloring::field;
-            break;
-        case Coloring::field:
-            coloring = Coloring::plain;
-            break;
-    }
+    Display& display = state.session.display;
+    display.coloring = next_coloring(display.coloring, !display.field.empty());
 }
 
 void toggle_shading(ViewerState& state, double) {
@@ -78,11 +62,11 @@ bool can_compare(const ViewerState& state) {
     return !compared_keys(state.document.family(), state.comparisons).empty();
 }
 
-/// Shows the comparison of the selected key first.
+/// Shows or hides the comparison. It begins with the selected key, if that key has a comparison.
 void toggle_comparison(ViewerState& state, double) {
     state.is_comparing = !state.is_comparing;
     if (!state.is_comparing) return;
-    state.message.clear();  // it would cover the comparison
+    state.message.clear();  // the message would cover the comparison
     if (!state.selected_key) return;
     for (const ComparedKey& each : compared_keys(state.document.family(), state.comparisons))
         if (each.key == *state.selected_key) state.compared = each.comparison;
@@ -380,7 +364,7 @@ constexpr Command table[] = {
          }},
 };
 
-/// Whether each command stands at the place that its id names.
+/// Whether the commands are in the order of their ids.
 consteval bool is_in_order_of_ids() {
     for (std::size_t place = 0; place < std::size(table); ++place)
         if (static_cast<std::size_t>(table[place].id) != place) return false;

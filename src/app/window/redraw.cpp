@@ -10,11 +10,7 @@ void Redraw::settle() {
 
 void Redraw::follow(const FrameRest& rest) {
     if (rest.has_input || rest.has_changed || rest.moves) settle();
-    if (rest.is_coarse || rest.lacks_portraits) draw_at_least(1);
-}
-
-void Redraw::draw_at_least(int frames) {
-    frames_ = std::max(frames_, frames);
+    if (rest.is_coarse || rest.lacks_portraits) frames_ = std::max(frames_, 1);
 }
 
 }  // namespace interleaf

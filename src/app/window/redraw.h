@@ -1,20 +1,20 @@
-// Says what must be drawn again: how many frames the window still draws before it waits for input.
+// Counts the frames that the window still draws before it waits for input.
 #pragma once
 
 namespace interleaf {
 
-/// What a frame leaves to later frames.
+/// The reasons why a frame needs later frames.
 struct FrameRest {
-    bool has_input = false;        ///< mouse or keys did something in the frame
-    bool has_changed = false;      ///< what the window is about is not what it was in the frame before
+    bool has_input = false;        ///< the frame had input from the mouse or the keyboard
+    bool has_changed = false;      ///< the window's subject differs from the previous frame
     bool moves = false;            ///< the surface plays
-    bool is_coarse = false;        ///< a picture of the surface can be drawn better
+    bool is_coarse = false;        ///< a picture of the surface does not have its final quality
     bool lacks_portraits = false;  ///< a picture of a key was drawn, and more may be missing
 };
 
 class Redraw {
   public:
-    /// Something has come from outside the frame: draws until Dear ImGui and the window have settled.
+    /// Adds the frames that Dear ImGui and the window need to settle after an event from outside the frame.
     void settle();
 
     /// Adds the frames that \p rest asks for.
@@ -22,13 +22,11 @@ class Redraw {
 
     bool is_due() const { return frames_ > 0; }
 
-    /// One frame of those that are due begins.
+    /// Begins one of the frames that are due.
     /// \pre is_due()
     void begin_frame() { --frames_; }
 
   private:
-    void draw_at_least(int frames);
-
     /// Dear ImGui needs one more frame to settle, and a window may need one to appear.
     static constexpr int settling_frames = 3;
 

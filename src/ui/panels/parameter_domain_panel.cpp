@@ -86,19 +86,6 @@ std::optional<Index> vertex_near(const ParameterDomain& domain, const PlotFrame&
     return nearest;
 }
 
-/// The corners of the box that the plot shows.
-std::array<DomainVertex, 2> box_corners(const ParameterDomain& domain,
-                                        const std::optional<DomainDrag>& drag) {
-    if (drag) return {{{drag->low, 0}, {drag->high, 0}}};
-    glm::dvec2 low = domain.vertices().front().at;
-    glm::dvec2 high = low;
-    for (const DomainVertex& vertex : domain.vertices()) {
-        low = glm::min(low, vertex.at);
-        high = glm::max(high, vertex.at);
-    }
-    return {{{low, 0}, {high, 0}}};
-}
-
 /// The keys of the family to choose from; \p present has a mark.
 std::optional<std::size_t> choose_key(const Family& family, std::optional<std::size_t> present) {
     std::optional<std::size_t> chosen;
@@ -125,11 +112,11 @@ void show_menu(const Family& family, const DomainMenu& place, ParameterDomainRes
 
 /// The drag that goes on, if any, on the canvas, which is the last item and shows \p box.
 std::optional<DomainDrag> follow_drag(const ParameterDomain& domain, const DomainPanel& panel,
-                                      const std::array<DomainVertex, 2>& box, const PlotFrame& frame) {
+                                      const DomainBox& box, const PlotFrame& frame) {
     if (!ImGui::IsItemActive()) return std::nullopt;
     if (panel.drag && !ImGui::IsItemActivated()) return panel.drag;
     const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
-    return DomainDrag{box[0].at, box[1].at, panel.edits ? vertex_near(domain, frame, pointer) : std::nullopt};
+    return DomainDrag{box, panel.edits ? vertex_near(domain, frame, pointer) : std::nullopt};
 }
 
 /// What the mouse does on the canvas, which is the last item.
@@ -182,7 +169,7 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const DomainP
     const float width = ImGui::GetContentRegionAvail().x;
     const Rect widest{corner.x + side_margin, corner.y + heading_height + margin, width - 2 * side_margin,
                       std::min(scaled(260), 0.4F * ImGui::GetWindowHeight())};
-    const std::array<DomainVertex, 2> box = box_corners(domain, panel.drag);
+    const DomainBox box = panel.drag ? panel.drag->box : box_of(domain.vertices());
     const Rect plot = PlotFrame(box, widest).rect();
     const Rect area{corner.x, corner.y + heading_height, width, std::round(plot.height) + 2 * margin};
     const PlotFrame frame(box, {plot.x, widest.y, plot.width, plot.height});

@@ -14,8 +14,8 @@ namespace interleaf {
 
 /// What the left mouse button holds, from press to release.
 struct DomainDrag {
-    glm::dvec2 low;               ///< corner of the domain's bounding box at the press: moving a vertex must
-    glm::dvec2 high;              ///< not move the plane under the pointer
+    /// The box of the plot when the button was pressed, because moving a vertex must not move the plane under the pointer.
+    DomainBox box;
     std::optional<Index> vertex;  ///< none for the point, and beside all vertices
 };
 

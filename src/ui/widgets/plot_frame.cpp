@@ -4,7 +4,7 @@
 
 namespace interleaf {
 
-PlotFrame::PlotFrame(std::span<const DomainVertex> vertices, const Rect& area) : box_(box_of(vertices)) {
+PlotFrame::PlotFrame(const DomainBox& box, const Rect& area) : box_(box) {
     const glm::dvec2 extent = box_.high - box_.low;
     scale_ = std::min(area.width / extent.x, area.height / extent.y);
     const glm::dvec2 middle{area.x + area.width / 2, area.y + area.height / 2};

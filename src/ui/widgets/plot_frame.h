@@ -2,8 +2,6 @@
 // up.
 #pragma once
 
-#include <span>
-
 #include <glm/vec2.hpp>
 
 #include "family/parameter_domain.h"
@@ -13,13 +11,13 @@ namespace interleaf {
 
 class PlotFrame {
   public:
-    /// Fits the bounding box of \p vertices into \p area, centered.
-    PlotFrame(std::span<const DomainVertex> vertices, const Rect& area);
+    /// Fits \p box into \p area, centered.
+    PlotFrame(const DomainBox& box, const Rect& area);
 
     glm::vec2 pixel(glm::dvec2 point) const;
     glm::dvec2 point(glm::vec2 pixel) const;
 
-    /// The pixels of the bounding box.
+    /// The pixels of the box.
     Rect rect() const;
 
   private:

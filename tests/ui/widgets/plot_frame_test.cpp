@@ -16,8 +16,8 @@ const std::vector<DomainVertex> wide{{{10, 2}, 0}, {{14, 2}, 1}, {{12, 3}, 2}};
 
 }  // namespace
 
-TEST_CASE("the bounding box is fitted into the area, centerd, with v up") {
-    const PlotFrame frame(square, {100, 50, 200, 300});
+TEST_CASE("a box is fitted into the area, centered, with v up") {
+    const PlotFrame frame(box_of(square), {100, 50, 200, 300});
     CHECK(frame.rect() == Rect{100, 100, 200, 200});
     CHECK(frame.pixel({-1, 1}) == glm::vec2(100, 100));
     CHECK(frame.pixel({1, -1}) == glm::vec2(300, 300));
@@ -25,7 +25,7 @@ TEST_CASE("the bounding box is fitted into the area, centerd, with v up") {
 }
 
 TEST_CASE("both axes have one scale, so that shapes stay as they are") {
-    const PlotFrame frame(wide, {0, 0, 200, 200});
+    const PlotFrame frame(box_of(wide), {0, 0, 200, 200});
     CHECK(frame.rect() == Rect{0, 75, 200, 50});
     CHECK(frame.pixel({12, 3}) == glm::vec2(100, 75));
 }
@@ -36,7 +36,7 @@ TEST_CASE("a pixel's point has that pixel") {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> coordinate(-50, 400);
     for (const auto& vertices : {square, wide}) {
-        const PlotFrame frame(vertices, {13, 57, 211, 188});
+        const PlotFrame frame(box_of(vertices), {13, 57, 211, 188});
         for (int i = 0; i < 100; ++i) {
             const glm::vec2 pixel(coordinate(random), coordinate(random));
             CHECK(glm::distance(frame.pixel(frame.point(pixel)), pixel) < 1e-3F);
