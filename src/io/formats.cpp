@@ -13,7 +13,7 @@
 namespace interleaf {
 namespace {
 
-/// Positions of hierarchy files are relative to any origin, so they have none of their own.
+/// Reads hierarchy files. They store no origin: their positions are relative to any origin.
 std::variant<FileKeys, Misfit> read_hierarchies(std::span<const std::filesystem::path> files,
                                                 std::optional<glm::dvec3> /*origin*/) {
     FileKeys read;

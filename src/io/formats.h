@@ -1,8 +1,9 @@
-// The table of file formats: one row per format says what a file may hold, who reads and writes it, and what
-// it carries. Filters of the file browser, help, messages and the table of docs/file-formats.md come from it.
+// The table of file formats. One row per format names the content that a file may hold, its readers, its
+// writer, and the data that the format carries. The file browser's filters, the help, the messages and the
+// table in docs/file-formats.md come from this table.
 //
-// A file may hold what its row has a reader for. An OBJ file has two: its mesh may be a key as it is, or a
-// mesh to fit a key to. PNG is no row: a picture is drawn from a family, but carries nothing of it.
+// A row has one reader per kind of content. An OBJ file has two kinds: its mesh may be a key as it is, or a
+// mesh to fit a key to. PNG has no row, because a picture of a family carries none of its data.
 #pragma once
 
 #include <filesystem>
@@ -20,29 +21,30 @@
 
 namespace interleaf {
 
-/// What a format carries of a family.
+/// The data of a family that a format carries.
 struct Carried {
     bool fields = false;     ///< named values per vertex
     bool colors = false;     ///< one color per vertex
     bool hierarchy = false;  ///< the bisections of a key
-    bool origin = false;     ///< where positions count from (family/origin.h)
+    bool origin = false;     ///< the point that positions are relative to (family/origin.h)
     bool time = false;       ///< a timeline
 };
 
-/// Reads a family. \p changes gets a sentence for each key that was changed.
+/// Reads a family.
+/// \param changes  if given, receives one sentence per key that was changed
 using FamilyReader = Family (*)(const std::filesystem::path& file, std::vector<std::string>* changes);
 
 /// Reads files of one format as keys.
-/// \param origin  that positions must be relative to; the reader chooses one where it is none
-/// \return        a misfit where the files can be read, but are not keys together
+/// \param origin  the origin of all positions; if none, the reader chooses an origin
+/// \return        the keys; or a misfit if the files can be read, but do not form keys together
 using KeyReader = std::variant<FileKeys, Misfit> (*)(std::span<const std::filesystem::path> files,
                                                      std::optional<glm::dvec3> origin);
 
 struct Format {
-    std::string_view extension;             ///< ".obj", in small letters
-    std::string_view title;                 ///< "Wavefront OBJ"
-    std::optional<Carried> read{};          ///< what the readers take from a file; none without a reader
-    std::optional<Carried> written{};       ///< what the program puts into a file; none if it writes none
+    std::string_view extension;        ///< ".obj", in lower case
+    std::string_view title;            ///< "Wavefront OBJ"
+    std::optional<Carried> read{};     ///< data that the readers take from a file; none without a reader
+    std::optional<Carried> written{};  ///< data that the program writes; none if it does not write the format
     FamilyReader read_family = nullptr;     ///< null: a file holds no family
     KeyReader read_keys = nullptr;          ///< null: a file holds no key
     SurfaceParser parse_surface = nullptr;  ///< null: a file holds no mesh to fit a key to
@@ -65,19 +67,19 @@ struct Format {
 /// All formats, in the order in which filters, help and messages list them.
 std::span<const Format> formats();
 
-/// The format that the extension of \p file names, in any case; null for none.
+/// The format with the extension of \p file, in upper or lower case; null if there is none.
 const Format* find_format(const std::filesystem::path& file);
 
-/// The format with this extension, ".obj" in small letters; null for none.
+/// The format with \p extension, such as ".obj", in lower case; null if there is none.
 const Format* format_with_extension(std::string_view extension);
 
-/// A question about a format, such as &Format::holds_mesh.
+/// A yes-or-no property of a format, such as &Format::holds_mesh.
 using FormatTrait = bool (Format::*)() const;
 
-/// Whether the extension of \p file names a format with this trait.
+/// Whether \p file has the extension of a format with \p trait.
 bool is_called(const std::filesystem::path& file, FormatTrait trait);
 
-/// The extensions of the formats with this trait: ".ilh", ".obj".
+/// The extensions of the formats with \p trait: ".ilh", ".obj".
 std::vector<std::string> extensions_of(FormatTrait trait);
 
 /// The same in words: ".ilh or .obj".

@@ -23,7 +23,7 @@ const Format& key_format_of(const fs::path& file) {
     return *find_format(file);
 }
 
-/// Files of more than one format.
+/// Reads files of more than one format, one by one.
 std::variant<FileKeys, Misfit> read_mixture(std::span<const fs::path> files) {
     FileKeys all;
     for (const fs::path& file : files) {

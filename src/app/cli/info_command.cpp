@@ -40,7 +40,8 @@ std::string_view form_of(const std::filesystem::path& file) {
     return is_compressed_hierarchy(file) ? "compressed" : "plain";
 }
 
-/// The figures of each key. \p files are what they were read from.
+/// The figures of each key.
+/// \param files  the file of each key
 std::vector<Figures> figures_of(const Family& family, std::span<const std::filesystem::path> files) {
     std::vector<Figures> figures;
     figures.reserve(family.keys.size());
@@ -51,14 +52,14 @@ std::vector<Figures> figures_of(const Family& family, std::span<const std::files
     return figures;
 }
 
-/// The figures of keys together.
+/// The figures of all keys together.
 Figures figures_of_keys(std::span<const Figures> keys) {
     Figures whole = total(keys);
     whole.form = {};
     return whole;
 }
 
-/// The figures of keys and the family file that names them.
+/// The figures of all keys together, whose file size includes the family file.
 Figures figures_of_family(const std::filesystem::path& file, std::span<const Figures> keys) {
     Figures whole = figures_of_keys(keys);
     const bool is_folder = std::filesystem::is_directory(file);
@@ -74,7 +75,7 @@ Json json_of(const glm::dvec3& p) {
     return {p.x, p.y, p.z};
 }
 
-/// Without what there is none of: the volume of an open surface, the handles of a one-sided one.
+/// Figures that do not exist are null: the volume of an open surface, the handles of a one-sided surface.
 Json json_of(const SurfaceCensus& census) {
     Json json = {{"area", census.area},
                  {"parts", census.parts},
@@ -165,7 +166,7 @@ std::string text_of(const glm::dvec3& p) {
     return fmt::format("({}, {}, {})", number(p.x), number(p.y), number(p.z));
 }
 
-/// "52,340 bytes, compressed, 1.31 bytes a leaf".
+/// The size of a file in words: "52,340 bytes, compressed, 1.31 bytes a leaf".
 std::string file_text(const Figures& figures) {
     std::string bytes = grouped(figures.file) + " bytes";
     if (figures.form.empty()) return bytes;
@@ -199,7 +200,7 @@ void print_whole(Kind kind, const Family& family, const Figures& whole) {
     print_line("box", text_of(glm::dvec3(whole.box.min)) + " to " + text_of(glm::dvec3(whole.box.max)));
 }
 
-/// Scalars with their range over all keys that have them.
+/// Prints the fields. A scalar field is printed with its range over all keys that have the field.
 void print_fields(const std::vector<FamilyField>& fields) {
     if (fields.empty()) return;
     fmt::print("\nfields\n");
@@ -246,14 +247,13 @@ void print_text(Kind kind, const Family& family, std::span<const Figures> keys, 
     if (family.domain) print_domain(*family.domain, family);
 }
 
-/// A mesh is a key, too, where its faces can be roots; then there are the figures of a key as well.
+/// The figures of a mesh as a key. A mesh is also a key if its faces can be roots; otherwise there are none.
 std::optional<Figures> figures_as_key(const std::filesystem::path& file) {
     if (!is_called(file, &Format::holds_key)) return std::nullopt;
-    try {
-        return figures_of(read_obj(file), std::filesystem::file_size(file));
-    } catch (const InputError&) {
-        return std::nullopt;
-    }
+    const auto read = find_format(file)->read_keys(std::span(&file, 1), std::nullopt);
+    const auto* const keys = std::get_if<FileKeys>(&read);
+    if (keys == nullptr) return std::nullopt;
+    return figures_of(keys->keys.front(), std::filesystem::file_size(file));
 }
 
 void print_mesh(const std::filesystem::path& file, bool as_json) {
@@ -307,7 +307,7 @@ void run_info(const InfoOptions& options) {
         print(Kind::family, family, keys, figures_of_family(first, keys));
     else if (files.size() == 1)
         print(Kind::hierarchy, family, keys, total(keys));
-    else  // keys of a family that has no file of its own
+    else  // keys without a family file
         print(Kind::family, family, keys, figures_of_keys(keys));
 }
 

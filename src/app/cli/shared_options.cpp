@@ -14,9 +14,8 @@ namespace {
 
 std::string family_help() {
     return fmt::format(
-        "A family.json, its folder, an {} file, or for several a pattern such as 'flow.*.obj' or the folder "
-        "they "
-        "are in; the built-in five keys if left out",
+        "A family.json, its folder, an {} file, or for several files a pattern such as 'flow.*.obj' or their "
+        "folder; the built-in five keys if left out",
         extensions_in_words(&Format::holds_key));
 }
 
@@ -31,8 +30,7 @@ std::string viewed_help() {
     return fmt::format(
         "A family.json, its folder, or {} files, several making a new family; a pattern such as 'flow.*.obj' "
         "stands for the files that match, a folder for the keys or meshes in it; or meshes to fit, {}, or {} "
-        "of "
-        "different faces; the built-in five keys if left out",
+        "with different faces; the built-in five keys if left out",
         extensions_in_words(&Format::holds_key), joined(extensions_of(&Format::holds_mesh_alone), ", "),
         extensions_in_words(&Format::holds_mesh_as_key));
 }

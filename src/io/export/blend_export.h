@@ -1,4 +1,4 @@
-// Writers of one blend: as a mesh, or as a key like any other (paper, section 3.3).
+// Writers of one blend: as a mesh, or as a key (paper, section 3.3).
 #pragma once
 
 #include "io/export/export.h"

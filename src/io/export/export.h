@@ -1,4 +1,4 @@
-// What is exported: the one description that every writer of a format gets (formats.h).
+// The description of an export, which every writer of a format gets (formats.h).
 #pragma once
 
 #include <optional>
@@ -12,32 +12,32 @@
 
 namespace interleaf {
 
-/// A writer of one blend takes blend_of(). A writer of the whole family takes the keys and their timeline.
+/// A writer of one blend uses blend_of(). A writer of the whole family uses the keys and their timeline.
 struct Export {
     const Family& family;
     std::optional<Weights>
-        weights;                ///< of the blend that was chosen; none where a family has no default blend
-    HierarchyFileOptions form;  ///< of keys
+        weights;  ///< of the chosen blend; none if nothing is chosen and the family has no default blend
+    HierarchyFileOptions form;  ///< of key files
 };
 
 /// Writes an export in one format.
-/// \throw UsageError    where the export lacks what the format needs
-/// \throw MachineError  when it cannot be written
+/// \throw UsageError    if the export lacks data that the format needs
+/// \throw MachineError  if the target cannot be written
 using ExportWriter = void (*)(const Export& exported, const OutputTarget& target);
 
-/// One blend of a family: the union of the active keys, and what blends on it.
+/// One blend of a family: the union of the active keys, and the blended positions and fields.
 struct Blend {
-    UnionMesh mesh;               ///< with the fields that the active keys have in common
+    UnionMesh mesh;               ///< with the fields that all active keys have
     std::vector<float> weights;   ///< one per key of the union
     Buffer<glm::vec3> positions;  ///< one per vertex of the union, relative to the family's origin
-    std::vector<Field> fields;    ///< one value per vertex of the union
+    std::vector<Field> fields;    ///< each with one value per vertex of the union
 };
 
-/// What is wrong with an export of one blend of a family that has no default blend.
+/// The error message where a blend is needed, none is chosen, and the family has no default blend.
 inline constexpr const char* no_default_blend = "the family has no timeline; say --at or --weights";
 
 /// The blend of \p exported.
-/// \throw UsageError where no weights are given, or they lead out of the range of floats
+/// \throw UsageError if the export has no weights, or a blended value is outside the range of floats
 Blend blend_of(const Export& exported);
 
 }  // namespace interleaf

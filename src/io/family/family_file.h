@@ -12,19 +12,20 @@
 
 namespace interleaf {
 
-/// Reads a family from a family.json, or from the folder that holds one. Key files must lie inside the
-/// family's folder. Keys whose roots are numbered differently than those of the first are put over these. The
-/// family has passed check(). \param  changes     gets a sentence for each key that was changed for that
-/// \throw InputError   naming the file, the place and what was expected; MismatchError where keys have other
-///                     roots than the first (synchronize_keys.h)
-/// \throw MachineError when a file cannot be opened or read
+/// Reads a family. The result has passed check(). Key files must be inside the folder of the family. If the
+/// roots of a key are numbered differently than the roots of the first key, the key is renumbered.
+/// \param path         a family.json, or the folder that holds one
+/// \param changes      gets a sentence for each key that was renumbered
+/// \throw InputError   naming the file, the place and what was expected; MismatchError if the roots of a key
+///                     do not match the roots of the first key (synchronize_keys.h)
+/// \throw MachineError if a file cannot be opened or read
 Family read_family(const std::filesystem::path& path, std::vector<std::string>* changes = nullptr);
 
-/// A new family of the keys that were read from \p files, put over the roots of the first and named as their
-/// files. Timeline and domain are those of family_of_keys().
-/// \param  changes        gets the remarks on the files, then a sentence for each key that was changed
-/// \throw  MismatchError  naming the file, where keys have other roots than the first
-/// \pre    there is a file, and one key per file
+/// Makes a new family of keys that were read from \p files. All keys are put over the roots of the first key.
+/// Each key has the name of its file. Timeline and domain are those of family_of_keys().
+/// \param changes       gets the remarks on the files, then a sentence for each key that was renumbered
+/// \throw MismatchError naming the file, if the roots of a key do not match the roots of the first key
+/// \pre   there is a file, and one key per file
 Family family_of_files(std::span<const std::filesystem::path> files, FileKeys read,
                        std::vector<std::string>* changes = nullptr);
 

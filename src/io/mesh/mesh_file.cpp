@@ -61,7 +61,7 @@ Field color_field(const std::vector<glm::vec3>& colors, const std::vector<Index>
     return field;
 }
 
-/// The vertices of \p lines that are \p used, less \p origin, over \p roots.
+/// The key over \p roots whose positions are those of the \p used vertices of \p lines, minus \p origin.
 std::variant<Hierarchy, Misfit> key_of(const RootComplex& roots, const PolygonMesh& lines,
                                        const std::vector<Index>& used, const glm::dvec3& origin,
                                        const std::string& name) {
@@ -71,9 +71,8 @@ std::variant<Hierarchy, Misfit> key_of(const RootComplex& roots, const PolygonMe
         const glm::dvec3 local = lines.positions[vertex] - origin;
         if (!is_place(local))
             return Misfit{
-                fmt::format("{}: vertex {} (counted from 1): is too far from ({}, {}, {}), from "
-                            "which positions count",
-                            name, vertex + 1, origin.x, origin.y, origin.z)};
+                fmt::format("{}: vertex {} (counted from 1): is too far from the origin, ({}, {}, {})", name,
+                            vertex + 1, origin.x, origin.y, origin.z)};
         positions.emplace_back(local);
     }
     Hierarchy key = unrefined(roots, positions);
@@ -88,7 +87,8 @@ std::size_t face_of_triangle(const PolygonMesh& mesh, std::size_t triangle) {
     return face;
 }
 
-/// \p triangles, the faces of \p lines, as roots. \p used lists the vertices of the triangles.
+/// The roots made of \p triangles, which are the faces of \p lines.
+/// \param used  the vertices that they use
 std::variant<RootComplex, Misfit> roots_of(std::vector<Triangle> triangles, const PolygonMesh& lines,
                                            const std::vector<Index>& used, const std::string& name) {
     renumber(triangles, used, lines.positions.size());

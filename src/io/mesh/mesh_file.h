@@ -17,20 +17,21 @@
 
 namespace interleaf {
 
-/// Reads OBJ files that have the same faces, vertex for vertex, as keys without bisections. The order of each
-/// face's vertices is its marking. Polygons are triangulated, unused vertices dropped; the mesh must be an
-/// orientable manifold. Colors of vertices become the field "color". The first file decides how polygons are
-/// triangulated, which vertices are dropped and what the origin is. All keys share one root complex.
-/// \param origin       instead of the first file's
-/// \return             the keys; or a misfit where every file that was read is a mesh, but the meshes are not
-///                     keys together, such as the first face that differs from the first file's
-/// \throw InputError   naming the file, the place and what was expected, where a file is not a mesh
-/// \throw MachineError when a file cannot be opened or read
+/// Reads OBJ files that have the same faces, vertex for vertex, as keys without bisections. The order of the
+/// vertices of each face marks its refinement edge. The reader triangulates polygons and drops unused
+/// vertices; the mesh must be an orientable manifold. Colors of vertices become the field "color". The first
+/// file determines how polygons are triangulated, which vertices are dropped and what the origin is. All keys
+/// share one root complex.
+/// \param origin       replaces the origin of the first file
+/// \return             the keys; or a misfit if all files are meshes that are not keys together. Its reason
+///                     names, for example, the first face that differs from the faces of the first file
+/// \throw InputError   naming the file, the place and what was expected, if a file is not a mesh
+/// \throw MachineError if a file cannot be opened or read
 std::variant<FileKeys, Misfit> read_obj_keys(std::span<const std::filesystem::path> files,
                                              std::optional<glm::dvec3> origin = std::nullopt);
 
-/// The same.
-/// \throw InputError, MachineError as read_obj_keys(), and for a misfit
+/// As read_obj_keys().
+/// \throw InputError, MachineError as read_obj_keys(); InputError also for a misfit
 FileKeys read_obj_series(std::span<const std::filesystem::path> files,
                          std::optional<glm::dvec3> origin = std::nullopt);
 

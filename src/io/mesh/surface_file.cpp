@@ -24,7 +24,7 @@ glm::dvec3 as_floats(const glm::dvec3& p) {
     return {rounded_to_float(p.x), rounded_to_float(p.y), rounded_to_float(p.z)};
 }
 
-/// A sentence where 32-bit floats have left no detail: far from 0 they are coarse. "" otherwise.
+/// A sentence if 32-bit floats, which are coarse far from 0, have destroyed details; "" otherwise.
 std::string lost_digits(const SurfaceFile& surface) {
     constexpr double enough_steps = 5000;
     glm::dvec3 least = surface.positions.front();

@@ -29,8 +29,8 @@ struct SurfaceFile {
     std::vector<std::string> remarks;
 };
 
-/// Reads a surface from the bytes of a file of one format. Polygons become triangles (ear_clipping.h).
-/// \p name stands for the file in messages.
+/// Reads the bytes of a file of one format. Polygons become triangles (ear_clipping.h). Messages call the file
+/// \p name.
 /// \throw InputError naming the file, the place and what was expected
 using SurfaceParser = SurfaceFile (*)(std::string_view bytes, std::string_view name);
 
@@ -39,13 +39,14 @@ SurfaceFile parse_off(std::string_view bytes, std::string_view name);
 SurfaceFile parse_ply(std::string_view bytes, std::string_view name);
 SurfaceFile parse_stl(std::string_view bytes, std::string_view name);
 
-/// Reads \p file, at most 1 GiB, with the parser of its format. Coordinates that have lost their digits get
-/// a remark.
+/// Reads a file of at most 1 GiB with the parser of its format. Adds a remark if coordinates have lost their
+/// digits.
 /// \throw InputError   as \p parse
-/// \throw MachineError when the file cannot be opened or read
+/// \throw MachineError if the file cannot be opened or read
 SurfaceFile read_surface(const std::filesystem::path& file, SurfaceParser parse);
 
-/// What is said of a mesh as triangles. \throw InputError as settle() and triangles_of()
+/// Settles \p mesh and divides its polygons into triangles.
+/// \throw InputError as settle() and triangles_of()
 SurfaceFile surface_of(PolygonMesh mesh, std::string_view name);
 
 }  // namespace interleaf
