@@ -1,12 +1,13 @@
-# How every target of ours is compiled, and the two functions that declare one.
+# The compile options of all targets, and the functions that declare libraries and tests.
 
-# Fused multiply-adds would make the bits of a generated key depend on the machine, so contraction is off.
+# Contraction is off, because fused multiply-adds would make the bits of a generated key depend on the
+# machine.
 add_library(interleaf_options INTERFACE)
 target_compile_options(interleaf_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
-  # -Wshadow warns, too, where files that are compiled together share a name, -Wdeprecated-declarations inside
-  # std::stable_sort. g++ looks for both.
+  # Clang's -Wshadow also warns if files that are compiled together share a name, and its
+  # -Wdeprecated-declarations warns inside std::stable_sort. g++ checks for both faults.
   target_compile_options(interleaf_options INTERFACE -Wno-shadow -Wno-deprecated-declarations)
 endif()
 target_include_directories(interleaf_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
@@ -28,9 +29,9 @@ if(INTERLEAF_FUZZ)
   target_link_options(interleaf_options INTERFACE ${instruments})
 endif()
 
-# Where INTERLEAF_TOGETHER is on, share_headers(TARGET KIND [FLAGS]) lets TARGET take the precompiled headers of its KIND,
-# src or tests (with doctest and JSON), which are compiled once for all targets of the same FLAGS. There a missing include does not always show; the
-# tests layers.library_includes and layers.own_includes find it.
+# share_headers(TARGET KIND [FLAGS]): if INTERLEAF_TOGETHER is on, TARGET uses the precompiled headers of its
+# KIND: src, or tests (with doctest and JSON). They are compiled once for all targets with the same FLAGS.
+# They can hide a missing include, which the tests layers.library_includes and layers.own_includes find.
 function(share_headers target kind)
   if(NOT INTERLEAF_TOGETHER)
     return()
@@ -50,13 +51,13 @@ function(share_headers target kind)
     target_compile_options(${precompiled} PRIVATE ${ARGN})
     target_precompile_headers(${precompiled} PRIVATE ${headers})
   endif()
-  # fmt's headers depend on a definition that comes with its target.
+  # The headers of fmt depend on a definition that its target provides.
   target_link_libraries(${target} PRIVATE fmt::fmt)
   target_precompile_headers(${target} REUSE_FROM ${precompiled})
 endfunction()
 
-# compile_together(TARGET KIND [FLAGS]): besides, several files are one compilation. A file may then have names of its own in
-# common with no other file of its target, nor a local name like one of these (-Wshadow).
+# compile_together(TARGET KIND [FLAGS]): as share_headers(), and several files form one compilation. The
+# internal names of each file must then be unique in the target, and no local name may shadow them (-Wshadow).
 function(compile_together target kind)
   share_headers(${target} ${kind} ${ARGN})
   if(INTERLEAF_TOGETHER)
@@ -71,7 +72,8 @@ function(interleaf_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK;LINK_PRIVATE" ${ARGN})
   add_library(interleaf_${name} STATIC ${arg_SOURCES})
   target_link_libraries(interleaf_${name} PUBLIC interleaf_options ${arg_LINK} PRIVATE ${arg_LINK_PRIVATE})
-  # Under the sanitizers the layers that compute are optimized a little; for the others that takes longer than it gains.
+  # Under the sanitizers only the layers that compute are optimized, and only a little. For the other layers,
+  # optimizing takes longer than it saves.
   set(optimization)
   if(INTERLEAF_SANITIZE AND name MATCHES "^(text|hierarchy|family|shapes|fit|io)$")
     set(optimization -O1)

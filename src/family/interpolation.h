@@ -1,5 +1,5 @@
-// Interpolation bases: the weights of keys at given times (paper, sections 3.1 and 4.1). One table names them
-// for files, the command line and the window.
+// Interpolation bases: the weights of keys at given times (paper, sections 3.1 and 4.1). One table holds
+// their names and functions.
 #pragma once
 
 #include <cstdint>

@@ -8,11 +8,14 @@
 
 namespace interleaf {
 
-/// The family \p name of \p keys. Names have what is not printable escaped (names.h); those of keys are made
-/// unique by numbers. With two keys or more it has a linear timeline of one second from key to key. With
-/// three it has a triangle as its domain; with four to nine a regular polygon with the first key in the
-/// middle and the others around it, so that the first blends with any two neighbors. With more keys there is
-/// no domain: they are a series in time. \pre there is a key, and they have the same roots
+/// The family \p name of \p keys. Unprintable characters of names are escaped (names.h), and numbers make the
+/// names of keys unique.
+///
+/// Two or more keys get a linear timeline with one second from key to key. Three keys get a triangle as their
+/// domain. Four to nine keys get a regular polygon with the first key in the middle and the others around it,
+/// so that the first key blends with any two adjacent ones. More keys get no domain: they are a series in
+/// time.
+/// \pre there is at least one key, and all have the same roots
 Family family_of_keys(std::string_view name, std::vector<Key> keys);
 
 }  // namespace interleaf

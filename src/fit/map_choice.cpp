@@ -96,7 +96,7 @@ Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, const MapChoi
     stopwatch.lap("map to the sphere");
     center_map(mesh, map.points);
     if (const std::string fault = fault_of_map(mesh, map.points); !fault.empty())
-        throw InputError(fmt::format("the centerd map to the sphere is not valid: {}", fault));
+        throw InputError(fmt::format("the centered map to the sphere is not valid: {}", fault));
     stopwatch.lap("centering");
     Candidate made;
     made.method = map.method;

@@ -1,4 +1,4 @@
-// `interleaf check` on every kind of damage. The files are made by tests/data/make-bad.
+// `interleaf check` on every kind of damage. tests/data/make-bad makes the files.
 #include <filesystem>
 #include <map>
 #include <set>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// By file, or family folder, of tests/data/bad: words that the message must have, in this order.
+/// For each file or family folder in tests/data/bad, the words that the message must contain, in this order.
 const std::map<std::string, std::vector<std::string>> damage = {
     {"empty.ilh", {"size: 0 bytes", "expected at least 36", "cut off"}},
     {"not-a-key.ilh", {"signature: is not that of a hierarchy file"}},
@@ -146,8 +146,7 @@ bool has_in_order(const std::string& text, const std::vector<std::string>& words
     return true;
 }
 
-/// A folder with a key k.ilh and a family in it: families/f/family.json names a good key and the file \p
-/// name.
+/// A folder that contains the key k.ilh and the family families/f.
 class FamilyFolder {
   public:
     FamilyFolder() {

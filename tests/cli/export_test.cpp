@@ -1,4 +1,4 @@
-// `interleaf export`: the file is the morphed union.
+// `interleaf export`: the written file is the morphed union.
 #include <algorithm>
 
 #include "cli/process.h"

@@ -1,4 +1,4 @@
-// Fields through the program: what info lists, what render shows and refuses, what export writes.
+// Fields in the program: info lists them, render shows or rejects them, export writes them.
 #include <algorithm>
 #include <memory>
 
@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The key of the built-in family with its height and a color as fields.
+/// A key of the built-in family, with its height and a color as fields.
 Hierarchy key_with_fields(const std::string& name) {
     Hierarchy key = read_hierarchy(std::filesystem::path(INTERLEAF_FIVE_KEYS) / (name + ".ilh"));
     Field height{"height", FieldKind::scalar, {}};
@@ -29,7 +29,7 @@ Hierarchy key_with_fields(const std::string& name) {
     return key;
 }
 
-/// Sphere and bone, of which only the sphere has the fields "plain" and "a\"b".
+/// Writes a family of sphere and bone. Only the sphere has the fields "plain" and "a\"b".
 std::string write_sample(const ScratchFolder& folder) {
     Family family{.name = "fields", .keys = {}, .timeline = {}, .domain = {}};
     Hierarchy sphere = key_with_fields("sphere");
@@ -41,7 +41,7 @@ std::string write_sample(const ScratchFolder& folder) {
     return folder / "family";
 }
 
-/// The bytes of a small picture.
+/// Renders a small picture, and returns the bytes of its file.
 std::string render(std::vector<std::string> choice) {
     choice.insert(choice.begin(), {"render", "-o", "-", "--format", "png", "--size", "160x120"});
     const Outcome outcome = run_interleaf(choice);

@@ -1,4 +1,4 @@
-// The shipped family of the paper's figure 9, held against what `assets/make-figure-9` does where that needs
+// The shipped family of the paper's figure 9, compared with those results of `assets/make-figure-9` that need
 // no network.
 #include <filesystem>
 #include <string>

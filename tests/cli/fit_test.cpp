@@ -1,4 +1,4 @@
-// `interleaf fit`: keys and families from mesh files, and everything it refuses.
+// `interleaf fit`: keys and families from mesh files, and all inputs that the command rejects.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -21,7 +21,7 @@
 namespace interleaf {
 namespace {
 
-/// Makes an OBJ of a shape's key: a closed mesh of genus 0.
+/// Writes the key of a shape as an OBJ file: a closed mesh of genus 0.
 std::string shape_obj(const ScratchFolder& folder, const std::string& shape, int leaves) {
     const std::string key = folder / (shape + "-made.ilh");
     const std::string mesh = folder / (shape + ".obj");
@@ -133,7 +133,9 @@ TEST_CASE("several meshes become a family over the same roots, three of them wit
     CHECK_FALSE(two.domain);
 }
 
-/// A box as the text of an OBJ of quads, the vertices after \p before others counted from there.
+/// The text of an OBJ file with a box of quads.
+/// \param before  number of vertices that stand before the box in the file
+/// \param faces   number of faces to write
 std::string box_obj(const glm::dvec3& least, const glm::dvec3& most, int before = 0, int faces = 6) {
     std::string text;
     for (int i = 0; i < 8; ++i)
@@ -200,7 +202,8 @@ TEST_CASE("bodies of other sizes and places are told of, and brought together wh
     CHECK(together.errors.empty());
     const Family family = read_family(folder / "together");
     const Box box = bounding_box(family.keys[1].hierarchy->positions);
-    // 6 of 10 x 10 x 20: each of the two small faces is a tenth of 1000; the area of the unit box is 6.
+    // The second box is 10 x 10 x 20. Each of its two small faces is a tenth of its area, 1000. The first is
+    // the unit box, whose area is 6.
     const double side = std::sqrt(6.0 / 10);
     CHECK((box.max - box.min).y == doctest::Approx(2 * side).epsilon(0.02));
     CHECK((box.max - box.min).x == doctest::Approx(side).epsilon(0.02));
@@ -330,7 +333,7 @@ TEST_CASE("an interrupt ends the work and leaves nothing behind") {
         return std::distance(std::filesystem::directory_iterator(folder.path()), {});
     };
     const auto before = entries();
-    // timeout(1) sends the interrupt, and waits; 124 says that it had to.
+    // timeout(1) sends the interrupt and waits. Status 124 means that it had to interrupt the program.
     const std::string line =
         fmt::format("timeout --signal=INT 0.3 {} fit {} -o {}", INTERLEAF_PROGRAM, mesh, key);
     const int status = std::system(line.c_str());

@@ -1,4 +1,4 @@
-// `interleaf make`: keys from formulas, and the built-in family.
+// `interleaf make`: keys from formulas, and the built-in family of such keys.
 #include <algorithm>
 
 #include "cli/process.h"

@@ -74,7 +74,7 @@ TEST_CASE("a family of compressed keys is the same family in fewer bytes") {
 TEST_CASE("keys in another numbering are put over the roots of the first, and check and family say so") {
     const ScratchFolder folder;
     const Hierarchy star = read_hierarchy(names[1]);
-    // The same key with its root vertices in reverse.
+    // The same key with its root vertices in reverse order.
     const Index count = star.roots.vertex_count();
     std::vector<Triangle> triangles;
     for (const auto& [a, b, c] : star.roots.triangles())
@@ -113,7 +113,7 @@ TEST_CASE("a series of meshes is opened by a pattern or by name, in the order of
     CHECK(info.status == 0);
     CHECK(contains(info.output, "flow.1 to flow.10"));
 
-    // Half a second after flow.2 comes the middle between it and flow.10.
+    // Half a second after flow.2, the blend is halfway between flow.2 and flow.10.
     CHECK(run_interleaf({"export", pattern, "--time", "1.5", "-o", folder / "u.obj"}).status == 0);
     CHECK(content(folder / "u.obj") == "v 6 0 0\nv 6 1 0\nv 6 0 1\nf 1 2 3\n");
 
@@ -176,7 +176,7 @@ TEST_CASE("meshes with other faces are no family, and the viewer offers to fit t
     for (const std::vector<std::string>& line :
          {std::vector<std::string>{"view", folder / "flow.*.obj"}, {folder / "flow.*.obj"}}) {
         const Outcome outcome = run_interleaf(line);
-        CHECK(outcome.status == 3);  // for the offer, only the display is missing
+        CHECK(outcome.status == 3);  // only the display for the offer is missing
         CHECK(contains(outcome.errors, "no display"));
     }
 }
@@ -215,7 +215,7 @@ TEST_CASE("several keys are viewed as one family") {
          {std::vector<std::string>{names[0], names[1]}, {"view", names[0], names[1], "--time", "0.5"}}) {
         const Outcome outcome = run_interleaf(line);
         CAPTURE(outcome.errors);
-        CHECK(outcome.status == 3);  // all was read; only the display is missing
+        CHECK(outcome.status == 3);  // all files were read, only the display is missing
         CHECK(contains(outcome.errors, "no display"));
     }
 }

@@ -31,7 +31,7 @@ Picture decode(const std::string& png) {
     return picture;
 }
 
-/// A small picture of the given choice.
+/// Renders a small picture with the options \p choice.
 Picture render(const std::vector<std::string>& choice) {
     std::vector<std::string> line = {"render", "-o", "-", "--format", "png", "--size", "320x180"};
     line.insert(line.end(), choice.begin(), choice.end());
@@ -41,7 +41,7 @@ Picture render(const std::vector<std::string>& choice) {
     return decode(outcome.output);
 }
 
-/// The part of the pixels that differ by more than rounding, 0 to 1.
+/// The fraction of pixels that differ by more than rounding, 0 to 1.
 double difference(const Picture& a, const Picture& b) {
     REQUIRE(a.rgb.size() == b.rgb.size());
     std::size_t changed = 0;

@@ -127,7 +127,8 @@ class Run {
         done_.emplace_back("(the program has been left, and is started again)");
     }
 
-    /// Waits until the program has seen the pointer move. \return false where it has ended meanwhile
+    /// Waits until the program has seen the pointer move.
+    /// \return false if the program has ended meanwhile
     static bool answers(RunningViewer& viewer) {
         const auto size = viewer.state()["window"];
         for (const float part : {0.45F, 0.5F}) {

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Prints the names of the tests that changed files may break, those first that are nearest to the change.
+"""Prints the names of the tests that changed files may break, nearest to the change first.
 
 usage: affected_tests.py BUILD SECONDS FILE...
 
-BUILD is a folder that Ninja has built: what it knows of each program says which files the program is made of. The tests
-of a changed layer are all chosen, then the quick ones of other layers, as many as take SECONDS on this machine. Tests that
-are left out are named on standard error.
+BUILD is a folder that Ninja has built. Ninja's dependencies tell which files each program is made of. The
+script chooses all tests of the changed layers. Then it adds the quickest tests of other layers, up to a total
+of SECONDS on this machine. It names the tests that it leaves out on standard error.
 """
 
 import json
@@ -15,13 +15,13 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-# Files that programs read while they run, which Ninja does not know: the labels of their tests.
+# The labels of the tests that read files at run time, by the path of these files. Ninja does not know them.
 READ_BY_TESTS = {
     "assets": {"shapes", "io", "fuzz", "app", "cli", "e2e"},
     "tests/data": {"cli", "e2e", "fuzz"},
     "docs/user-guide.md": {"app"},
 }
-# Nothing is known about the reach of these.
+# A change of these files may affect any test.
 BUILD_FILES = ("cmake/", "third_party/", "src/CMakeLists.txt", "tests/CMakeLists.txt", "CMakeLists.txt",
                "CMakePresets.json")
 
@@ -31,11 +31,11 @@ class Test:
     name: str
     seconds: float
     labels: set[str] = field(default_factory=set)
-    files: set[str] | None = None  # that its program is made of; None for a script, which may read any
+    files: set[str] | None = None  # the files of its program; None for a script, which may read any file
 
 
 def layer_of(file):
-    """The folder of tests/ that tests this file before all others, None for none."""
+    """The folder of tests/ that tests this file first of all; None if there is none."""
     parts = Path(file).parts
     if len(parts) < 3 or parts[0] not in ("src", "tests"):
         return None
@@ -48,12 +48,12 @@ def is_affected(test, file):
     for place, labels in READ_BY_TESTS.items():
         if labels & test.labels and (file == place or file.startswith(place + "/")):
             return True
-    # A file of data, or one that configures a layer.
+    # A data file, or a file that configures a layer.
     return layer_of(file) in test.labels and Path(file).suffix not in (".cpp", ".h")
 
 
 def choose(tests, changed, seconds, jobs):
-    """The tests to run, and those that are left out."""
+    """The tests to run, and the tests that are left out."""
     near = {layer_of(file) for file in changed}
     affected = [test for test in tests if any(is_affected(test, file) for file in changed)]
     chosen, left_out, sum_of_seconds = [], [], 0.0
@@ -68,7 +68,7 @@ def output_of(*command):
 
 
 def dependencies(build, top):
-    """For each object file, the files of ours that it was compiled from."""
+    """For each object file, the files of the project that it was compiled from."""
     files, target = {}, None
     for line in output_of("ninja", "-C", str(build), "-t", "deps").splitlines():
         if ": #deps " in line:
@@ -79,7 +79,7 @@ def dependencies(build, top):
 
 
 def measured_seconds(build):
-    """What ctest has measured so far."""
+    """The durations that ctest has measured so far, by the name of the test."""
     file = build / "Testing" / "Temporary" / "CTestCostData.txt"
     lines = file.read_text().split("---")[0].splitlines() if file.exists() else []
     return {name: float(cost) for name, runs, cost in (line.rsplit(" ", 2) for line in lines) if float(cost) > 0}

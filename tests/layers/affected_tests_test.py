@@ -1,4 +1,4 @@
-"""Which tests ./dev check chooses, on made-up tests: those of the changed layer, then quick ones, none without need."""
+"""The choice of ./dev check on made-up tests: tests of the changed layer, then quick affected tests."""
 
 import unittest
 

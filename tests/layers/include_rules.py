@@ -1,15 +1,15 @@
-"""Reads the includes of every file of src/ and names each one that crosses the layers or their rooms.
+"""Reads the includes of all files of src/, and names each include that breaks the order of layers or rooms.
 
-The tables below are the project's: a folder of src/ is a layer, a folder in it a room, and includes go one way
-only. OpenGL, windows and Dear ImGui stay in the layers that draw; CLI11 and Boost, which are slow to compile, in
-one place each.
+A folder of src/ is a layer, and a folder in a layer is a room. The tables below state which layers and rooms
+each may include; includes go one way only. Only the layers that draw may include OpenGL, windows and Dear
+ImGui. CLI11 and Boost are slow to compile, so only one place may include each.
 """
 
 import re
 import sys
 from pathlib import Path
 
-# What of ours each layer may include besides itself.
+# The layers that each layer may include besides itself.
 LAYERS = {
     "text": set(),
     "hierarchy": {"text"},
@@ -22,8 +22,8 @@ LAYERS = {
     "ui": {"text", "hierarchy", "family", "render"},
     "app": {"text", "hierarchy", "family", "shapes", "fit", "sequence", "io", "render", "ui"},
 }
-# What other rooms of its layer each room may include; "" are the files beside the rooms. Layers that are not named
-# have no rooms.
+# The other rooms of its layer that each room may include; "" stands for the files beside the rooms. Layers
+# that are not in this table have no rooms.
 ROOMS = {
     "hierarchy": {"": set(), "matching": {""}},
     "fit": {
@@ -61,7 +61,7 @@ ROOMS = {
 }
 DRAWING_LAYERS = {"render", "ui", "app"}
 DRAWING_HEADER = re.compile(r"(GL|GLES\d?|GLFW|EGL|KHR|X11|glad)/|imgui")
-# The headers of a library that only one file, or a header and its source, may include.
+# Libraries that only one file, or one header and its source, may include.
 IN_ONE_PLACE = {"CLI11": re.compile(r"CLI/"), "Boost": re.compile(r"boost/")}
 
 SOURCE_FILE = {".h", ".hpp", ".cpp", ".c", ".inl"}
@@ -70,7 +70,7 @@ OPERAND = re.compile(r'([<"])([^">]+)[">]')
 
 
 def includes(path):
-    """Yields (line number, quoted or not, header) for each include; header is None where a macro makes it."""
+    """Yields (line number, quoted or not, header) for each include; header is None if a macro makes it."""
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
         directive = DIRECTIVE.match(line)
         if directive:
@@ -83,12 +83,12 @@ def rooms_of(layer):
 
 
 def room_of(parts):
-    """The room of a file: the folder between its layer and its name, "" for none."""
+    """The room of a file: the folder between its layer and its name, "" if there is none."""
     return "/".join(parts[1:-1])
 
 
 def fault(layer, room, quoted, header):
-    """What is wrong with this include in this room of this layer, or None."""
+    """The fault of this include in this room of this layer, or None."""
     if header is None:
         return "an include is spelled out, not made by a macro"
     folder = header.split("/")[0]
@@ -108,7 +108,7 @@ def fault(layer, room, quoted, header):
 
 
 def violations(src):
-    """Every broken rule below the folder src, as lines of text."""
+    """All violations below the folder src, as lines of text."""
     found = []
     places = {library: set() for library in IN_ONE_PLACE}
     for path in sorted(path for path in src.rglob("*") if path.suffix in SOURCE_FILE):

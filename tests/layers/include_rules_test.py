@@ -1,4 +1,4 @@
-"""The include rules on made-up trees: a sound one passes, and each rule fails on the tree that breaks it."""
+"""The include rules on made-up trees: a sound tree passes, and each rule fails on a tree that breaks it."""
 
 import tempfile
 import unittest

@@ -1,11 +1,12 @@
-"""Finds each name of a library for which its file includes no header that gives it.
+"""Finds each library name in a file that includes no header for the name.
 
 usage: library_includes.py SRC [FOLDER...]
 
-It reads the files of SRC, where quoted includes begin, and of the other folders.
-The builds that are tested share precompiled headers, so that such a file compiles there and not in a release. A header
-counts where the file itself includes it, or a header of ours that the file includes, however far down. What one library
-header includes does not count. A name of std, glm or fmt that is not in the table is a violation, too.
+The script reads the files of SRC, in which quoted includes begin, and of the other folders. The tested builds
+share precompiled headers, so a file with a missing include compiles there, but not in a release.
+
+A header counts if the file includes it, directly or through headers of the project. Headers that a library
+header includes do not count. A name of std, glm or fmt that is not in the table is also a violation.
 """
 
 import re
@@ -15,7 +16,7 @@ from pathlib import Path
 
 from include_rules import SOURCE_FILE, includes
 
-# The names of namespace std, unless they begin otherwise, that each header gives.
+# The names that each header gives. A name without a namespace is one of std.
 GIVES = {
     "algorithm": """
         adjacent_find all_of any_of binary_search clamp copy copy_backward copy_if copy_n count count_if equal
@@ -156,7 +157,8 @@ GIVES = {
     "variant": "get get_if holds_alternative in_place_index in_place_type monostate variant visit",
     "vector": "erase erase_if vector",
 }
-# Headers that include others of the table, because it is said so or because their functions take what these give.
+# Headers that are sure to include other headers of the table: their documentation says so, or their functions
+# take types from these headers.
 INCLUDES = {
     "array": "initializer_list",
     "charconv": "system_error",
@@ -180,7 +182,7 @@ INCLUDES = {
     "tuple": "utility",
     "vector": "initializer_list",
 }
-# Every header of the standard library gives these, with each library there is.
+# Names that every header gives, in all implementations of the standard library.
 EVERYWHERE = {"size_t", "ptrdiff_t", "move", "forward", "swap", "pair", "end", "begin"}
 
 COMMENT_OR_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"', re.DOTALL)
@@ -189,7 +191,7 @@ NAME = re.compile(r"\b(?:std|glm|fmt)::\w+|(?<![\w>])::\w+(?=\s*\()|(?<![\w:.])(
 
 
 def given_by():
-    """For each name the headers that give it."""
+    """For each name, the headers that give it."""
     headers = {}
     for header, names in GIVES.items():
         for name in names.split():
@@ -198,14 +200,14 @@ def given_by():
 
 
 def spelled(name):
-    """A name as the table has it."""
+    """The spelling of a name in the table."""
     if name.startswith("std::"):
         return name.removeprefix("std::")
     return name + "()" if name.startswith("::") or name == "assert" else name
 
 
 def violations(src, *folders):
-    """Every name in src and the other folders that no header gives, as lines of text."""
+    """All names in src and the other folders whose files include no header for them, as lines of text."""
     headers_of = given_by()
 
     @cache
@@ -214,7 +216,7 @@ def violations(src, *folders):
 
     @cache
     def all_headers(path):
-        """The library headers of a file and of ours that it includes."""
+        """The library headers that a file includes, directly or through headers of the project."""
         found, seen, waiting = set(), {path}, [path]
         while waiting:
             file = waiting.pop()

@@ -1,4 +1,4 @@
-"""The check of library includes on made-up trees: a sound one passes, a missing include or an unknown name is found."""
+"""The check of library includes on made-up trees: it finds missing includes and unknown names."""
 
 import tempfile
 import unittest

@@ -1,4 +1,4 @@
-"""Tells whether a program needs a graphics or window library, from what the dynamic linker would load for it.
+"""Checks whether a program needs a graphics or window library, by the libraries it loads.
 
 usage: links.py (free-of-graphics | uses-graphics) PROGRAM
 """

@@ -1,10 +1,11 @@
-"""Finds each name of ours for which its file includes no header that declares it.
+"""Finds each name of the project in a file that includes no header that declares the name.
 
 usage: own_includes.py SRC
 
-Several files are compiled at once, so that such a file may compile there and not in a release. A header counts where the
-file includes it or a header of ours that does, however far down. Names are what headers declare at the beginning of a line:
-types, functions, constants. A function counts where it is called, unless the file declares the name itself.
+The tested builds compile several files at once, so a file with a missing include may compile there, but not
+in a release. A header counts if the file includes it, directly or through other headers of the project. The
+names are the types, functions and constants that headers declare at the beginning of a line. A use of a
+function is a call, unless the file declares the name itself.
 """
 
 import re
@@ -19,7 +20,7 @@ TYPE = re.compile(r"^(?:class|struct|union|enum(?: class| struct)?)\s+(\w+)[^;{]
 CONSTANT = re.compile(r"^(?:inline |static )*constexpr\s[^(;{=]*?\b(\w+)(?:\[\w*\])?\s*[={]|^extern\s[^;(]*?\b(\w+)(?:\[\w*\])?;", re.MULTILINE)
 FUNCTION = re.compile(r"^(?!using|return|class|struct|enum|namespace|#|template\s*<.*>\s*$)[A-Za-z_][\w:<>,&*\[\] ]*?[\s&*](\w+)\(", re.MULTILINE)
 
-# Members, parameters and variables, which hide a name of ours where the file declares them.
+# Members, parameters and variables that a file declares. They hide a name of the project.
 LOCAL = re.compile(r"^[ \t]+(?!return|else|throw|new|delete|case)[A-Za-z_][\w:<>,&*\[\] ]*?[\s&*](\w+)\("
                    r"|\b(?:auto|class|struct|enum class|using)[&* ]+(\w+)\b|\b[A-Z]\w*[&*]? [&*]?(\w+)[,)]", re.MULTILINE)
 
@@ -35,7 +36,7 @@ def declared(text):
 
 
 def used(text, functions):
-    """The words of a text that may be names of ours; of functions only those that are called and not declared here."""
+    """The words of a text that may be names of the project, and the functions that it calls."""
     words = {word for word in re.findall(r"(?<![\w.>:])(?:interleaf::|testing::)?([A-Za-z_]\w*)", text)}
     calls = set(re.findall(r"(?<![\w.>:])(?:interleaf::|testing::)?([A-Za-z_]\w*)\(", text))
     return words, calls & functions
@@ -52,7 +53,7 @@ class Tree:
                 for name in names | functions:
                     self.places.setdefault(name, set()).add(path)
                 self.functions |= functions - names
-        # Constants of one word, such as `text`, are called like variables everywhere.
+        # Constants of one word, such as `text`, have the same names as variables in many files.
         for name in [name for name in self.places if name not in self.functions and re.fullmatch("[a-z]+", name)]:
             del self.places[name]
 
@@ -71,7 +72,7 @@ class Tree:
         return found
 
     def missing(self, path, without=None):
-        """Pairs of a name and the headers that declare it, of those that the layers let the file include."""
+        """Pairs of a missing name and the headers that declare it, among those that the layers allow."""
         text = self.text[path]
         words, calls = used(text, self.functions)
         names_here, functions_here = declared(text)

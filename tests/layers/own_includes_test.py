@@ -1,4 +1,4 @@
-"""The check of our own includes on made-up trees: a sound one passes, and a missing include of each kind of name is found."""
+"""The check of the project's includes on made-up trees: it finds a missing include for each kind of name."""
 
 import tempfile
 import unittest

@@ -19,7 +19,7 @@
 namespace interleaf {
 namespace {
 
-/// A mesh is sound where a key can be fitted to it as it is.
+/// A mesh is sound if a key can be fitted to it as it is.
 CheckResult check_mesh(const std::filesystem::path& file) {
     const std::vector<std::string> faults = faults_of_mesh(file);
     for (const std::string& fault : faults) print_error(fmt::format("{}: {}", file.string(), fault));
@@ -34,7 +34,7 @@ CheckResult check_meshes(std::span<const std::filesystem::path> files) {
     return result;
 }
 
-// Readers check every invariant of what they read, so a file that can be read is sound.
+/// Checks any file. The readers check every invariant, so a file that can be read is sound.
 CheckResult check(const std::filesystem::path& file) {
     try {
         Opening opened = open_files(std::span(&file, 1));

@@ -1,4 +1,4 @@
-// `interleaf check`: the invariants of keys and constraints (B) of families (paper, section 3.2).
+// `interleaf check`: checks the invariants of keys and the constraints (B) of families (paper, section 3.2).
 #pragma once
 
 #include <filesystem>
@@ -6,16 +6,17 @@
 
 namespace interleaf {
 
-/// Of several files the last of these that is true of one.
+/// The result for one file. The result for several files is the last of these values that occurs.
 enum class CheckResult {
     sound,
     at_fault,
-    unread,  ///< cannot be opened or read here, so nothing is known of it
+    unread,  ///< cannot be opened or read, so nothing is known about its content
 };
 
-/// Prints a line for each of \p files, each as open_family() takes it: on standard output when it is sound,
-/// with a line more for each key whose roots had to be renumbered or marked anew; else, with every violation
-/// or why it cannot be read, on standard error
+/// Prints the result for each file. A sound file gets a line on standard output, and one more line per key
+/// whose roots had to be renumbered or marked again. Violations, and the reason why a file cannot be read, go
+/// to standard error.
+/// \param files  paths that open_family() takes
 CheckResult run_check(std::span<const std::filesystem::path> files);
 
 }  // namespace interleaf

@@ -22,7 +22,7 @@ namespace {
 
 enum ExitStatus { done = 0, input_at_fault = 1, command_line_at_fault = 2, machine_at_fault = 3 };
 
-/// Help without what its readers need not know: the types of names, and which options exclude which.
+/// Help without details that users do not need: the types of names, and which options exclude each other.
 class HelpFormatter : public CLI::Formatter {
   public:
     HelpFormatter() { column_width(34); }
@@ -40,14 +40,14 @@ class HelpFormatter : public CLI::Formatter {
     }
 };
 
-/// `interleaf help [COMMAND]`: what --help says, of the program or of a command.
+/// Adds `interleaf help [COMMAND]`, which prints the --help text of the program or of a command.
 void add_help(CLI::App& program) {
     const auto name = std::make_shared<std::string>();
     CLI::App* command = program.add_subcommand("help", "Say how a command is used");
     command->add_option("COMMAND", *name, "Which; all of them, in short, if left out");
     command->final_callback([name, &program] {
         if (name->empty()) {
-            // App::help() would speak of the command in use.
+            // App::help() would print the help of the command in use.
             const auto text =
                 program.get_formatter()->make_help(&program, program.get_name(), CLI::AppFormatMode::Normal);
             fmt::print("{}", text);
@@ -61,7 +61,7 @@ void add_help(CLI::App& program) {
     });
 }
 
-/// `interleaf [FAMILY...]`: what is not a command is a family to view.
+/// Adds `interleaf [FAMILY...]`: without a command, the program views the family.
 void add_bare_view(CLI::App& program) {
     const auto options = std::make_shared<ViewOptions>();
     add_family_or_keys(program, "FAMILY", viewed_help(), options->family);
@@ -88,7 +88,7 @@ ExitStatus run(CLI::App& program, int argument_count, const char* const* argumen
     return checked == CheckResult::sound ? done : input_at_fault;
 }
 
-/// Help, the version, or what is wrong with the command line.
+/// Prints the help, the version, or the error in the command line.
 ExitStatus answer(const CLI::App& program, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {
         std::ostringstream text;

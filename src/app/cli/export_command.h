@@ -1,4 +1,4 @@
-// `interleaf export`: the morphed union as a flat mesh, or as a key like any other (paper, section 3.3).
+// `interleaf export`: writes the morphed union as a flat mesh, or as a key (paper, section 3.3).
 #pragma once
 
 #include "app/cli/morph_selection.h"
@@ -10,7 +10,7 @@ namespace interleaf {
 struct ExportOptions {
     MorphSelection morph;
     Output output;              ///< obj, ply or ilh
-    HierarchyFileOptions form;  ///< of an ilh
+    HierarchyFileOptions form;  ///< of an ilh file
 };
 
 /// \throw InputError, UsageError, MachineError

@@ -1,4 +1,4 @@
-// `interleaf family`: a family folder from key files.
+// `interleaf family`: makes a family folder from key files.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,14 @@
 namespace interleaf {
 
 struct FamilyOptions {
-    std::vector<std::filesystem::path> keys;  ///< what open_family() takes
+    std::vector<std::filesystem::path> keys;  ///< paths that open_family() takes
     std::filesystem::path output;             ///< the folder
     HierarchyFileOptions form;                ///< of the key files
 };
 
-/// Opens the keys, puts them over the same roots and writes the family. Says on standard error which keys
-/// were changed for that. \throw InputError, MachineError
+/// Opens the keys, puts them over the same roots and writes the family. Names on standard error the keys that
+/// had to be changed.
+/// \throw InputError, MachineError
 void run_family(const FamilyOptions& options);
 
 }  // namespace interleaf

@@ -55,13 +55,14 @@ SphereRoots roots_named(const std::string& name) {
     }
 }
 
-/// The meshes of a command, fitted.
+/// The fitted meshes of a command.
 struct Fitted {
     std::vector<FittedMesh> meshes;
     glm::dvec3 origin{0};
 };
 
-/// Fits every mesh. Cancelled when an interrupt waits.
+/// Fits every mesh.
+/// \throw Cancelled  when an interrupt is waiting
 Fitted fit_files(const FitCommandOptions& options, const HeldInterrupts& interrupts) {
     FitTask task{.meshes = options.meshes,
                  .options = {.roots = roots_named(options.roots),
@@ -182,7 +183,7 @@ void run_fit(const FitCommandOptions& options) {
     try {
         fitted = fit_files(options, interrupts);
     } catch (const Cancelled&) {
-        return;  // the interrupt that is held ends the program now
+        return;  // the held interrupt ends the program when `interrupts` is destroyed
     }
     if (fitted.meshes.size() == 1)
         write_output(key_target_of(options.output),

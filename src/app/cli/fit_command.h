@@ -1,4 +1,4 @@
-// `interleaf fit`: keys from meshes.
+// `interleaf fit`: makes keys from meshes.
 #pragma once
 
 #include <filesystem>
@@ -19,18 +19,19 @@ struct FitCommandOptions {
     std::optional<Index> leaves;
     std::optional<double> tolerance;
     std::string roots = "cube";       ///< "cube", "icosahedron", "octahedron" or an .obj file
-    std::vector<AxisTurn> rotations;  ///< none, or one a mesh
-    std::vector<UpAxis> ups;          ///< none, or one a mesh
+    std::vector<AxisTurn> rotations;  ///< empty, or one per mesh
+    std::vector<UpAxis> ups;          ///< empty, or one per mesh
     PlacingOptions placing;
-    bool keep_largest = false;  ///< of several parts
-    bool fill_holes = false;    ///< however large
-    bool json = false;          ///< the report, on standard output
+    bool keep_largest = false;  ///< keeps only the largest of several parts
+    bool fill_holes = false;    ///< fills holes of any size
+    bool json = false;          ///< prints the report as JSON
     HierarchyFileOptions form;
 };
 
-/// Writes the key of one mesh, or the family of several: its timeline goes through them, its domain, when
-/// there are three, is a triangle of them. Prints what was done with each mesh, and how good its key is, on
-/// standard output, unless the key goes there. \throw InputError, UsageError, MachineError
+/// Writes the key of one mesh, or the family of several meshes. The timeline of the family passes through all
+/// keys. A family of three keys has a domain, the triangle of its keys. Prints on standard output what was
+/// done with each mesh, and the quality of its key, unless the key is written there.
+/// \throw InputError, UsageError, MachineError
 void run_fit(const FitCommandOptions& options);
 
 }  // namespace interleaf

@@ -1,12 +1,13 @@
-// Ctrl-C while long work goes on: the work is told, ends in good order, and then the interrupt takes effect.
+// Ctrl-C during long work: the work learns of the interrupt and ends in an orderly way, and then the
+// interrupt takes effect.
 #pragma once
 
 #include <signal.h>
 
 namespace interleaf {
 
-/// Holds SIGINT and SIGTERM back while it lives. One that came meanwhile ends the program, as it would have
-/// before, when this is destroyed: after what must not stay half done.
+/// Holds back SIGINT and SIGTERM during its lifetime. Its destructor releases a signal that came meanwhile,
+/// which then has its usual effect: it ends the program. So no work is left half done.
 class HeldInterrupts {
   public:
     HeldInterrupts();
@@ -14,7 +15,7 @@ class HeldInterrupts {
     HeldInterrupts(const HeldInterrupts&) = delete;
     HeldInterrupts& operator=(const HeldInterrupts&) = delete;
 
-    /// Whether one has come.
+    /// Whether a signal has come.
     bool is_waiting() const;
 
   private:

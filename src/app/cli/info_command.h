@@ -1,4 +1,4 @@
-// `interleaf info`: the figures of a key, a family or a mesh, for people or as JSON.
+// `interleaf info`: prints the figures of a key, a family or a mesh, as text or as JSON.
 #pragma once
 
 #include <filesystem>
@@ -6,11 +6,11 @@
 namespace interleaf {
 
 struct InfoOptions {
-    std::filesystem::path file;  ///< one path that open_family() takes
+    std::filesystem::path file;  ///< a path that open_family() takes
     bool json = false;
 };
 
-/// Prints on standard output.
+/// Prints the figures on standard output.
 /// \throw InputError, MachineError
 void run_info(const InfoOptions& options);
 

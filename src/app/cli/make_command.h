@@ -1,4 +1,4 @@
-// `interleaf make`: keys from formulas, and the built-in family made of them.
+// `interleaf make`: makes keys from formulas, and the built-in family of such keys.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct MakeOptions {
 /// \throw UsageError, MachineError
 void run_make(const MakeOptions& options);
 
-/// Prints what can be made, one a line, on standard output.
+/// Prints the names that can be made on standard output, one per line.
 void list_shapes();
 
 }  // namespace interleaf

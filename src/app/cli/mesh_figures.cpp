@@ -35,7 +35,7 @@ MeshFigures figures_of_mesh(const std::filesystem::path& file) {
             figures.box_min = glm::min(figures.box_min, surface.positions[vertex]);
             figures.box_max = glm::max(figures.box_max, surface.positions[vertex]);
         }
-    // Near 0, so that floats and products keep their digits.
+    // Move the mesh to the origin, so that floats and products keep their digits.
     const glm::dvec3 center = figures.box_min / 2.0 + figures.box_max / 2.0;
     for (glm::dvec3& position : surface.positions) position -= center;
     const std::vector<glm::vec3> positions(surface.positions.begin(), surface.positions.end());

@@ -1,4 +1,4 @@
-// What `interleaf info` and `interleaf check` say of a mesh.
+// The figures and faults of a mesh, which `interleaf info` and `interleaf check` print.
 #pragma once
 
 #include <cstdint>
@@ -17,17 +17,17 @@ struct MeshFigures {
     glm::dvec3 box_max{0};
     bool has_colors = false;
     std::uintmax_t file = 0;           ///< bytes
-    std::vector<std::string> remarks;  ///< sentences about how it was read
+    std::vector<std::string> remarks;  ///< sentences about content that was read differently than written
 };
 
 /// \throw InputError, MachineError as read_surface()
 MeshFigures figures_of_mesh(const std::filesystem::path& file);
 
-/// What keeps a mesh from being fitted as it is, a sentence each; none where nothing does.
+/// The reasons why no key can be fitted to a mesh as it is, one sentence per reason; empty if there are none.
 /// \throw InputError, MachineError as read_surface()
 std::vector<std::string> faults_of_mesh(const std::filesystem::path& file);
 
-/// "4, closed, without handles" or "1, with 3 openings and 2 handles".
+/// The parts of a mesh in words: "4, closed, without handles" or "1, with 3 openings and 2 handles".
 std::string in_words(const SurfaceCensus& census);
 
 }  // namespace interleaf

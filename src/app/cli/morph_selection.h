@@ -1,5 +1,5 @@
-// Which morph of which family a command works on: FAMILY, --at, --time and --weights, as `render` and
-// `export` share them.
+// The family and the morph that a command works on: FAMILY, --at, --time and --weights, which `render` and
+// `export` share.
 #pragma once
 
 #include <filesystem>
@@ -20,20 +20,22 @@ struct NamedWeight {
 
 /// At most one of `at`, `time` and `weights` is set.
 struct MorphSelection {
-    std::vector<std::filesystem::path> family;        ///< what open_family() takes: none for the built-in one
-    std::optional<glm::dvec2> at;                     ///< point of the parameter domain
-    std::optional<double> time;                       ///< seconds on the timeline
+    std::vector<std::filesystem::path>
+        family;                    ///< paths that open_family() takes; empty for the built-in family
+    std::optional<glm::dvec2> at;  ///< point of the parameter domain
+    std::optional<double> time;    ///< seconds on the timeline
     std::optional<std::vector<NamedWeight>> weights;  ///< used as given
 };
 
-/// The weights that \p selection stands for in \p family. Points and times outside the domain and the
-/// timeline are moved to the nearest inside. Without a choice it is time 0, or the only key; none where the
-/// family has several keys and no timeline. \throw UsageError when the family lacks the domain, the timeline
-/// or the key that is asked for
+/// The weights that \p selection means in \p family. A point outside the domain, or a time outside the
+/// timeline, moves to the nearest place inside. Without a choice, the weights are those of the only key, or
+/// those of time 0.
+/// \return none if nothing is chosen, and the family has several keys and no timeline
+/// \throw UsageError if the family lacks the domain, the timeline or the key that is chosen
 std::optional<Weights> chosen_weights(const MorphSelection& selection, const Family& family);
 
-/// The same where weights are needed.
-/// \throw UsageError as chosen_weights(), and where there are none
+/// The same for commands that cannot work without weights.
+/// \throw UsageError as chosen_weights(), and where that function returns none
 Weights selected_weights(const MorphSelection& selection, const Family& family);
 
 }  // namespace interleaf

@@ -29,7 +29,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     }
 }
 
-/// As many finite numbers as there are, separated by commas; nothing when one of them is not.
+/// The finite numbers in \p text, separated by commas; none if a part of \p text is not a finite number.
 std::optional<std::vector<double>> numbers(std::string_view text) {
     std::vector<double> values;
     for (const std::string_view part : split(text, ',')) {

@@ -1,5 +1,6 @@
-// The values of command line options that are more than a word or a number: from their text to plain data.
-// Every function throws UsageError saying what was expected.
+// Parses the values of command line options.
+//
+// Every parse function throws UsageError, which names what was expected.
 #pragma once
 
 #include <string>
@@ -19,10 +20,10 @@ namespace interleaf {
 /// One finite number, "-0.5".
 double parse_number(std::string_view text);
 
-/// A number of things, "20000" or "2e4".
+/// A count, "20000" or "2e4".
 Index parse_count(std::string_view text);
 
-/// Bits of a rounded coordinate, 8 to 24.
+/// The number of bits of a rounded coordinate, 8 to 24.
 unsigned parse_bits(std::string_view text);
 
 /// A point "U,V".
@@ -31,22 +32,22 @@ glm::dvec2 parse_point(std::string_view text);
 /// Named weights "star=0.5,sphere=-1".
 std::vector<NamedWeight> parse_weights(std::string_view text);
 
-/// The size of a picture "WxH", pixels, each side from 1 to 16384.
+/// The size of a picture, "WxH" in pixels, each side from 1 to 16384.
 PictureSize parse_size(std::string_view text);
 
-/// Where the picture is seen from, "AZIMUTH,ELEVATION" or "AZIMUTH,ELEVATION,ZOOM".
+/// A viewpoint, "AZIMUTH,ELEVATION" or "AZIMUTH,ELEVATION,ZOOM".
 Viewpoint parse_viewpoint(std::string_view text);
 
 /// A turn "AXIS,DEGREES" about the axis x, y or z.
 AxisTurn parse_axis_turn(std::string_view text);
 
-/// The axis that points up, "X", "Y" or "Z", or small letters.
+/// The axis that points up: "X", "Y" or "Z", in either case.
 UpAxis parse_up(std::string_view text);
 
 Shading parse_shading(std::string_view text);
 
-/// "plain", "level", "origin", "checker", the name of a field, or "field:NAME" for one that is called like
-/// one of these.
+/// A coloring: "plain", "level", "origin", "checker", or the name of a field. "field:NAME" means a field with
+/// one of the first four names.
 void parse_coloring(std::string_view text, Display& display);
 
 /// The name of a color map.
@@ -55,10 +56,10 @@ ColorMap parse_color_map(std::string_view text);
 /// The names of all color maps: "viridis, magma or coolwarm".
 std::string color_maps_in_words();
 
-/// "MIN,MAX", ascending and finite as floats.
+/// A range "MIN,MAX", ascending and finite as floats.
 ValueRange parse_range(std::string_view text);
 
-/// Switches on the edges that \p text names, "wireframe,root-edges".
+/// Shows the edges that \p text names, such as "wireframe,root-edges".
 void parse_shown_edges(std::string_view text, Display& display);
 
 /// The names of all edges that can be shown: "wireframe, refinement-edges or root-edges".

@@ -1,4 +1,4 @@
-// Where a command writes its result, and in which format, as the options -o and --format name them.
+// The target and the format of a command's result, given by the options -o and --format.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +13,21 @@ namespace interleaf {
 
 struct Output {
     std::string target;  ///< a file, or "-" for standard output
-    std::string format;  ///< empty to go by the extension of the target
+    std::string format;  ///< if empty, the extension of the target decides
 };
 
-/// The format of \p output, one of \p known: named outright, or the extension of the file.
-/// \throw UsageError when it is neither
+/// The format of \p output: the named format or, without one, the extension of the target.
+/// \param known  formats that are allowed, without the dot of their extensions
+/// \throw UsageError if the format is not in \p known, or standard output has no named format
 std::string format_of(const Output& output, std::span<const std::string> known);
 
-/// The names of the formats with this trait, without the dot of their extensions: "obj".
+/// The names of the formats with \p trait, which are their extensions without the dot: "obj".
 std::vector<std::string> format_names(FormatTrait trait);
 
 OutputTarget target_of(const Output& output);
 
-/// The target of a key: a file of a format for exported keys, or standard output for "-".
-/// \throw UsageError when the file is of another format
+/// The target of a key: a file with the extension of an exported key format, or standard output for "-".
+/// \throw UsageError if the file has another extension
 OutputTarget key_target_of(const std::string& target);
 
 }  // namespace interleaf

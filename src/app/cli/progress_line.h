@@ -1,4 +1,4 @@
-// How far long work is: one line on standard error that is written over, where that is a terminal.
+// The progress of long work: one line on standard error that is overwritten, only where that is a terminal.
 #pragma once
 
 #include <chrono>
@@ -9,12 +9,13 @@ namespace interleaf {
 class ProgressLine {
   public:
     ProgressLine();
-    ~ProgressLine();  ///< wipes the line
+    ~ProgressLine();  ///< erases the line
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
-    /// \p what is done now; \p part of the whole, 0 to 1, is done already. An estimate of the time left comes
-    /// from that, after the first second.
+    /// Shows the progress. After the first second the line also estimates the remaining time.
+    /// \param what  the present stage of the work
+    /// \param part  the part of the whole work that is done, 0 to 1
     void show(std::string_view what, double part);
 
   private:

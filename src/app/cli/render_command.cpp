@@ -31,7 +31,7 @@ Camera camera_on(const Family& family, const Viewpoint& viewpoint, float aspect)
     return camera;
 }
 
-/// \throw UsageError if an active key does not have the field that \p display shows
+/// \throw UsageError if an active key lacks the field that \p display shows
 std::optional<UnionField> united_shown_field(const Display& display, std::span<const FamilyField> fields,
                                              const Family& family, const Weights& weights,
                                              const UnionMesh& mesh) {

@@ -1,4 +1,4 @@
-// `interleaf render`: a picture of a morph, drawn without a display.
+// `interleaf render`: draws a picture of a morph without a display.
 #pragma once
 
 #include "app/cli/morph_selection.h"
@@ -12,11 +12,11 @@ struct PictureSize {
     int height = 720;
 };
 
-/// Where the camera looks from; at zoom 1 it views the box of all keys.
+/// The place of the camera. At zoom 1 the picture shows the box of all keys.
 struct Viewpoint {
     float azimuth = 30;    ///< about Y, 0 from +Z, degrees
     float elevation = 20;  ///< above the XZ plane, degrees
-    float zoom = 1;        ///< above 1 nearer
+    float zoom = 1;        ///< a zoom above 1 is nearer
 };
 
 struct RenderOptions {

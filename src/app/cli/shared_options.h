@@ -1,4 +1,4 @@
-// Options that several subcommands share. Beside its source, this is the only file that includes CLI11.
+// Options that several subcommands share. Only this header and its source include CLI11.
 #pragma once
 
 #include <filesystem>
@@ -16,27 +16,28 @@
 
 namespace interleaf {
 
-/// An option whose value \p take parses and keeps. A UsageError of \p take gets the option's name.
+/// Adds an option whose value \p take parses and stores. If \p take throws UsageError, its message gets the
+/// option's name.
 CLI::Option* add_text_option(CLI::App& command, const std::string& name, const std::string& description,
                              std::function<void(const std::string&)> take);
 
-/// The help of files that the viewer opens.
+/// The help text about the files that the viewer opens.
 std::string viewed_help();
 
-/// Several files of a family, keys or meshes.
+/// Adds an argument that takes several files: a family, keys or meshes.
 CLI::Option* add_family_or_keys(CLI::App& command, const std::string& name, const std::string& help,
                                 std::vector<std::filesystem::path>& family);
 
-/// FAMILY, --at, --time and --weights.
+/// Adds FAMILY, --at, --time and --weights.
 void add_morph_selection(CLI::App& command, MorphSelection& morph);
 
-/// --output and --format, one of the names in \p formats.
+/// Adds --output and --format, whose value is one of \p formats.
 void add_output(CLI::App& command, Output& output, const std::vector<std::string>& formats);
 
-/// --compress and --bits.
+/// Adds --compress and --bits.
 void add_form(CLI::App& command, HierarchyFileOptions& form);
 
-/// --show, --shading, --color, --color-map and --range.
+/// Adds --show, --shading, --color, --color-map and --range.
 void add_display(CLI::App& command, Display& display);
 
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-// The subcommands with their options. Each runs its function of NAME_command.h.
+// The subcommands with their options. Each subcommand runs the function of its header NAME_command.h.
 #pragma once
 
 #include "app/cli/check_command.h"
@@ -7,7 +7,7 @@
 namespace interleaf {
 
 /// Adds every subcommand to \p program, in the order of `--help`.
-/// \param checked  gets the result of `check`; must outlive \p program
+/// \param checked  receives the result of `check`; must outlive \p program
 void add_subcommands(CLI::App& program, CheckResult& checked);
 
 }  // namespace interleaf

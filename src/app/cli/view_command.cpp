@@ -14,7 +14,7 @@ namespace interleaf {
 
 namespace {
 
-/// Opens the window. Meshes are offered for fitting over the built-in family.
+/// Opens the window. For meshes, the window shows the built-in family and offers to fit the meshes.
 void show(Opening opened, const std::vector<std::filesystem::path>& sources, const ViewerOptions& options) {
     std::visit(
         Cases{

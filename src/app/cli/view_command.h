@@ -1,4 +1,4 @@
-// `interleaf view`: the window.
+// `interleaf view`: opens the window.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ namespace interleaf {
 
 struct ViewOptions {
     std::vector<std::filesystem::path>
-        family;  ///< what open_family() takes: none for the built-in one; or meshes to fit
+        family;  ///< paths that open_files() takes; empty for the built-in family
     ViewerOptions viewer;
 };
 

@@ -1,4 +1,4 @@
-// What the mouse does in a view of a surface, done to the camera.
+// Moves the camera by the mouse input in a view of a surface.
 #pragma once
 
 #include "render/camera.h"
@@ -8,14 +8,16 @@
 
 namespace interleaf {
 
-/// A point of the window in \p view's normalized device coordinates, -1 to 1, y up.
+/// The normalized device coordinates in \p view, -1 to 1, y up, of a point of the window.
 glm::vec2 device_coordinates(const Rect& view, glm::vec2 point);
 
 /// Width over height.
 float aspect_of(const Rect& view);
 
-/// Turns and shifts \p camera; comes nearer to what is under the pointer in \p picture, which fills \p view;
-/// null for no picture yet. The caller handles `view_all`.
+/// Turns, shifts and zooms \p camera. Zooming moves the camera toward the surface point under the pointer.
+/// The caller handles `view_all`.
+/// \param picture  fills \p view and shows which surface point is under the pointer; null if there is none
+///     yet
 void move_camera(Camera& camera, const ViewInput& input, const Rect& view, OffscreenTarget* picture);
 
 }  // namespace interleaf

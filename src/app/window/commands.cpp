@@ -6,7 +6,7 @@ namespace interleaf {
 
 namespace {
 
-/// Whether a command of \p scope has something to act on.
+/// Whether the object of \p scope is available.
 bool is_in_scope(CommandScope scope, const ViewerState& state) {
     switch (scope) {
         case CommandScope::window:

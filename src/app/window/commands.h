@@ -1,4 +1,4 @@
-// The table of commands: shortcuts, menus and help all come from it.
+// The table of commands. Shortcuts, menus and help come from it.
 #pragma once
 
 #include <array>
@@ -11,9 +11,9 @@
 
 namespace interleaf {
 
-/// A key of the keyboard with GLFW_MOD_CONTROL, _SHIFT and _ALT bits.
+/// A key of the keyboard, with modifier bits GLFW_MOD_CONTROL, GLFW_MOD_SHIFT and GLFW_MOD_ALT.
 struct Shortcut {
-    int keyboard_key = 0;  ///< as GLFW numbers it; 0 for none
+    int keyboard_key = 0;  ///< GLFW's number of the key; 0 for none
     int modifiers = 0;
     bool operator==(const Shortcut&) const = default;
 };
@@ -58,11 +58,11 @@ enum class CommandId : std::uint8_t {
     dismiss,
 };
 
-/// What a command is about, and so when it is available.
+/// The object that a command acts on. It determines when the command is available.
 enum class CommandScope : std::uint8_t {
-    window,        ///< the window or its files: always
-    document,      ///< the document: while the window shows it, not a comparison
-    selected_key,  ///< the selected key of the document: while the window shows it and a key is selected
+    window,        ///< the window or its files: always available
+    document,      ///< the document: available while the window shows it instead of a comparison
+    selected_key,  ///< the selected key: as `document`, while a key is selected
 };
 
 struct Command {
@@ -73,29 +73,29 @@ struct Command {
     std::array<Shortcut, 2> shortcuts;
     std::string_view description;
     void (*run)(ViewerState& state, double now);
-    bool repeats = false;                                      ///< while its shortcut is held down
-    bool (*is_on)(const ViewerState& state) = nullptr;         ///< null for a command that is no switch
+    bool repeats = false;  ///< whether the command repeats while its shortcut is held down
+    bool (*is_on)(const ViewerState& state) = nullptr;         ///< null for a command that does not toggle
     bool (*is_possible)(const ViewerState& state) = nullptr;   ///< null where the scope alone decides
     std::string (*label)(const ViewerState& state) = nullptr;  ///< name in the menu; null for the fixed name
 };
 
-/// All commands; the commands of one menu stand in a row.
+/// All commands. The commands of one menu are consecutive.
 std::span<const Command> commands();
 
 const Command& command_of(CommandId id);
 
-/// \return the command with \p shortcut; null when there is none
+/// The command with \p shortcut; null if there is none.
 const Command* find_command(Shortcut shortcut);
 
 /// Runs \p command if it is enabled.
 void run_command(const Command& command, ViewerState& state, double now);
 void run_command(CommandId id, ViewerState& state, double now);
 
-/// Whether \p command's scope and its own condition allow it now.
+/// Whether the scope of \p command and its own condition allow the command now.
 bool is_enabled(const Command& command, const ViewerState& state);
 bool is_enabled(CommandId id, const ViewerState& state);
 
-/// "Ctrl+Q", "W or 1"; empty for none.
+/// The shortcuts of \p command as text, "Ctrl+Q" or "W or 1"; empty if there are none.
 std::string shortcut_text(const Command& command);
 
 }  // namespace interleaf

@@ -50,7 +50,8 @@ UnionMesh key_side(const FitComparison& comparison) {
     return mesh;
 }
 
-/// The value of \p mesh's only field where \p ray first meets it; none where it does not.
+/// The value of the only field of \p mesh at the first intersection with \p ray; none if they do not
+/// intersect.
 std::optional<float> value_at(const UnionMesh& mesh, const Ray& ray) {
     const auto hit = first_hit(mesh.triangles, mesh.positions.front(), ray);
     if (!hit) return std::nullopt;
@@ -62,7 +63,7 @@ std::optional<float> value_at(const UnionMesh& mesh, const Ray& ray) {
     return value;
 }
 
-/// The place of \p comparison among \p compared; the first where it is none of them.
+/// The index of \p comparison in \p compared; 0 if it is not there.
 std::size_t index_of(const std::vector<ComparedKey>& compared,
                      const std::shared_ptr<const FitComparison>& comparison) {
     const auto found = std::ranges::find(compared, comparison, &ComparedKey::comparison);

@@ -1,4 +1,5 @@
-// A fitted key and its mesh side by side in the window, seen by one camera, with their distances as colors.
+// The comparison of a fitted key with its mesh: both surfaces side by side in the window, seen by one camera,
+// with their distances as colors.
 #pragma once
 
 #include <array>
@@ -19,45 +20,48 @@
 
 namespace interleaf {
 
-/// What the person did in a comparison.
+/// The user's actions in a comparison.
 struct ComparisonActions {
-    std::array<ViewInput, 2> sides;  ///< the mesh's, the key's
+    std::array<ViewInput, 2> sides;  ///< of the mesh, of the key
     ComparisonResult panel;
 };
 
 class ComparisonView {
   public:
-    /// Follows \p state: the comparison that is shown from now on, in \p area, if \p state asks for one and
-    /// has one. A pair that was not shown before is seen from where \p from looks. \pre a context is current
+    /// Adopts the comparison that \p state asks for, if there is one, and lays it out in \p area.
+    /// \param from  the first comparison takes over the view direction of this camera
+    /// \pre an OpenGL context is current
     void follow(ViewerState& state, const Rect& area, const Camera& from);
 
-    /// Whether follow() has found a comparison to show instead of the document.
+    /// Whether follow() found a comparison, which the window then shows instead of the document.
     bool is_shown() const { return is_shown_; }
 
     /// Shows the panel and the titles, and reads the mouse over both sides.
-    /// \param has_keyboard  whether keys are for the comparison
+    /// \param has_keyboard  whether the comparison receives the keyboard
     /// \pre is_shown(), for \p state
     ComparisonActions show(const ViewerState& state, bool has_keyboard) const;
 
-    /// Moves the camera, and makes in \p state the choices of the panel.
-    /// \pre \p actions are those of show() for \p state
+    /// Moves the camera, and applies the choices of the panel to \p state.
+    /// \pre show() returned \p actions for \p state
     void apply(const ComparisonActions& actions, ViewerState& state);
 
-    /// Draws both surfaces into the window, \p window_height high, behind the panels.
-    /// \return whether the pictures are as good as they get; otherwise draw again soon
+    /// Draws both surfaces into the window, behind the panels.
+    /// \param window_height  screen coordinates
+    /// \return whether the pictures have their final quality; otherwise draw again soon
     /// \pre is_shown()
     bool draw(const Display& display, const Gui& gui, float window_height);
 
-    /// The value under the pointer, and its place; call it after draw().
+    /// Shows the value under the pointer, at the pointer.
+    /// \pre draw() has been called in this frame
     void show_value() const;
 
-    /// The next picture is drawn anew, whatever has changed.
+    /// Reloads the shaders. The next pictures are drawn again even if nothing else has changed.
     void reload_shaders();
 
     glm::vec3 eye() const { return camera_.eye(); }
 
   private:
-    /// The mesh is the first, the key the second.
+    /// One half of the window: the first side shows the mesh, the second side shows the key.
     struct Side {
         Renderer renderer;
         ScenePicture picture;
@@ -72,15 +76,15 @@ class ComparisonView {
     bool is_shown_ = false;
     std::shared_ptr<const FitComparison> shown_;
     Rect panel_;
-    std::size_t surface_ = 0;  ///< a number that changes with what is shown
+    std::size_t surface_ = 0;  ///< number of the shown pair; changes with the pair
     std::optional<std::array<Side, 2>> sides_;
     Extent extent_;
     Camera camera_;
     ColorScale scale_;
     bool has_colors_ = true;
     bool view_all_wanted_ = false;
-    std::optional<glm::vec2> pointer_;  ///< that rests over a side
-    std::size_t pointed_at_ = 0;        ///< which one
+    std::optional<glm::vec2> pointer_;  ///< where the pointer rests over a side; none if it does not
+    std::size_t pointed_at_ = 0;        ///< the side under the pointer
 };
 
 }  // namespace interleaf

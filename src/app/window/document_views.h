@@ -1,5 +1,5 @@
-// Everything that is made from the state of the document to be seen: the surface or a comparison, the
-// pictures of keys, the pictures beside a message.
+// The views of the document: the surface or a comparison, the pictures of keys, and the pictures beside a
+// message.
 #pragma once
 
 #include <memory>
@@ -21,30 +21,30 @@ namespace interleaf {
 
 class DocumentViews {
   public:
-    /// \pre a context is current
+    /// \pre an OpenGL context is current
     DocumentViews() = default;
 
-    /// Moves the cameras, and makes in \p state the choices of a comparison's panel.
-    /// \pre \p actions were done in panels that showed \p state in \p layout
+    /// Moves the cameras, and applies the choices of a comparison's panel to \p state.
+    /// \pre the panels that returned \p actions showed \p state in \p layout
     void apply(const WindowActions& actions, ViewerState& state, const FrameLayout& layout);
 
-    /// Brings everything in line with \p state. Takes its wishes for the camera and for shaders; what it
-    /// displays becomes what its family has.
+    /// Updates all views to \p state. Fulfills and clears its requests to move the camera and to reload the
+    /// shaders. If the family lacks the displayed field, changes the display to one that the family supports.
     void follow(ViewerState& state, const FrameLayout& layout, const Gui& gui);
 
-    /// Draws pictures of keys that are missing among the rows that \p shown had in sight: one per frame, so
-    /// that the window stays quick.
-    /// \return whether there was one
+    /// Draws a missing picture of a key whose row is visible in \p shown. Each call draws at most one
+    /// picture, so that the window stays responsive.
+    /// \return whether a picture was missing
     bool draw_portrait(const ShownWindow& shown, const Gui& gui);
 
-    /// Draws the surface or the comparison behind the panels, and the value under the pointer before them.
-    /// \param view  what the mouse did over the surface
-    /// \return whether the pictures are as good as they get; otherwise draw again soon
+    /// Draws the surface or the comparison behind the panels, and the value under the pointer.
+    /// \param view  the mouse input over the surface
+    /// \return whether the pictures have their final quality; otherwise draw again soon
     /// \pre follow() has been called for \p state
     bool draw(const ViewerState& state, const FrameLayout& layout, const std::optional<ViewInput>& view,
               const Gui& gui);
 
-    /// The comparison that is shown instead of the document; null for none.
+    /// The comparison that is shown instead of the document; null if there is none.
     const ComparisonView* comparison() const { return comparison_.is_shown() ? &comparison_ : nullptr; }
 
     const std::vector<KeyPortrait>& portraits() const { return portraits_.portraits(); }
@@ -52,13 +52,13 @@ class DocumentViews {
     const SurfaceFigures& figures() const { return surface_.figures(); }
     const std::vector<MessagePicture>& message_pictures() const { return mismatch_pictures_.shown(); }
 
-    /// Where the camera is.
+    /// Position of the camera.
     glm::vec3 eye() const;
 
   private:
     void reload_shaders(ViewerState& state);
 
-    std::shared_ptr<const Family> family_;  ///< that fields and portraits are about
+    std::shared_ptr<const Family> family_;  ///< the family of the fields and portraits
     std::vector<FamilyField> fields_;
     SurfaceView surface_;
     ComparisonView comparison_;

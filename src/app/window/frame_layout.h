@@ -1,4 +1,4 @@
-// The layout of one frame: where the parts of the window are, in screen coordinates of the window.
+// The layout of one frame: the places of the window's parts, in screen coordinates of the window.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ struct FrameLayout {
     glm::vec2 window{0};           ///< size
     Rect content;                  ///< everything below the menu bar
     Layout panels;                 ///< of the document
-    Rect view;                     ///< of the surface, or of a comparison: the surfaces and their panel
-    Rect keys;                     ///< the rows of keys in sight
+    Rect view;                     ///< of the surface; or of a comparison, with both surfaces and their panel
+    Rect keys;                     ///< the visible rows of keys
     std::optional<Rect> domain;    ///< the bounding box of the domain's vertices
     std::optional<Rect> timeline;  ///< the track from begin to end
 };

@@ -1,4 +1,4 @@
-// Shortcuts in words, as menus and help show them.
+// The text of shortcuts in menus and help.
 #define GLFW_INCLUDE_NONE
 
 #include <GLFW/glfw3.h>
@@ -38,7 +38,7 @@ std::string keyboard_key_text(int key) {
             break;
     }
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return fmt::format("F{}", key - GLFW_KEY_F1 + 1);
-    return {static_cast<char>(key)};  // GLFW numbers letters and digits as ASCII does
+    return {static_cast<char>(key)};  // GLFW's numbers of letters and digits are their ASCII codes
 }
 
 std::string shortcut_text(Shortcut shortcut) {

@@ -20,29 +20,30 @@ namespace interleaf {
 
 class SurfaceView {
   public:
-    /// \pre a context is current
+    /// \pre an OpenGL context is current
     SurfaceView();
 
-    /// Moves the camera as \p input says, which was read over \p view.
+    /// Moves the camera by \p input, which was read over \p view.
     void apply(const ViewInput& input, const Rect& view);
 
-    /// Brings the surface in line with \p session.
-    /// \param field  that the session's display shows; null for none
+    /// Updates the surface to \p session.
+    /// \param field  the field that the session's display shows; null for none
     void follow(const Session& session, const FamilyField* field);
 
-    /// Turns the camera to \p view_target, as large as it fits into \p view.
+    /// Frames \p view_target: points the camera at the target, which then fills \p view.
     /// \param all_keys  extent of all keys
     /// \pre follow() has been called for \p session
     void aim(ViewTarget view_target, const Session& session, const Extent& all_keys, const Rect& view);
 
-    /// Draws the surface into the window, \p window_height high, at \p view, behind the panels.
-    /// \return whether the picture is as good as it gets; otherwise draw again soon
+    /// Draws the surface into the window at \p view, behind the panels.
+    /// \param window_height  screen coordinates
+    /// \return whether the picture has its final quality; otherwise draw again soon
     bool draw(const Session& session, const Rect& view, const Gui& gui, float window_height);
 
-    /// Shows the value of \p field under \p pointer; nothing beside the surface.
+    /// Shows the value of \p field under \p pointer, or nothing if the pointer is not over the surface.
     void show_value(const Session& session, const FamilyField& field, glm::vec2 pointer, const Rect& view);
 
-    /// The next picture is drawn anew, whatever has changed.
+    /// Reloads the shaders. The next picture is drawn again even if nothing else has changed.
     void reload_shaders();
 
     const SurfaceFigures& figures() const { return surface_.figures(); }

@@ -1,5 +1,5 @@
-// The trace: a file that gets one JSON line whenever what the window shows has changed, for tests and for
-// reports of faults.
+// The trace, for tests and for fault reports: a file that receives one JSON line whenever the content of the
+// window changes.
 #pragma once
 
 #include <filesystem>
@@ -18,18 +18,18 @@
 
 namespace interleaf {
 
-/// What a frame has seen and shown.
+/// The input that a frame has read, and the content that it has shown.
 struct FrameRecord {
     const ShownWindow& shown;
-    glm::vec3 eye;                                 ///< of the camera
-    glm::vec2 pointer;                             ///< where Dear ImGui has seen it
-    bool is_coarse;                                ///< the picture of the surface can be drawn better
-    bool button_down;                              ///< any button of the mouse, as seen there
-    bool is_asking;                                ///< a question or the file browser has the keyboard
-    bool takes_text;                               ///< a field gets what is typed
-    std::optional<Rect> popup;                     ///< the menu or question in front of all others
+    glm::vec3 eye;              ///< of the camera
+    glm::vec2 pointer;          ///< its position for Dear ImGui, screen coordinates
+    bool is_coarse;             ///< the picture of the surface does not have its final quality
+    bool button_down;           ///< whether any mouse button is down for Dear ImGui
+    bool is_asking;             ///< whether a question or the file browser has the keyboard
+    bool takes_text;            ///< whether a text field receives the typed text
+    std::optional<Rect> popup;  ///< the frontmost menu or question
     std::optional<std::filesystem::path> browsed;  ///< the file browser's cursor, or its folder
-    const FitDialog* offer;                        ///< to fit meshes; null for none
+    const FitDialog* offer;                        ///< the offer to fit meshes; null for none
 };
 
 class Trace {
@@ -37,8 +37,10 @@ class Trace {
     /// \throw MachineError if the file cannot be written
     explicit Trace(const std::filesystem::path& path);
 
-    /// Writes a line for \p frame, which has been shown \p seconds after GLFW was ready, if anything but
-    /// these two is new. \throw MachineError if the file cannot be written
+    /// Writes a line, unless it differs from the last line only in \p frame and \p seconds.
+    /// \param frame    number of the frame
+    /// \param seconds  time at which the frame was shown, seconds since GLFW was ready
+    /// \throw MachineError if the file cannot be written
     void record(std::size_t frame, double seconds, const ViewerState& state, const SurfaceFigures& figures,
                 const FrameRecord& record);
 

@@ -1,8 +1,9 @@
-// The window's frame in three phases: input (what the person did), update (the state follows), draw (the
-// picture of the new state). Panels are shown in the first phase to be read, in the third to be drawn.
+// The three phases of the window's frame. Input reads the user's actions, update applies them to the state,
+// draw draws the new state. The input phase shows the panels in order to read them, the draw phase shows them
+// again in order to draw them.
 #include "app/window/viewer.h"
 
-// GLFW must not bring OpenGL headers of its own.
+// GLFW must not include OpenGL headers of its own.
 #define GLFW_INCLUDE_NONE
 
 #include <memory>
@@ -35,35 +36,35 @@ namespace interleaf {
 
 namespace {
 
-/// Size of the window when it is opened for the first time, screen coordinates.
+/// Size of the window when it is opened for the first time; screen coordinates.
 constexpr glm::ivec2 first_size{1280, 800};
 
-/// Longest interval between two looks at the autosave and the files on disk; seconds.
+/// Longest interval between two checks of the autosave and of the files on disk; seconds.
 constexpr double longest_wait = 1;
 
 /// Interval between progress reports; seconds.
 constexpr double work_interval = 0.05;
 
-/// What the person did since the last frame.
+/// The user's actions since the last frame.
 struct FrameInput {
     WindowActions actions;
     std::vector<Shortcut> pressed;
     std::vector<std::filesystem::path> dropped;
-    bool drops_on_keys = false;  ///< the files were dropped on the list of keys
+    bool drops_on_keys = false;  ///< whether the files were dropped on the list of keys
 };
 
-/// What the window is about, as far as drawing must follow it.
+/// The subject of the window. The window draws again when it changes.
 struct Subject {
     std::shared_ptr<const Family> family;
     std::string message;
-    bool is_asking = false;     ///< a question or the file browser is open
-    bool is_comparing = false;  ///< a comparison is shown instead of the document
+    bool is_asking = false;     ///< whether a question or the file browser is open
+    bool is_comparing = false;  ///< whether a comparison is shown instead of the document
     bool operator==(const Subject&) const = default;
 };
 
 class Viewer {
   public:
-    /// \param meshes  to fit, as soon as nothing else is asked
+    /// \param meshes  meshes to fit; the viewer offers this as soon as no question is open
     Viewer(Family family, std::vector<std::filesystem::path> sources,
            std::vector<std::filesystem::path> meshes, const ViewerOptions& options);
     void run();
@@ -92,24 +93,24 @@ class Viewer {
     Window window_;
     ViewerState state_;
     DocumentFiles files_;
-    std::vector<std::filesystem::path> meshes_;  ///< still to be opened
+    std::vector<std::filesystem::path> meshes_;  ///< not opened yet
     Gui gui_;
     MouseHolds holds_;
     double now_ = 0;  ///< when the frame began, seconds since GLFW was ready
 
-    // What follows the state.
+    // Derived from the state.
     DocumentViews views_;
     std::string title_;
     Subject subject_;
 
-    // What was drawn.
+    // The last drawn frame.
     glm::ivec2 size_{0};  ///< of the window, screen coordinates
     ShownWindow drawn_;
     FrameRest rest_;
     Redraw redraw_;
     std::size_t frame_ = 0;
     double frame_milliseconds_ = 0;
-    bool takes_keys_ = false;  ///< a question or the file browser is open, and was in the frame before
+    bool takes_keys_ = false;  ///< a question or the file browser is open for at least two frames
     std::optional<std::filesystem::path> picture_file_;
     std::optional<Trace> trace_;
 };
@@ -133,7 +134,7 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
 }
 
 void Viewer::run() {
-    bool has_failed = false;  // the frame before
+    bool has_failed = false;  // whether the last frame failed
     while (!state_.quit_wanted) {
         wait();
         try {
@@ -152,7 +153,7 @@ void Viewer::run() {
     files_.remember_window(size_);
 }
 
-/// Something has failed that nothing was prepared for. Unsaved changes must not be lost by that.
+/// Continues after an unexpected error, and keeps the unsaved changes.
 void Viewer::outlive(const std::exception& error) {
     files_.keep_unsaved();
     gui_.abandon_frame();
@@ -173,7 +174,7 @@ void Viewer::wait() {
     const double longest = files_.is_working() || files_.is_saving() ? work_interval : longest_wait;
     const double before = glfwGetTime();
     glfwWaitEventsTimeout(longest);
-    if (glfwGetTime() - before < longest) redraw_.settle();  // something has come
+    if (glfwGetTime() - before < longest) redraw_.settle();  // an event has come
 }
 
 void Viewer::frame() {
@@ -213,7 +214,7 @@ FrameInput Viewer::read_input() {
     return input;
 }
 
-/// Whether keys are for the document or the comparison, not for a field, a menu or a question.
+/// Whether the document or the comparison receives the keyboard, and no text field, menu or question does.
 bool Viewer::has_keyboard() const {
     return !gui_.takes_text() && !gui_.has_menu() && !files_.is_asking();
 }
@@ -228,7 +229,7 @@ void Viewer::update(const FrameInput& input, double now) {
     follow_state(now);
 }
 
-/// Before anything else happens to the state, which is still the state that the panels have shown.
+/// Applies \p actions before anything else changes the state that the panels have shown.
 void Viewer::apply(const WindowActions& actions, double now) {
     views_.apply(actions, state_, layout());
     interleaf::apply(actions, state_, holds_, now);
@@ -245,7 +246,7 @@ void Viewer::update_files(const FrameInput& input, double now) {
     files_.look_after(now);
 }
 
-/// Brings everything that is made from the state in line with it.
+/// Updates everything that is derived from the state.
 void Viewer::follow_state(double now) {
     if (is_over(state_.message, now)) state_.message.clear();
     views_.follow(state_, layout(), gui_);
@@ -256,14 +257,14 @@ void Viewer::follow_state(double now) {
         glfwSetWindowTitle(window_.handle(), fmt::format("{} – Interleaf", title).c_str());
     }
     const Subject subject{state_.document.snapshot(), state_.message.text, files_.is_asking(), is_comparing};
-    takes_keys_ = subject_.is_asking && subject.is_asking;  // in its first frame a question takes no keys yet
+    takes_keys_ = subject_.is_asking && subject.is_asking;  // a question reads no keys in its first frame
     rest_.has_changed = subject != subject_;
     subject_ = subject;
 }
 
 // ---- draw ----
 
-/// \param view  what the mouse did over the surface
+/// \param view  the mouse input over the surface
 void Viewer::draw(const std::optional<ViewInput>& view) {
     rest_.lacks_portraits = views_.draw_portrait(drawn_, gui_);
     gui_.begin_drawing();
@@ -294,7 +295,7 @@ ShownWindow Viewer::show_panels() {
     return shown;
 }
 
-/// Of the present state in the present window.
+/// The layout of the present state in the present window.
 FrameLayout Viewer::layout() const {
     const float menu = menu_bar_height();
     FrameLayout frame;
@@ -304,7 +305,7 @@ FrameLayout Viewer::layout() const {
     return frame;
 }
 
-// ---- what leaves the window ----
+// ---- output to files ----
 
 void Viewer::record() {
     if (!trace_ || frame_ == 0) return;
@@ -321,7 +322,7 @@ void Viewer::record() {
                     .offer = files_.fitting().offered()});
 }
 
-/// Once nothing changes any more.
+/// Saves the picture of the window, which no longer changes, and closes the window.
 void Viewer::save_picture() {
     const glm::ivec2 size = window_.framebuffer_size();
     write_file(*picture_file_, png_bytes(window_.read_rgba(), size.x, size.y));
@@ -335,8 +336,8 @@ void run_viewer(Family family, std::vector<std::filesystem::path> sources,
     if (options.at && !family.domain) throw UsageError("--at: the family has no parameter domain");
     require_field(options.display, fields_of(family.keys));
     if (options.time && !family.timeline) throw UsageError("--time: the family has no timeline");
-    // A software renderer takes and gives back its frame's memory every time otherwise, which costs it most
-    // of its speed.
+    // Otherwise a software renderer allocates and returns its memory in every frame, which costs most of its
+    // speed.
     mallopt(M_TRIM_THRESHOLD, 256 << 20);
     Viewer(std::move(family), std::move(sources), std::move(meshes), options).run();
 }

@@ -13,20 +13,21 @@
 namespace interleaf {
 
 struct ViewerOptions {
-    std::optional<glm::ivec2> size;  ///< of the window, screen coordinates; by default as it was last
-    std::optional<glm::dvec2> at;    ///< where the point begins; needs a domain
-    std::optional<double> time;      ///< where the timeline begins, seconds; needs one
-    Display display;                 ///< what is shown at first
+    std::optional<glm::ivec2> size;  ///< of the window, screen coordinates; by default the last size
+    std::optional<glm::dvec2> at;    ///< initial point of the domain; needs a domain
+    std::optional<double> time;      ///< initial time, seconds; needs a timeline
+    Display display;                 ///< initial display
     std::optional<std::filesystem::path>
-        picture;  ///< a PNG of the window, written once it rests; then it closes
-    std::optional<std::filesystem::path> trace;  ///< gets a JSON line at every change of state
+        picture;  ///< PNG file that receives the resting window, which then closes
+    std::optional<std::filesystem::path> trace;  ///< file that receives a JSON line per change (trace.h)
 };
 
-/// Opens a window on \p family, read from \p sources (none for the built-in family), offers to fit \p meshes
-/// as if they had been dropped on it, if there are any, and returns when it is closed.
-/// \throw UsageError   when the family lacks the domain or the timeline that the options need
-/// \throw DisplayError when no window can be opened
-/// \throw MachineError when the picture or the trace cannot be written
+/// Opens a window on \p family, and returns when the window is closed.
+/// \param sources  the files of the family; empty for the built-in family
+/// \param meshes   the window offers to fit these meshes, as if they had been dropped on it; may be empty
+/// \throw UsageError    if the family lacks the domain, the timeline or the field that the options need
+/// \throw DisplayError  if no window can be opened
+/// \throw MachineError  if the picture or the trace cannot be written
 void run_viewer(Family family, std::vector<std::filesystem::path> sources,
                 std::vector<std::filesystem::path> meshes, const ViewerOptions& options);
 

@@ -62,7 +62,7 @@ void apply(const WindowActions& actions, ViewerState& state, MouseHolds& holds, 
     if (actions.dismisses_message) state.message.clear();
     if (actions.closes_help) state.help_shown = false;
 
-    // Places in the domain and on the timeline first: what is done to keys may change them.
+    // The domain and the timeline come first, because actions on keys may change their indices.
     holds = {};
     if (actions.domain) {
         apply_to_domain(*actions.domain, state, now);

@@ -1,4 +1,4 @@
-// What the person did in the panels becomes a step of the document, or moves the session.
+// Applies the user's actions in the panels to the document and the session.
 #pragma once
 
 #include "app/document/viewer_state.h"
@@ -6,10 +6,10 @@
 
 namespace interleaf {
 
-/// Applies \p actions, done in panels that showed \p state, at wall time \p now.
-/// What the mouse holds is kept in \p holds for the next frame. The camera, files to open and the comparison
-/// are left to the caller.
-/// \pre \p state is as the panels showed it, but for the time
+/// Applies \p actions at wall time \p now. The caller applies the actions on the camera, on files to open and
+/// on the comparison.
+/// \param holds  receives the objects that the mouse holds, for the next frame
+/// \pre the panels that returned \p actions showed \p state; only its time may have changed since
 void apply(const WindowActions& actions, ViewerState& state, MouseHolds& holds, double now);
 
 }  // namespace interleaf

@@ -1,6 +1,6 @@
 #include "app/window/window_input.h"
 
-// GLFW must not bring OpenGL headers of its own.
+// GLFW must not include OpenGL headers of its own.
 #define GLFW_INCLUDE_NONE
 
 #include <GLFW/glfw3.h>

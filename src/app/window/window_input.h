@@ -1,4 +1,4 @@
-// What comes from outside to a window of GLFW.
+// The events that a GLFW window receives.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,17 @@ struct GLFWwindow;
 
 namespace interleaf {
 
-/// What has come from outside since the last frame; callbacks add to it.
+/// The events since the last frame. The callbacks add to them.
 struct WindowInput {
     std::vector<int> keyboard_keys;  ///< pressed, each after its modifiers, as GLFW numbers them
     std::vector<Shortcut> pressed;
     std::vector<std::filesystem::path> dropped;
 };
 
-/// Installs the callbacks that add to \p input, which must outlive the window. Before Dear ImGui's own, which
-/// pass events on. \return \p window
+/// Installs the callbacks that add to \p input. Call this function before Dear ImGui installs its callbacks,
+/// which pass events on to those installed before.
+/// \param input  must outlive \p window
+/// \return       \p window
 GLFWwindow* watch_input(GLFWwindow* window, WindowInput& input);
 
 }  // namespace interleaf

@@ -26,7 +26,7 @@ Submenu recent_menu(std::span<const std::filesystem::path> files) {
     return menu;
 }
 
-/// The points of the domain that the timeline passes.
+/// The points of the domain through which the timeline passes.
 std::vector<glm::dvec2> path_through_domain(const Family& family) {
     std::vector<glm::dvec2> path;
     if (!family.timeline || !family.domain) return path;

@@ -1,5 +1,5 @@
-// The panels of the window, all shown from one state of the document. They change nothing: what the person
-// does in them is returned, for window_actions.h to apply.
+// The panels of the window. All panels show one state of the document and change nothing. They return the
+// user's actions, which window_actions.h applies.
 #pragma once
 
 #include <filesystem>
@@ -26,14 +26,14 @@
 
 namespace interleaf {
 
-/// What the mouse holds, from one frame to the next.
+/// The objects that the mouse holds from one frame to the next.
 struct MouseHolds {
     std::optional<DomainDrag> domain;
     std::optional<DomainMenu> domain_menu;
     std::optional<TimeDrag> time;
 };
 
-/// What the panels show.
+/// The content that the panels show.
 struct WindowShown {
     const ViewerState& state;
     std::span<const std::filesystem::path> recent_files;
@@ -41,20 +41,20 @@ struct WindowShown {
     std::span<const KeyPortrait> portraits;  ///< one per key
     std::span<const FamilyField> fields;
     const SurfaceFigures& figures;
-    std::span<const MessagePicture> pictures;  ///< of what the message is about
+    std::span<const MessagePicture> pictures;  ///< illustrations of the message
     double frame_milliseconds;
     MouseHolds holds;
     FrameLayout layout;                ///< window, content and panels
-    const ComparisonView* comparison;  ///< is shown instead of the document; null for none
-    bool has_keyboard = true;          ///< whether a comparison may read keys
+    const ComparisonView* comparison;  ///< shown instead of the document; null for none
+    bool has_keyboard = true;          ///< whether a comparison receives the keyboard
 };
 
-/// What the person did in the panels; what each panel showed decides what its indices mean.
+/// The user's actions in the panels. Indices refer to the content that the panel showed.
 struct WindowActions {
     MenuBarResult menu;
     std::optional<ViewInput> view;
     std::optional<KeysPanelResult> keys;
-    std::optional<Display> display;  ///< another one than was shown
+    std::optional<Display> display;  ///< the new display, if the user changed it
     std::optional<ParameterDomainResult> domain;
     std::optional<TimelineResult> timeline;
     std::optional<ComparisonActions> comparison;
@@ -63,23 +63,23 @@ struct WindowActions {
     bool points_at_notice = false;
 };
 
-/// What the panels have shown and where, and what the person did in them.
+/// The panels as shown: the user's actions, the layout and the content.
 struct ShownWindow {
     WindowActions actions;
     FrameLayout layout;
     std::shared_ptr<const Family> family;
-    Weights weights;                       ///< of keys of the family; none while a comparison is shown
+    Weights weights;                       ///< of the family's keys; empty while a comparison is shown
     std::vector<std::string> legend_keys;  ///< names of the active keys in the display panel's legend
 };
 
-/// Shows all panels of the window but questions and the file browser.
+/// Shows all panels of the window except questions and the file browser.
 /// \pre a frame of Dear ImGui has begun
 ShownWindow show_window(const WindowShown& shown);
 
-/// \p command as an entry of a menu.
+/// The menu entry of \p command.
 MenuEntry menu_entry(const Command& command, const ViewerState& state);
 
-/// The commands about the selected key, as the menu of a key offers them.
+/// The commands on the selected key, in the order of a key's context menu.
 std::vector<const Command*> key_commands();
 
 }  // namespace interleaf

@@ -45,8 +45,8 @@ KeysPanelResult keys_panel(const KeysPanel& panel, float height);
 /// The side of a key's picture, in screen coordinates.
 float key_picture_side();
 
-/// What is dragged from the list to a panel: the index of a key, below \p key_count. \return it where the
-/// mouse has let it go over the last item
+/// A key dropped on the last item after a drag from the list.
+/// \return the index of the key, below \p key_count; none if no key was dropped
 std::optional<std::size_t> dropped_key(std::size_t key_count);
 
 }  // namespace interleaf

@@ -39,7 +39,8 @@ float menu_bar_height();
 /// \param title    of the open document, shown at the right
 MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submenu, std::string_view title);
 
-/// Entries as a menu of their own, for the right mouse button. \return the index of the chosen one
+/// Shows entries as a menu of the right mouse button.
+/// \return the index of the chosen entry
 /// \pre a popup has begun
 std::optional<std::size_t> menu_entries(std::span<const MenuEntry> entries);
 

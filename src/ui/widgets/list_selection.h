@@ -20,7 +20,8 @@ class ListSelection {
     /// \param several  whether more than one row may be selected
     void reset(std::size_t rows, bool several);
 
-    /// Moves the cursor to \p row. \pre  row < size()
+    /// Moves the cursor to \p row.
+    /// \pre row < size()
     void step(std::size_t row, SelectionStep step);
 
     void select_all();

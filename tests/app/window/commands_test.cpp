@@ -1,4 +1,4 @@
-// Tests of the command table: that keys, menus and help can come from it, and what its commands do.
+// Tests of the command table: shortcuts, menus and help from the table, and the effects of commands.
 #include "app/window/commands.h"
 
 #include <fstream>
@@ -21,7 +21,7 @@ ViewerState sample_state() {
     return ViewerState(sample_family());
 }
 
-/// Presses a key at wall time \p now.
+/// Runs the command of \p shortcut at wall time \p now.
 void press(ViewerState& state, Shortcut shortcut, double now = 0) {
     const Command* const command = find_command(shortcut);
     REQUIRE(command != nullptr);

@@ -1,4 +1,4 @@
-// Tests of what must be drawn again: when the window goes on drawing, and when it rests.
+// Tests of Redraw: when the window continues to draw, and when it rests.
 #include "app/window/redraw.h"
 
 #include <doctest/doctest.h>
@@ -7,7 +7,8 @@ using namespace interleaf;
 
 namespace {
 
-/// Draws the frames that are due, each of which leaves nothing; returns their number.
+/// Draws the frames that are due. None of them needs later frames.
+/// \return the number of frames
 int frames_until_rest(Redraw& redraw) {
     int frames = 0;
     while (redraw.is_due()) {

@@ -1,4 +1,4 @@
-// Tests of the panels together: what a person does in one of them is seen in all of them in the same frame.
+// Tests of the panels together: an action in one panel shows in all panels in the same frame.
 #include "app/window/window_panels.h"
 
 #include <doctest/doctest.h>
@@ -15,12 +15,13 @@ namespace {
 
 constexpr glm::vec2 window{1280, 800};
 
-/// The phases of a frame as the viewer has them, without the surface.
+/// The phases of the viewer's frame, without the surface.
 class Panels {
   public:
     ViewerState& state() { return state_; }
 
-    /// One frame; \return what it has drawn.
+    /// Runs one frame.
+    /// \return the window that the frame has drawn
     ShownWindow frame(glm::vec2 pointer, bool is_down) {
         gui_.begin_frame(pointer, is_down);
         const ShownWindow read = show();
