@@ -2,57 +2,131 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "family/spline_weights.h"
 
 namespace interleaf {
 
 namespace {
 
-Weights linear_weights(std::span<const TimelineKey> keys, double time) {
-    if (keys.size() == 1) return {{keys.front().key, 1}};
-    // The end belongs to the last interval, so the search leaves it out.
-    const auto after = std::upper_bound(keys.begin() + 1, keys.end() - 1, time,
-                                        [](double t, const TimelineKey& key) { return t < key.time; });
-    const TimelineKey& from = *(after - 1);
-    const TimelineKey& to = *after;
-    if (from.key == to.key) return {{from.key, 1}};
-    const double s = (time - from.time) / (to.time - from.time);
-    return sorted_weights({{from.key, 1 - s}, {to.key, s}});
+/// Smaller weights of Basis::spline are left out.
+constexpr double negligible_weight = 1e-7;
+
+Weights linear_weights(std::span<const double> times, double time) {
+    const std::size_t place = interval_at(times, time);
+    const double s = (time - times[place]) / (times[place + 1] - times[place]);
+    return {{place, 1 - s}, {place + 1, s}};
 }
 
-struct Basis {
+Weights hold_weights(std::span<const double> times, double time) {
+    const bool is_end = time == times.back();
+    return {{is_end ? times.size() - 1 : interval_at(times, time), 1}};
+}
+
+/// The Bernstein polynomials of degree times.size() - 1 over all times, by the recursion of de Casteljau.
+Weights bernstein_weights(std::span<const double> times, double time) {
+    const double s = (time - times.front()) / (times.back() - times.front());
+    Weights weights{{0, 1}};
+    for (std::size_t degree = 1; degree < times.size(); ++degree) {
+        weights.push_back({degree, weights.back().value * s});
+        for (std::size_t i = degree - 1; i > 0; --i)
+            weights[i].value = weights[i].value * (1 - s) + weights[i - 1].value * s;
+        weights.front().value *= 1 - s;
+    }
+    return weights;
+}
+
+/// The weights of bernstein_weights() for the piece of \p degree that contains \p time.
+Weights piecewise_bernstein_weights(std::span<const double> times, double time, std::size_t degree) {
+    if (degree == 0 || degree >= times.size()) return bernstein_weights(times, time);
+    const std::size_t first = interval_at(times, time) / degree * degree;
+    Weights weights =
+        bernstein_weights(times.subspan(first, std::min(degree + 1, times.size() - first)), time);
+    for (Weight& weight : weights) weight.key += first;
+    return weights;
+}
+
+struct NamedBasis {
+    Basis basis;
     std::string_view name;
-    Weights (*weights)(std::span<const TimelineKey> keys, double time);
 };
 
-constexpr std::array offered{Interpolation::linear};
+constexpr std::array named_bases{
+    NamedBasis{Basis::linear, "linear"},       NamedBasis{Basis::hold, "hold"},
+    NamedBasis{Basis::bernstein, "bernstein"}, NamedBasis{Basis::catmull_rom, "catmull-rom"},
+    NamedBasis{Basis::b_spline, "b-spline"},   NamedBasis{Basis::spline, "spline"},
+};
 
-/// One row for each enumerator, in their order.
-constexpr std::array<Basis, offered.size()> bases{{
-    {"linear", linear_weights},
-}};
+constexpr auto offered = [] {
+    std::array<Basis, named_bases.size()> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = named_bases[i].basis;
+    return all;
+}();
 
-const Basis& basis_of(Interpolation interpolation) {
-    return bases.at(static_cast<std::size_t>(interpolation));
+/// The weights by place.
+/// \pre there are two times or more
+Weights place_weights(const Interpolation& interpolation, std::span<const double> times, double time) {
+    switch (interpolation.basis) {
+        case Basis::linear:
+            return linear_weights(times, time);
+        case Basis::hold:
+            return hold_weights(times, time);
+        case Basis::bernstein:
+            return piecewise_bernstein_weights(times, time, interpolation.degree);
+        case Basis::catmull_rom:
+            return catmull_rom_weights(times, time);
+        case Basis::b_spline:
+            return b_spline_weights(times, time);
+        case Basis::spline:
+            return local_spline_weights(times, time, negligible_weight);
+    }
+    return {};
+}
+
+/// Makes the sum of \p weights exactly 1, in whatever order they are added. All values become multiples of one
+/// power of two, so sums of them are exact; the largest value takes the remainder.
+void make_sum_one(Weights& weights) {
+    double bound = 0;
+    for (const Weight& weight : weights) bound += std::abs(weight.value);
+    int exponent = 0;
+    std::frexp(bound, &exponent);
+    const double grid = std::ldexp(1, exponent - 52);
+    double sum = 0;
+    for (Weight& weight : weights) {
+        weight.value = std::nearbyint(weight.value / grid) * grid;
+        sum += weight.value;
+    }
+    std::ranges::max_element(weights, {}, &Weight::value)->value += 1 - sum;
 }
 
 }  // namespace
 
-std::span<const Interpolation> interpolations() {
+std::span<const Basis> bases() {
     return offered;
 }
 
-std::string_view name_of(Interpolation interpolation) {
-    return basis_of(interpolation).name;
+std::string_view name_of(Basis basis) {
+    return std::ranges::find(named_bases, basis, &NamedBasis::basis)->name;
 }
 
-std::optional<Interpolation> interpolation_named(std::string_view name) {
-    const auto* const found =
-        std::ranges::find(offered, name, [](Interpolation each) { return name_of(each); });
-    return found == offered.end() ? std::nullopt : std::optional(*found);
+std::optional<Basis> basis_named(std::string_view name) {
+    const auto* const found = std::ranges::find(named_bases, name, &NamedBasis::name);
+    return found == named_bases.end() ? std::nullopt : std::optional(found->basis);
 }
 
-Weights weights_at(Interpolation interpolation, std::span<const TimelineKey> keys, double time) {
-    return basis_of(interpolation).weights(keys, time);
+Weights weights_at(const Interpolation& interpolation, std::span<const TimelineKey> keys, double time) {
+    if (keys.size() == 1) return {{keys.front().key, 1}};
+    std::vector<double> times;
+    times.reserve(keys.size());
+    for (const TimelineKey& key : keys) times.push_back(key.time);
+    Weights weights = place_weights(interpolation, times, time);
+    for (Weight& weight : weights) weight.key = keys[weight.key].key;
+    weights = sorted_weights(std::move(weights));
+    make_sum_one(weights);
+    return weights;
 }
 
 }  // namespace interleaf

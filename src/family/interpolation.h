@@ -2,6 +2,7 @@
 // their names and functions.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -17,24 +18,42 @@ struct TimelineKey {
     bool operator==(const TimelineKey&) const = default;
 };
 
-/// How a timeline blends its keys.
-enum class Interpolation : std::uint8_t {
-    linear,  ///< the keys before and after, in proportion to the distance in time (equation (2))
+enum class Basis : std::uint8_t {
+    linear,       ///< the keys before and after, in proportion to the distance in time (equation (2))
+    hold,         ///< the key before, until the time of the next key
+    bernstein,    ///< Bernstein polynomials (equation (4)); passes through the first and the last key only
+    catmull_rom,  ///< cubic through all keys, continuously differentiable (spline_weights.h)
+    b_spline,     ///< cubic near the keys, twice continuously differentiable (spline_weights.h)
+    spline,       ///< cubic through all keys, twice continuously differentiable (spline_weights.h)
 };
 
 /// All bases, in the order in which they are offered.
-std::span<const Interpolation> interpolations();
+std::span<const Basis> bases();
 
-/// "linear".
-std::string_view name_of(Interpolation interpolation);
+/// "catmull-rom".
+std::string_view name_of(Basis basis);
 
 /// The basis called \p name; none when there is none.
-std::optional<Interpolation> interpolation_named(std::string_view name);
+std::optional<Basis> basis_named(std::string_view name);
 
-/// The weights of \p keys at \p time. The active keys change at the keys' times only.
+/// How a timeline blends its keys.
+struct Interpolation {
+    Basis basis = Basis::linear;
+
+    /// Of Basis::bernstein: the degree of its pieces. Each piece spans degree + 1 keys and begins at the last
+    /// key of the previous piece; a last piece of fewer keys has a lower degree. 0 for one piece of all keys.
+    std::size_t degree = 0;
+
+    bool operator==(const Interpolation&) const = default;
+};
+
+/// The weights of \p keys at \p time; they sum to 1. The active keys change at the keys' times only.
+///
+/// Of Basis::spline, keys whose weights stay below 1e-7 between the two surrounding keys are left out, and
+/// the remaining weights are divided by their sum.
 /// \param keys  times strictly ascending
 /// \param time  seconds
 /// \pre there is a key, and \p time is from the first key's time to the last one's
-Weights weights_at(Interpolation interpolation, std::span<const TimelineKey> keys, double time);
+Weights weights_at(const Interpolation& interpolation, std::span<const TimelineKey> keys, double time);
 
 }  // namespace interleaf

@@ -125,6 +125,11 @@ Family with_time_moved(Family family, std::size_t place, double time) {
     return family;
 }
 
+Family with_interpolation(Family family, Interpolation interpolation) {
+    family.timeline = family.timeline->with_interpolation(interpolation);
+    return family;
+}
+
 Family with_time_removed(Family family, std::size_t place) {
     family.timeline = family.timeline->without_entry(place);
     return family;

@@ -48,6 +48,10 @@ Family with_time_added(Family family, std::size_t key, double time);
 /// \throw InputError if the time is taken or not finite
 Family with_time_moved(Family family, std::size_t place, double time);
 
+/// The family whose timeline blends its keys by \p interpolation.
+/// \pre the family has a timeline
+Family with_interpolation(Family family, Interpolation interpolation);
+
 /// The family without the timeline entry \p place. The timeline is removed with its last entry.
 Family with_time_removed(Family family, std::size_t place);
 

@@ -86,6 +86,12 @@ std::optional<Timeline> Timeline::without_key(std::size_t key) const {
     return with_entries(std::move(keys));
 }
 
+Timeline Timeline::with_interpolation(Interpolation interpolation) const {
+    Timeline edited = *this;
+    edited.interpolation_ = interpolation;
+    return edited;
+}
+
 Timeline Timeline::with_keys_renumbered(const std::function<std::size_t(std::size_t)>& new_index) const {
     std::vector<TimelineKey> keys = keys_;
     for (TimelineKey& entry : keys) entry.key = new_index(entry.key);

@@ -1,4 +1,5 @@
-// The timeline: keys at given times, and the weights between them (paper, section 3.1, equation (2)).
+// The timeline: keys at given times, and the weights between them (paper, sections 3.1 and 4.1, equations (2)
+// and (4)).
 #pragma once
 
 #include <functional>
@@ -14,16 +15,15 @@ namespace interleaf {
 class Timeline {
   public:
     /// \throw InputError unless there is at least one key and times are finite and strictly ascending
-    explicit Timeline(std::vector<TimelineKey> keys, Interpolation interpolation = Interpolation::linear);
+    explicit Timeline(std::vector<TimelineKey> keys, Interpolation interpolation = {});
 
     std::span<const TimelineKey> keys() const { return keys_; }
-    Interpolation interpolation() const { return interpolation_; }
+    const Interpolation& interpolation() const { return interpolation_; }
     double begin() const { return keys_.front().time; }
     double end() const { return keys_.back().time; }
 
-    /// Linear interpolation between the keys before and after \p time, clamped to begin() and end(): (1 - s)
-    /// and s on the two keys of the interval. At the time of a key, the interval that begins there counts. A
-    /// single key, or two adjacent entries of the same key, give one weight of 1.
+    /// The weights of the interpolation at \p time, clamped to begin() and end(). At the time of a key, the
+    /// interval that begins there counts. A single key has the weight 1.
     /// \throw InputError if \p time is not a number
     Weights at(double time) const;
 
@@ -47,6 +47,9 @@ class Timeline {
 
     /// Without the entries of \p key; none if there are no others.
     std::optional<Timeline> without_key(std::size_t key) const;
+
+    /// With another interpolation.
+    Timeline with_interpolation(Interpolation interpolation) const;
 
     /// With the index \p new_index(i) for each key index i.
     Timeline with_keys_renumbered(const std::function<std::size_t(std::size_t)>& new_index) const;

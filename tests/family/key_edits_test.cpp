@@ -253,8 +253,8 @@ TEST_CASE("the timeline is removed with its last time") {
 }
 
 TEST_CASE("whatever else a timeline holds, every edit of a family keeps it") {
-    // No basis of this number is known, so that none of the edits can have made it.
-    constexpr auto other = static_cast<Interpolation>(200);
+    // No edit makes this interpolation by itself.
+    constexpr Interpolation other{.basis = Basis::bernstein, .degree = 2};
     Family family = sample();
     const auto keys = family.timeline->keys();
     family.timeline = Timeline({keys.begin(), keys.end()}, other);

@@ -1,16 +1,39 @@
 #include "app/cli/family_command.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/cli/error_message.h"
 #include "app/document/opening.h"
+#include "family/key_edits.h"
+#include "hierarchy/error.h"
 #include "io/family/family_file.h"
 
 namespace interleaf {
 
+namespace {
+
+/// The timeline's interpolation with what \p options change.
+Interpolation interpolation_of(const Family& family, const FamilyOptions& options) {
+    if (!family.timeline) throw UsageError("--interpolation, --degree: the family has no timeline");
+    Interpolation interpolation = family.timeline->interpolation();
+    if (options.basis) interpolation = {.basis = *options.basis};
+    if (options.degree && interpolation.basis != Basis::bernstein)
+        throw UsageError("--degree: only the interpolation bernstein has a degree");
+    if (options.degree) interpolation.degree = *options.degree;
+    return interpolation;
+}
+
+}  // namespace
+
 void run_family(const FamilyOptions& options) {
     std::vector<std::string> changes;
-    const Family family = open_family(options.keys, &changes);
+    Family family = open_family(options.keys, &changes);
+    if (options.basis || options.degree) {
+        const Interpolation interpolation = interpolation_of(family, options);
+        family = with_interpolation(std::move(family), interpolation);
+    }
     write_family(family, options.output, options.form);
     for (const std::string& change : changes) print_error(change);
 }

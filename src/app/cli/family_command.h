@@ -1,9 +1,12 @@
 // `interleaf family`: makes a family folder from key files.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
+#include "family/interpolation.h"
 #include "io/hierarchy/hierarchy_file.h"
 
 namespace interleaf {
@@ -11,12 +14,15 @@ namespace interleaf {
 struct FamilyOptions {
     std::vector<std::filesystem::path> keys;  ///< paths that open_family() takes
     std::filesystem::path output;             ///< the folder
+    std::optional<Basis> basis;               ///< of the timeline; by default the present one
+    std::optional<std::size_t> degree;        ///< of the pieces of Basis::bernstein
     HierarchyFileOptions form;                ///< of the key files
 };
 
 /// Opens the keys, puts them over the same roots and writes the family. Names on standard error the keys that
 /// had to be changed.
 /// \throw InputError, MachineError
+/// \throw UsageError if the options do not fit the timeline
 void run_family(const FamilyOptions& options);
 
 }  // namespace interleaf

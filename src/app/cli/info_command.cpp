@@ -118,7 +118,19 @@ Json json_of(const Timeline& timeline, const Family& family) {
     for (const TimelineKey& key : timeline.keys()) {
         keys.push_back({{"time", key.time}, {"key", family.keys[key.key].name}});
     }
-    return {{"begin", timeline.begin()}, {"end", timeline.end()}, {"keys", keys}};
+    const Interpolation& interpolation = timeline.interpolation();
+    Json json = {{"begin", timeline.begin()},
+                 {"end", timeline.end()},
+                 {"interpolation", name_of(interpolation.basis)},
+                 {"keys", keys}};
+    if (interpolation.degree > 0) json["degree"] = interpolation.degree;
+    return json;
+}
+
+/// "bernstein of degree 3".
+std::string text_of(const Interpolation& interpolation) {
+    const std::string name(name_of(interpolation.basis));
+    return interpolation.degree > 0 ? fmt::format("{} of degree {}", name, interpolation.degree) : name;
 }
 
 Json json_of(const ParameterDomain& domain, const Family& family) {
@@ -224,7 +236,7 @@ void print_keys(const Family& family, std::span<const Figures> keys) {
 }
 
 void print_timeline(const Timeline& timeline, const Family& family) {
-    fmt::print("\ntimeline, seconds\n");
+    fmt::print("\ntimeline, seconds, {}\n", text_of(timeline.interpolation()));
     for (const TimelineKey& key : timeline.keys())
         fmt::print("{:>12.4g}  {}\n", key.time, family.keys[key.key].name);
 }

@@ -149,6 +149,17 @@ void parse_coloring(std::string_view text, Display& display) {
     display.field = text.starts_with(prefix) ? text.substr(prefix.size()) : text;
 }
 
+Basis parse_basis(std::string_view text) {
+    if (const std::optional<Basis> basis = basis_named(text)) return *basis;
+    expected(bases_in_words(), text);
+}
+
+std::string bases_in_words() {
+    std::vector<std::string> names;
+    for (const Basis basis : bases()) names.emplace_back(name_of(basis));
+    return either_of(names);
+}
+
 ColorMap parse_color_map(std::string_view text) {
     if (const std::optional<ColorMap> map = color_map_named(text)) return *map;
     expected(color_maps_in_words(), text);

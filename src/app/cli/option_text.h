@@ -12,6 +12,7 @@
 #include "app/cli/fit_command.h"
 #include "app/cli/morph_selection.h"
 #include "app/cli/render_command.h"
+#include "family/interpolation.h"
 #include "hierarchy/triangle.h"
 #include "render/display.h"
 
@@ -55,6 +56,12 @@ ColorMap parse_color_map(std::string_view text);
 
 /// The names of all color maps: "viridis, magma or coolwarm".
 std::string color_maps_in_words();
+
+/// The name of an interpolation basis.
+Basis parse_basis(std::string_view text);
+
+/// The names of all interpolation bases: "linear, hold or bernstein".
+std::string bases_in_words();
 
 /// A range "MIN,MAX", ascending and finite as floats.
 ValueRange parse_range(std::string_view text);

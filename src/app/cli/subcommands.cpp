@@ -176,12 +176,20 @@ void add_family_command(CLI::App& program) {
             "The folder to write")
         ->required()
         ->type_name("FOLDER");
+    add_text_option(*command, "--interpolation", "How the timeline blends its keys: " + bases_in_words(),
+                    [options](const std::string& text) { options->basis = parse_basis(text); })
+        ->type_name("BASIS");
+    add_text_option(*command, "--degree",
+                    "Of bernstein: the degree of its pieces; without it, one piece for all keys",
+                    [options](const std::string& text) { options->degree = parse_count(text); })
+        ->type_name("N");
     add_form(*command, options->form);
     command->final_callback([options] { run_family(*options); });
     command->footer(
         "Examples:\n"
         "  interleaf family sphere.ilh star.ilh bone.ilh -o three-keys\n"
-        "  interleaf family 'flow.*.obj' -o flow");
+        "  interleaf family 'flow.*.obj' -o flow\n"
+        "  interleaf family flow --interpolation b-spline -o smooth-flow");
 }
 
 void add_fit(CLI::App& program) {

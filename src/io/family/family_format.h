@@ -10,9 +10,9 @@ namespace interleaf::family_format {
 
 inline constexpr std::string_view name = "interleaf-family";
 
-/// Written for a family without an origin.
+/// Written for a family that needs no member of version 2.
 inline constexpr std::uint32_t oldest_version = 1;
-/// Written for a family with an origin.
+/// Written for a family with an origin, or whose interpolation is not linear.
 inline constexpr std::uint32_t version = 2;
 
 inline constexpr std::uint64_t max_file_size = 16 << 20;

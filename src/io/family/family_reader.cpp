@@ -144,16 +144,31 @@ class KeyNames {
 };
 
 /// Every name in quotation marks: "linear".
-std::string names_of_interpolations() {
+std::string names_of_bases() {
     std::vector<std::string> names;
-    for (const Interpolation each : interpolations()) names.push_back(fmt::format("\"{}\"", name_of(each)));
+    for (const Basis each : bases()) names.push_back(fmt::format("\"{}\"", name_of(each)));
     return joined(names, " or ");
 }
 
-Timeline timeline_at(const JsonPlace& place, const KeyNames& names) {
-    const JsonPlace interpolation_place = place.member("interpolation");
-    const auto interpolation = interpolation_named(interpolation_place.string());
-    if (!interpolation) interpolation_place.fail_expecting(names_of_interpolations());
+/// The members `interpolation` and `degree` of the timeline at \p place.
+Interpolation interpolation_at(const JsonPlace& place, double version) {
+    const JsonPlace basis_place = place.member("interpolation");
+    const auto basis = basis_named(basis_place.string());
+    if (version < family_format::version && basis != Basis::linear)
+        basis_place.fail_expecting(basis ? "\"linear\" in version 1" : "\"linear\"");
+    if (!basis) basis_place.fail_expecting(names_of_bases());
+    Interpolation interpolation{.basis = *basis};
+    const auto degree = place.optional_member("degree");
+    if (!degree || version < family_format::version) return interpolation;
+    if (basis != Basis::bernstein)
+        degree->fail_expecting("no degree: only the interpolation \"bernstein\" has one");
+    interpolation.degree = degree->index_below(no_index);
+    if (interpolation.degree == 0) degree->fail_expecting("a degree of at least 1");
+    return interpolation;
+}
+
+Timeline timeline_at(const JsonPlace& place, const KeyNames& names, double version) {
+    const Interpolation interpolation = interpolation_at(place, version);
 
     std::vector<TimelineKey> timeline_keys;
     const JsonPlace keys = place.member("keys");
@@ -163,7 +178,7 @@ Timeline timeline_at(const JsonPlace& place, const KeyNames& names) {
         timeline_keys.push_back({key.member("time").number(), names.index_at(key.member("key"))});
     }
     try {
-        return Timeline(std::move(timeline_keys), *interpolation);
+        return Timeline(std::move(timeline_keys), interpolation);
     } catch (const InputError& error) {
         place.fail(error.what());
     }
@@ -241,7 +256,7 @@ Family read_family_json(const fs::path& file, std::vector<std::string>* changes)
 
     const KeyNames names(family.keys);
     if (const auto timeline = root.optional_member("timeline"))
-        family.timeline = timeline_at(*timeline, names);
+        family.timeline = timeline_at(*timeline, names, version.number());
     if (const auto domain = root.optional_member("domain")) family.domain = domain_at(*domain, names);
     if (const auto origin = root.optional_member("origin"); origin && version.number() > 1)
         family.origin = origin_at(*origin);

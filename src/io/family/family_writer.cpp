@@ -109,13 +109,25 @@ std::string array_text(std::string_view indent, std::string_view name,
     return fmt::format("{0}\"{1}\": [\n{2}\n{0}]", indent, name, joined(lines, ",\n"));
 }
 
+std::string interpolation_text(const Interpolation& interpolation) {
+    std::string text = fmt::format("    \"interpolation\": \"{}\"", name_of(interpolation.basis));
+    if (interpolation.degree > 0) text += fmt::format(",\n    \"degree\": {}", interpolation.degree);
+    return text;
+}
+
+/// Whether readers of version 1 would not understand \p family, or would lose a part of it.
+bool needs_version_2(const Family& family) {
+    return family.origin != glm::dvec3(0) ||
+           (family.timeline && family.timeline->interpolation().basis != Basis::linear);
+}
+
 std::string timeline_text(const Timeline& timeline, const Family& family) {
     std::vector<ordered_json> keys;
     keys.reserve(timeline.keys().size());
     for (const TimelineKey& key : timeline.keys())
         keys.push_back({{"time", key.time}, {"key", family.keys[key.key].name}});
-    return fmt::format("  \"timeline\": {{\n    \"interpolation\": \"{}\",\n{}\n  }}",
-                       name_of(timeline.interpolation()), array_text("    ", "keys", keys));
+    return fmt::format("  \"timeline\": {{\n{},\n{}\n  }}", interpolation_text(timeline.interpolation()),
+                       array_text("    ", "keys", keys));
 }
 
 std::string domain_text(const ParameterDomain& domain, const Family& family) {
@@ -137,16 +149,16 @@ std::string family_text(const Family& family, const std::vector<KeyFile>& files)
     keys.reserve(family.keys.size());
     for (std::size_t i = 0; i < family.keys.size(); ++i)
         keys.push_back({{"name", family.keys[i].name}, {"file", files[i].mark.name}});
-    const bool has_origin = family.origin != glm::dvec3(0);
     std::vector<std::string> members{
         fmt::format("  \"format\": \"{}\"", family_format::name),
-        fmt::format("  \"version\": {}", has_origin ? family_format::version : family_format::oldest_version),
+        fmt::format("  \"version\": {}",
+                    needs_version_2(family) ? family_format::version : family_format::oldest_version),
         fmt::format("  \"name\": {}", ordered_json(family.name).dump()),
         array_text("  ", "keys", keys),
     };
     if (family.timeline) members.push_back(timeline_text(*family.timeline, family));
     if (family.domain) members.push_back(domain_text(*family.domain, family));
-    if (has_origin)
+    if (family.origin != glm::dvec3(0))
         members.push_back(fmt::format(
             "  \"origin\": {}", ordered_json{family.origin.x, family.origin.y, family.origin.z}.dump()));
     return fmt::format("{{\n{}\n}}\n", joined(members, ",\n"));

@@ -268,7 +268,7 @@ TEST_CASE("keys are added in their order under names of their own, as one step")
 }
 
 TEST_CASE("edits of the timeline keep what it holds besides its keys, and so do undo and redo") {
-    constexpr auto other = static_cast<Interpolation>(200);
+    constexpr Interpolation other{.basis = Basis::bernstein, .degree = 2};
     Family family = sample_family();
     const auto keys = family.timeline->keys();
     family.timeline = Timeline({keys.begin(), keys.end()}, other);

@@ -72,6 +72,14 @@ std::string with_members(std::string_view members) {
                      std::string(", ").append(members));
 }
 
+/// \param interpolation  the text of the member, perhaps followed by others
+std::string with_interpolation(int version, std::string_view interpolation) {
+    std::string json = with_members(std::string(R"("timeline": {"interpolation": )")
+                                        .append(interpolation)
+                                        .append(R"(, "keys": [{"time": 0, "key": "a"}]})"));
+    return json.replace(json.find("\"version\": 1"), 12, "\"version\": " + std::to_string(version));
+}
+
 std::string with_origin(std::string_view origin) {
     std::string json = with_members(std::string(R"("origin": )").append(origin));
     json.replace(json.find("1,"), 1, "2");
@@ -108,7 +116,22 @@ TEST_CASE("a family file holds what was written") {
     }
 }
 
-TEST_CASE("an origin is read from version 2 on, and version 2 is written only for an origin other than 0") {
+TEST_CASE("every interpolation is written and read again, in version 2 where version 1 does not know it") {
+    const ScratchFolder folder;
+    std::mt19937 random(3);
+    Family family = sample_family(random);
+    for (const Basis basis : bases())
+        for (const std::size_t degree : {0U, 3U}) {
+            if (degree > 0 && basis != Basis::bernstein) continue;
+            family.timeline = Timeline({{0, 0}, {1, 0}}, {.basis = basis, .degree = degree});
+            write_family(family, folder / "f");
+            CHECK(read_family(folder / "f").timeline == family.timeline);
+            CHECK(contains(content(folder / "f/family.json"),
+                           basis == Basis::linear ? "\"version\": 1," : "\"version\": 2,"));
+        }
+}
+
+TEST_CASE("an origin is read from version 2 on, and no version 2 is written for the origin 0") {
     std::mt19937 random(1);
     const ScratchFolder folder;
     Family family = sample_family(random);
@@ -289,6 +312,14 @@ TEST_CASE("a hostile family file is rejected with the place and what was expecte
         {with_members(R"("timeline": {"keys": []})"), "timeline: has no \"interpolation\""},
         {with_members(R"("timeline": {"interpolation": "cubic", "keys": []})"),
          R"(timeline.interpolation: is "cubic", expected "linear")"},
+        {with_interpolation(1, R"("hold")"), R"(interpolation: is "hold", expected "linear" in version 1)"},
+        {with_interpolation(2, R"("cubic")"),
+         R"(expected "linear" or "hold" or "bernstein" or "catmull-rom")"},
+        {with_interpolation(2, R"("linear", "degree": 2)"), "degree: is 2, expected no degree: only"},
+        {with_interpolation(2, R"("bernstein", "degree": 0)"),
+         "degree: is 0, expected a degree of at least 1"},
+        {with_interpolation(2, R"("bernstein", "degree": -1)"), "timeline.degree: is -1"},
+        {with_interpolation(2, R"("bernstein", "degree": 1.5)"), "timeline.degree: is 1.5"},
         {with_timeline("[]"), "family.json: timeline: "},
         {with_timeline(R"([{"key": "a"}])"), "timeline.keys[0]: has no \"time\""},
         {with_timeline(R"([{"time": "0", "key": "a"}])"),
