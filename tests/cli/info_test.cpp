@@ -77,7 +77,7 @@ TEST_CASE("info prints the form of a file, and of each key of a family") {
     std::filesystem::copy(INTERLEAF_FIVE_KEYS, folder.path(), std::filesystem::copy_options::recursive);
     const std::string star = folder / "star.ilh";
     CHECK(info(star).at("form") == "plain");
-    CHECK(contains(run_interleaf({"info", star}).output, " bytes, plain, 10.26 bytes a leaf\n"));
+    CHECK(contains(run_interleaf({"info", star}).output, " bytes, plain, 10.26 bytes per leaf\n"));
 
     write_hierarchy(read_hierarchy(star), star, {.compressed = true, .rounding_bits = 0});
     json figures = info(star);
