@@ -260,13 +260,13 @@ TEST_CASE("the offer shows what is lost and added, and Fit waits until the user 
                    s["offer"]["fault"].get<std::string>().find(words) != std::string::npos;
         };
     };
-    viewer.wait_for("parts are told of", fault_with("A key is made of one part"));
+    viewer.wait_for("a remark about parts", fault_with("A key is made of one part"));
     for (const char* row : {"roots", "size", "center", "meshes", "up", "axis", "degrees", "parts"})
         go_to_row(viewer, row);
     viewer.press(XK_Return);
     CHECK(viewer.state()["offer"].is_object());
     viewer.press(XK_space);
-    viewer.wait_for("holes are told of", fault_with("A key is closed"));
+    viewer.wait_for("a remark about holes", fault_with("A key is closed"));
     go_to_row(viewer, "holes");
     viewer.press(XK_space);
     wait_for_offered(viewer, "fault", "");
