@@ -20,7 +20,7 @@ namespace interleaf {
 
 namespace {
 
-/// Between the two passes of a frame; seconds.
+/// Time between the two passes of a frame, in seconds.
 constexpr float min_delta = 1e-6F;
 
 void follow_modifiers() {
@@ -50,7 +50,7 @@ Gui::Gui(GLFWwindow* window) : window_(window) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
-    io.ConfigInputTextCursorBlink = false;  // frames come with input only
+    io.ConfigInputTextCursorBlink = false;  // frames are drawn only after input
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     if (!ImGui_ImplOpenGL3_Init("#version 330 core")) {
         ImGui_ImplGlfw_Shutdown();
@@ -80,7 +80,7 @@ void Gui::begin_frame(std::span<const int> pressed) {
 void Gui::begin_drawing() {
     ImGui::EndFrame();
     release_taps();
-    // Not through the backends, which would ask for the pointer anew. Dear ImGui wants some time to pass.
+    // Skip the backends, which would read the pointer again. Dear ImGui requires that some time passes.
     ImGui::GetIO().DeltaTime = min_delta;
     follow_menu();
     give_keys_to_menu();
@@ -92,13 +92,14 @@ void Gui::follow_menu() {
     has_menu_ = false;
     if (context.OpenPopupStack.empty()) return;
     const ImGuiPopupData& front = context.OpenPopupStack.back();
-    // One that opens has no window yet; one whose panel is shown no more stays in the list, but is not seen.
+    // A popup that opens has no window yet. A popup whose panel is no longer shown stays in the list, but is
+    // not visible.
     has_menu_ = front.Window == nullptr
                     ? front.OpenFrameCount == context.FrameCount
                     : front.Window->Active && (front.Window->Flags & ImGuiWindowFlags_Modal) == 0;
 }
 
-/// Everywhere else Dear ImGui's own keyboard navigation is off.
+/// Turns on Dear ImGui's keyboard navigation while a menu is open. Everywhere else it is off.
 void Gui::give_keys_to_menu() {
     ImGuiIO& io = ImGui::GetIO();
     ImGuiContext& context = *ImGui::GetCurrentContext();
@@ -107,8 +108,8 @@ void Gui::give_keys_to_menu() {
         return;
     }
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    // In a menu that the mouse has opened the first arrow is to mark the first entry, not the second. A list
-    // of choices begins with the present one.
+    // In a menu that the mouse has opened, the first arrow key selects the first entry, not the second. A
+    // list of choices starts at the current choice.
     const ImGuiWindow* const front = context.OpenPopupStack.back().Window;
     const bool is_list = front != nullptr && std::string_view(front->Name).starts_with("##Combo");
     if (context.NavDisableHighlight && !context.NavInitRequestFromMove && !is_list)
@@ -126,16 +127,16 @@ void Gui::end_frame() {
 void Gui::abandon_frame() {
     ImGuiContext& context = *ImGui::GetCurrentContext();
     if (context.WithinFrameScope) {
-        context.FontStack.clear();  // what follows sees to all other stacks
+        context.FontStack.clear();  // ErrorCheckEndFrameRecover() unwinds all other stacks
         ImGui::ErrorCheckEndFrameRecover(nullptr);
         ImGui::EndFrame();
     }
     release_taps();
 }
 
-/// Dear ImGui sees the keys that are down when a frame begins: one that was pressed and released since the
-/// last, as on a slow frame, would be lost, and of several the order. And it sees a key pressed anew only
-/// after a frame with it up. So each frame gets one key, with the modifiers that were pressed before it.
+/// Gives each frame one key, with the modifiers that were pressed before it. Dear ImGui reads only which keys
+/// are down when a frame begins: during a slow frame it would miss a key that is pressed and released, and
+/// the order of several keys. It also sees a key pressed again only after a frame in which the key is up.
 void Gui::hold_taps(std::span<const int> pressed) {
     ImGuiIO& io = ImGui::GetIO();
     waiting_taps_.insert(waiting_taps_.end(), pressed.begin(), pressed.end());
@@ -143,10 +144,10 @@ void Gui::hold_taps(std::span<const int> pressed) {
     if (waiting_taps_.empty()) return;
     const auto key = std::ranges::find_if_not(waiting_taps_, is_modifier);
     const auto end = key == waiting_taps_.end() ? key : key + 1;
-    // Nor does it expect a key before a menu that opens has its window.
+    // Dear ImGui also expects no key before an opening menu has its window.
     const bool is_opening = has_menu_ && ImGui::GetCurrentContext()->OpenPopupStack.back().Window == nullptr;
     const auto is_down = [&](int tap) {
-        const bool is_held = is_modifier(tap) && io.KeysDown[tap];  // and can be held for the next key, too
+        const bool is_held = is_modifier(tap) && io.KeysDown[tap];  // it may be held for the next key, too
         return io.KeysDownDuration[tap] >= 0 && !is_held;
     };
     const bool is_early = is_opening || std::any_of(waiting_taps_.begin(), end, is_down);
@@ -199,15 +200,15 @@ void Gui::follow_display() {
     glfwGetWindowSize(window_, &width_after, nullptr);
     glfwGetWindowContentScale(window_, &content_scale, nullptr);
     if (window_width == 0 || framebuffer_width == 0) return;  // minimized
-    if (window_width != width_after && scale_ > 0) return;    // resized between the questions
+    if (window_width != width_after && scale_ > 0) return;    // resized between the two calls
     const float density = static_cast<float>(framebuffer_width) / static_cast<float>(window_width);
-    // Where screen coordinates are coarser than pixels they already carry that part of the scale.
+    // Where screen coordinates are coarser than pixels, they already include that part of the scale.
     const float scale = content_scale / density;
     if (scale == scale_ && density == density_) return;
     scale_ = scale;
     density_ = density;
     apply_style(scale, density);
-    ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame makes them again, with the new typeface
+    ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame recreates them with the new typeface
 }
 
 }  // namespace interleaf

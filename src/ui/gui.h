@@ -1,4 +1,4 @@
-// Dear ImGui on a GLFW window: set up, fed and drawn.
+// Runs Dear ImGui in a GLFW window: sets it up, passes the input to it, and draws it.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,8 @@ struct GLFWwindow;
 
 namespace interleaf {
 
-/// One at a time. Install own GLFW callbacks before it: it passes events on to them.
+/// Only one object may exist at a time. Install your own GLFW callbacks before you create it: it passes
+/// events on to them.
 class Gui {
   public:
     /// \pre the window's context is current
@@ -23,44 +24,43 @@ class Gui {
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
-    /// Begins a frame with the input that has come since the last one. Panels that are shown from here on
-    /// read it, but are not drawn.
-    /// \param pressed  GLFW's keys that were pressed since: those that have been
-    /// released again, too
+    /// Begins a frame with the input since the last frame. Panels shown after this call read the input, but
+    /// are not drawn.
+    /// \param pressed  GLFW keys that were pressed since the last frame, including keys already released
     void begin_frame(std::span<const int> pressed);
 
-    /// Begins to draw the frame: its panels are shown once more, from the state that the input has led to.
-    /// Mouse and keys are where they were, but do nothing new. Dear ImGui reads and draws a panel in one
-    /// call; without this second pass, a panel would be drawn before the panels after it have been read.
+    /// Begins to draw the frame: its panels are shown a second time, from the state after the input. Mouse
+    /// and keys keep their state, but cause no new events. Dear ImGui reads and draws a panel in one call;
+    /// without this second pass, a panel would be drawn before the panels after it have been read.
     /// \pre begin_frame() has been called
     void begin_drawing();
 
-    /// Draws the frame over what the window shows.
+    /// Draws the frame over the content of the window.
     /// \pre begin_drawing() has been called
     void end_frame();
 
-    /// Ends a frame in which an exception was thrown, wherever that was: nothing is drawn of it, and the next
-    /// one can begin. After end_frame(), and before begin_frame(), it does nothing.
+    /// Ends a frame in which an exception was thrown at any point. Draws nothing of the frame; the next frame
+    /// can begin. Between end_frame() and begin_frame() it does nothing.
     void abandon_frame();
 
-    /// Whether the mouse did something in this frame, or keys are left for the next frame, so that the next
-    /// frame may look different.
+    /// Whether the mouse was used in this frame, or keys wait for the next frame. The next frame may then
+    /// look different.
     bool has_input() const;
 
-    /// Where this frame has the pointer, in screen coordinates of the window.
+    /// Position of the pointer in this frame, in screen coordinates of the window.
     glm::vec2 pointer() const;
 
-    /// Whether this frame has any button of the mouse down.
+    /// Whether any mouse button is down in this frame.
     bool is_button_down() const;
 
     /// Whether a text field receives the typed text.
     bool takes_text() const;
 
-    /// Whether a menu, or the list of a box of choices, is or was open in this frame: it has the keyboard.
-    /// Arrows move in it, Enter and Space choose, Esc closes it.
+    /// Whether a menu or the list of a combo box is or was open in this frame. It then receives the keyboard:
+    /// arrows move in it, Enter and Space choose, Esc closes it.
     bool has_menu() const { return has_menu_; }
 
-    /// The menu or question in front of all others, in screen coordinates; none unless it is shown.
+    /// The rectangle of the frontmost menu or question, in screen coordinates; none if it is not shown.
     std::optional<Rect> popup() const;
 
     /// Framebuffer pixels per screen coordinate.
@@ -76,12 +76,12 @@ class Gui {
     void release_taps();
 
     GLFWwindow* window_;
-    float scale_ = 0;  ///< of the user interface, in screen coordinates
+    float scale_ = 0;  ///< scale of the user interface, in screen coordinates
     float density_ = 0;
     bool has_menu_ = false;
     bool has_mouse_input_ = false;
-    std::vector<int> taps_;          ///< keys that are held down for this frame
-    std::vector<int> waiting_taps_;  ///< those for the next ones, in order
+    std::vector<int> taps_;          ///< keys held down for this frame
+    std::vector<int> waiting_taps_;  ///< keys for the next frames, in order
 };
 
 }  // namespace interleaf

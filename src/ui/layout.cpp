@@ -15,7 +15,7 @@ Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline
     const float status_top = std::max(size.y - pixels(status_height), menu_height);
     const float timeline_top = std::max(status_top - pixels(has_timeline ? timeline_height : 0), menu_height);
     const float middle_height = timeline_top - menu_height;
-    // Whatever happens, the surface keeps some of the width.
+    // The surface always keeps part of the width.
     const float column = std::min(pixels(column_width), std::floor(size.x * 0.45F));
 
     Layout layout;

@@ -1,4 +1,4 @@
-// Where the panels are: computed by hand from the size of the window, so that it works at any.
+// The places of the panels, computed from the size of the window. The layout works at any size.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,17 @@ namespace interleaf {
 
 /// The rectangles share edges and cover the window below the menu bar.
 struct Layout {
-    std::optional<Rect> left;  ///< keys and display; a narrow window has them in the right column
+    std::optional<Rect> left;  ///< keys and display; none in a narrow window, which has them at the right
     Rect view;
     Rect right;
-    Rect timeline;  ///< without height where there is none to show
+    Rect timeline;  ///< height 0 if there is no timeline
     Rect status;
 };
 
-/// \param size         of the window
-/// \param menu_height  of the menu bar along the top
-/// \param scale        of the user interface, 1 for an ordinary display
-/// \param has_timeline whether there is a timeline to show
+/// \param size  size of the window
+/// \param menu_height  height of the menu bar along the top
+/// \param scale  scale of the user interface; 1 for an ordinary display
+/// \param has_timeline  whether there is a timeline to show
 Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline);
 
 }  // namespace interleaf

@@ -198,7 +198,7 @@ TEST_CASE("every damaged file has its message") {
     CHECK(files.size() == damage.size());
 }
 
-TEST_CASE("a family names files inside its folder, also behind links, and no others") {
+TEST_CASE("a family can name files inside its folder, also through links, and no others") {
     const FamilyFolder folder;
     const fs::path family = folder.family();
     fs::create_directory(family / "sub");
@@ -239,7 +239,7 @@ TEST_CASE("a family names files inside its folder, also behind links, and no oth
     }
 }
 
-TEST_CASE("a pipe, a device or a folder in the place of a file is refused at once") {
+TEST_CASE("a pipe, a device or a folder in place of a file is refused at once") {
     const FamilyFolder folder;
     REQUIRE(::mkfifo((folder.family() / "pipe.ilh").c_str(), 0600) == 0);
     fs::create_symlink("pipe.ilh", folder.family() / "link-to-pipe.ilh");
@@ -261,8 +261,7 @@ TEST_CASE("a pipe, a device or a folder in the place of a file is refused at onc
     CHECK(contains(outcome.errors, "family.json: is a device, pipe or socket, expected a file"));
 }
 
-TEST_CASE(
-    "names of files are shown as they are in UTF-8, and escaped where they are none or move the cursor") {
+TEST_CASE("messages show names of files in UTF-8, and escape bytes that are not UTF-8 or move the cursor") {
     const ScratchFolder folder;
     const std::map<std::string, std::string> names = {
         {"Würfel 三 \xf0\x9f\x8e\xb2.ilh", "Würfel 三 \xf0\x9f\x8e\xb2.ilh"},

@@ -45,7 +45,7 @@ TEST_CASE("help lists the extensions of the table of formats") {
     }
 }
 
-TEST_CASE("help says what --help says, of the program and of each command") {
+TEST_CASE("help prints the same text as --help, for the program and for each command") {
     CHECK(run_interleaf({"help"}).output == run_interleaf({"--help"}).output);
     for (const std::string& command : commands) {
         CAPTURE(command);
@@ -132,7 +132,7 @@ TEST_CASE("a faulty command line exits with 2 and one message that names the wor
     }
 }
 
-TEST_CASE("a file that is missing or not what it should be exits with 1 and one message that names it") {
+TEST_CASE("a file that is missing or of the wrong kind exits with 1 and one message that names it") {
     const ScratchFolder folder;
     put(folder / "text.ilh", "not a hierarchy");
     CHECK(run_interleaf({"view", folder / "missing.off"}).status == 1);
@@ -183,7 +183,7 @@ TEST_CASE("a display that cannot be opened is the machine's fault, too") {
     CHECK(contains(outcome.errors, "interleaf render"));
 }
 
-TEST_CASE("a full disk exits with 3 and leaves the old file whole and nothing beside it") {
+TEST_CASE("a full disk exits with 3, keeps the old file whole, and leaves nothing beside it") {
     const ScratchFolder folder;
     put(folder / "u.obj", "old");
     const Outcome outcome = run_interleaf({"export", "--time", "1", "-o", folder / "u.obj"},
@@ -196,7 +196,7 @@ TEST_CASE("a full disk exits with 3 and leaves the old file whole and nothing be
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
 }
 
-TEST_CASE("what cannot be written to standard output exits with 3") {
+TEST_CASE("a failed write to standard output exits with 3") {
     const std::vector<std::vector<std::string>> lines = {
         {"--help"},         {"info", INTERLEAF_FIVE_KEYS},      {"check", INTERLEAF_FIVE_KEYS},
         {"make", "--list"}, {"make", "icosahedron", "-o", "-"}, {"export", "--format", "obj", "-o", "-"}};
@@ -211,7 +211,7 @@ TEST_CASE("what cannot be written to standard output exits with 3") {
     }
 }
 
-TEST_CASE("a file that cannot be made exits with 3 and one message that names it") {
+TEST_CASE("a file that cannot be created exits with 3 and one message that names it") {
     const ScratchFolder folder;
     put(folder / "file", "");
     const std::vector<std::string> targets = {folder / "missing/a", folder / "file/a"};

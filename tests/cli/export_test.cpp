@@ -94,7 +94,7 @@ TEST_CASE("an exported PLY announces the union and has the size that it announce
     CHECK(ply.size() - (ply.find(end) + end.size()) == 12 * obj.vertex_count() + 13 * obj.leaf_count());
 }
 
-TEST_CASE("standard output gets the bytes that a file gets") {
+TEST_CASE("standard output gets the same bytes as a file") {
     const ScratchFolder folder;
     for (const std::string format : {"obj", "ply", "ilh"}) {
         CAPTURE(format);
@@ -105,7 +105,7 @@ TEST_CASE("standard output gets the bytes that a file gets") {
     }
 }
 
-TEST_CASE("a key exported compressed is the key exported plain") {
+TEST_CASE("a key exported in compressed form is the same key") {
     const ScratchFolder folder;
     REQUIRE(export_to(folder / "plain.ilh", {"--at", "0.3,0.4"}).status == 0);
     REQUIRE(export_to(folder / "compressed.ilh", {"--at", "0.3,0.4", "--compress"}).status == 0);
@@ -120,7 +120,7 @@ TEST_CASE("a key exported compressed is the key exported plain") {
     CHECK(outcome.output == content(folder / "compressed.ilh"));
 }
 
-TEST_CASE("an export names the formats that it knows, and those that hold a key") {
+TEST_CASE("export names the formats that it knows, and the formats that hold a key") {
     const ScratchFolder folder;
     const Outcome unknown = export_to(folder / "u.stl", {});
     CHECK(unknown.status == 2);
@@ -133,7 +133,7 @@ TEST_CASE("an export names the formats that it knows, and those that hold a key"
     CHECK_FALSE(std::filesystem::exists(folder / "family.json"));
 }
 
-TEST_CASE("points and times outside are clamped, and time 0 is where nothing is said") {
+TEST_CASE("points and times outside are clamped, and the default is time 0") {
     const auto exported = [](std::vector<std::string> choice) {
         choice.insert(choice.end(), {"--format", "obj"});
         const Outcome outcome = export_to("-", choice);
@@ -148,7 +148,7 @@ TEST_CASE("points and times outside are clamped, and time 0 is where nothing is 
     CHECK(exported({"--at=0.25,1"}) != exported({"--at", "0.5,1"}));
 }
 
-TEST_CASE("weights are used as given: negative, and of any sum") {
+TEST_CASE("weights are used as given: negative, and with any sum") {
     const ScratchFolder folder;
     REQUIRE(export_to(folder / "w.obj", {"--weights", "star=1.5,sphere=-0.75"}).status == 0);
     const Family family = read_family(INTERLEAF_FIVE_KEYS);
@@ -158,7 +158,7 @@ TEST_CASE("weights are used as given: negative, and of any sum") {
                              morph(unite(family, weights), weight_values(weights))));
 }
 
-TEST_CASE("one key or one mesh needs no choice") {
+TEST_CASE("a single key or mesh needs no choice of a blend") {
     const ScratchFolder folder;
     REQUIRE(run_interleaf({"export", INTERLEAF_FIVE_KEYS "/star.ilh", "-o", folder / "star.obj"}).status ==
             0);

@@ -72,7 +72,7 @@ TEST_CASE("info lists fields with the range over all keys, and each key's own") 
     CHECK_FALSE(contains(run_interleaf({"info", INTERLEAF_FIVE_KEYS}).output, "fields"));
 }
 
-TEST_CASE("every way to color by a field is another picture") {
+TEST_CASE("every way to color by a field gives another picture") {
     const ScratchFolder folder;
     const std::string family = write_sample(folder);
     const std::vector<std::vector<std::string>> choices = {{},
@@ -96,7 +96,7 @@ TEST_CASE("every way to color by a field is another picture") {
           render({family, "--time", "0.5", "--color", "height"}));
 }
 
-TEST_CASE("a field that there is not is refused, and what there is, is named") {
+TEST_CASE("a field that does not exist is refused, and the message names the existing fields") {
     const ScratchFolder folder;
     const std::string family = write_sample(folder);
     const auto error_of = [&](std::vector<std::string> choice) {
@@ -150,7 +150,7 @@ TEST_CASE("exports carry the fields that the active keys share") {
     CHECK(read_hierarchy(folder / "s.ilh").fields.size() == 3);
 }
 
-TEST_CASE("colors of an OBJ can be seen") {
+TEST_CASE("render shows the colors of an OBJ") {
     const ScratchFolder folder;
     const Hierarchy key = key_with_fields("icosahedron");
     const std::string text = obj_text(key.roots.triangles(), key.positions, key.fields);

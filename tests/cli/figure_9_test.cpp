@@ -42,7 +42,7 @@ TEST_CASE("figure 9 is shipped as one triangle of bone, bunny and sphere over a 
     CHECK(run_interleaf({"check", shipped_folder.string()}).status == 0);
 }
 
-TEST_CASE("the timeline of figure 9 visits all keys, keeps to the domain, and ends where it began") {
+TEST_CASE("the timeline of figure 9 visits all keys, stays in the domain, and ends where it began") {
     const Family family = read_family(shipped_folder);
     REQUIRE(family.timeline.has_value());
     REQUIRE(family.domain.has_value());
@@ -58,7 +58,7 @@ TEST_CASE("the timeline of figure 9 visits all keys, keeps to the domain, and en
     }
 }
 
-TEST_CASE("bone and sphere of figure 9 are what the commands of make-figure-9 make, to the last bit") {
+TEST_CASE("bone and sphere of figure 9 are the output of the commands in make-figure-9, to the last bit") {
     const ScratchFolder folder;
     for (const auto& [shape, leaves] : {std::pair{"bone", "14000"}, std::pair{"sphere", "6000"}}) {
         CAPTURE(shape);

@@ -58,7 +58,7 @@ std::string torus_off() {
     return off_text(points, triangles);
 }
 
-TEST_CASE("a mesh becomes a key over the cube's roots, near to it, with a report") {
+TEST_CASE("a mesh becomes a key over the cube's roots, close to the mesh, with a report") {
     const ScratchFolder folder;
     const std::string mesh = shape_obj(folder, "cushion", 800);
     const Outcome outcome =
@@ -82,7 +82,7 @@ TEST_CASE("a mesh becomes a key over the cube's roots, near to it, with a report
     CHECK(report["seconds"]["whole"].get<double>() > report["seconds"]["clean-up"].get<double>());
 }
 
-TEST_CASE("the same mesh gives the same file; standard output gets it alone") {
+TEST_CASE("the same mesh gives the same file, and standard output gets only the file") {
     const ScratchFolder folder;
     const std::string mesh = shape_obj(folder, "star", 500);
     REQUIRE(run_interleaf({"fit", mesh, "-o", folder / "key.ilh", "--leaves", "1000"}).status == 0);
@@ -91,7 +91,7 @@ TEST_CASE("the same mesh gives the same file; standard output gets it alone") {
     CHECK(outcome.output == content(folder / "key.ilh"));
 }
 
-TEST_CASE("a tolerance is met, and roots of one's own are taken") {
+TEST_CASE("fit keeps a tolerance, and takes roots from a file") {
     const ScratchFolder folder;
     const std::string mesh = shape_obj(folder, "cushion", 800);
     for (const std::string& roots :
@@ -110,7 +110,7 @@ TEST_CASE("a tolerance is met, and roots of one's own are taken") {
     }
 }
 
-TEST_CASE("several meshes become a family over the same roots, three of them with a domain") {
+TEST_CASE("several meshes become a family over the same roots, and three meshes get a domain") {
     const ScratchFolder folder;
     const std::string star = shape_obj(folder, "star", 500);
     const std::string cushion = shape_obj(folder, "cushion", 500);
@@ -159,7 +159,7 @@ nlohmann::json fit_report(std::vector<std::string> arguments) {
     return nlohmann::json::parse(outcome.output)["meshes"];
 }
 
-TEST_CASE("parts and holes beyond a little are refused with what they are, unless an option says so") {
+TEST_CASE("fit refuses large parts and holes with a description, unless an option accepts them") {
     const ScratchFolder folder;
     const std::string two = folder / "two.obj";
     put(two, box_obj({0, 0, 0}, {2, 2, 2}) + box_obj({5, 0, 0}, {6, 1, 1}, 8));
@@ -186,7 +186,7 @@ TEST_CASE("parts and holes beyond a little are refused with what they are, unles
     CHECK(filled["area"]["made"].get<double>() == doctest::Approx(0.2));
 }
 
-TEST_CASE("bodies of other sizes and places are told of, and brought together when asked") {
+TEST_CASE("fit reports meshes of different sizes and places, and matches them if an option asks for it") {
     const ScratchFolder folder;
     const std::string first = folder / "first.obj";
     const std::string second = folder / "second.obj";
@@ -212,7 +212,7 @@ TEST_CASE("bodies of other sizes and places are told of, and brought together wh
     CHECK(run_interleaf({"fit", first, "-o", folder / "x.ilh", "--up", "W"}).status == 2);
 }
 
-TEST_CASE("meshes far from 0 keep their digits, through family and export") {
+TEST_CASE("meshes far from 0 keep their digits through family and export") {
     const ScratchFolder folder;
     const glm::dvec3 corner(512358.286, 5412347.178, 311.5);
     for (const char* name : {"a.obj", "b.obj"})
@@ -234,7 +234,7 @@ TEST_CASE("meshes far from 0 keep their digits, through family and export") {
     CHECK(contains(key.errors, "(512359, 5412349, 314) was subtracted from all positions"));
 }
 
-TEST_CASE("a message about a mesh whose digits were lost says that they were") {
+TEST_CASE("a message about a mesh that has lost digits says so") {
     const ScratchFolder folder;
     std::string stl(80, ' ');
     const auto append = [&](const auto& value) {
@@ -256,7 +256,7 @@ TEST_CASE("a message about a mesh whose digits were lost says that they were") {
     CHECK(info["volume"].get<double>() == doctest::Approx(1.0 / 6));
 }
 
-TEST_CASE("meshes that no key can stand for are refused with exit status 1, the file and the reason") {
+TEST_CASE("a mesh that no key can represent exits with 1, and the message names the file and the reason") {
     const ScratchFolder folder;
     const std::vector<std::array<double, 3>> tetrahedron = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     struct Case {
@@ -287,7 +287,7 @@ TEST_CASE("meshes that no key can stand for are refused with exit status 1, the 
     }
 }
 
-TEST_CASE("roots that do not cover the sphere are refused, naming their file") {
+TEST_CASE("roots that do not cover the sphere are refused, and the message names their file") {
     const ScratchFolder folder;
     const std::string mesh = shape_obj(folder, "sphere", 500);
     put(folder / "roots.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -297,7 +297,7 @@ TEST_CASE("roots that do not cover the sphere are refused, naming their file") {
     CHECK(contains(outcome.errors, "roots.obj: the roots have 3 boundary edges"));
 }
 
-TEST_CASE("a command line that makes no sense has exit status 2") {
+TEST_CASE("a command line that makes no sense exits with 2") {
     const ScratchFolder folder;
     const std::string mesh = shape_obj(folder, "sphere", 500);
     const std::string key = folder / "key.ilh";
@@ -325,7 +325,7 @@ TEST_CASE("a command line that makes no sense has exit status 2") {
     }
 }
 
-TEST_CASE("an interrupt ends the work and leaves nothing behind") {
+TEST_CASE("an interrupt ends the work, and leaves no file behind") {
     const ScratchFolder folder;
     const std::string mesh = shape_obj(folder, "star", 60000);
     const std::string key = folder / "key.ilh";

@@ -72,12 +72,12 @@ TEST_CASE("the figures of a family list its keys, its timeline and its domain") 
     CHECK(figures.at("domain").at("triangles").size() == 4);
 }
 
-TEST_CASE("the form of a file is told, for each key of a family as well") {
+TEST_CASE("info prints the form of a file, and of each key of a family") {
     const ScratchFolder folder;
     std::filesystem::copy(INTERLEAF_FIVE_KEYS, folder.path(), std::filesystem::copy_options::recursive);
     const std::string star = folder / "star.ilh";
     CHECK(info(star).at("form") == "plain");
-    CHECK(contains(run_interleaf({"info", star}).output, " bytes, plain, 10.26 bytes a leaf\n"));
+    CHECK(contains(run_interleaf({"info", star}).output, " bytes, plain, 10.26 bytes per leaf\n"));
 
     write_hierarchy(read_hierarchy(star), star, {.compressed = true, .rounding_bits = 0});
     json figures = info(star);
@@ -112,7 +112,7 @@ TEST_CASE("an open mesh has level 0 and boundary edges") {
     CHECK(figures.at("bytes").at("file") == std::filesystem::file_size(folder / "square.obj"));
 }
 
-TEST_CASE("people read the same figures") {
+TEST_CASE("the text form shows the same figures") {
     const Outcome key = run_interleaf({"info", INTERLEAF_FIVE_KEYS "/star.ilh"});
     CHECK(key.status == 0);
     CHECK(contains(key.output, "\nleaves        20,000\n"));
@@ -133,7 +133,7 @@ TEST_CASE("check accepts sound files, one line each") {
     CHECK(contains(outcome.output, INTERLEAF_FIVE_KEYS "/bone.ilh: sound"));
 }
 
-TEST_CASE("check names the file at fault and goes on with the others") {
+TEST_CASE("check names the faulty file, and continues with the others") {
     const ScratchFolder folder;
     std::string bytes = content(INTERLEAF_FIVE_KEYS "/star.ilh");
     bytes[bytes.size() / 2] ^= 1;
@@ -146,7 +146,7 @@ TEST_CASE("check names the file at fault and goes on with the others") {
     CHECK(outcome.output == INTERLEAF_FIVE_KEYS "/star.ilh: sound, 1 key\n");
 }
 
-TEST_CASE("check names a file that cannot be opened, goes on, and exits with 3, whatever else is at fault") {
+TEST_CASE("check names a file that cannot be opened, continues, and exits with 3 whatever else is faulty") {
     const ScratchFolder folder;
     std::filesystem::create_symlink("loop.ilh", folder.path() / "loop.ilh");
     put(folder / "damaged.ilh", "not a hierarchy");
@@ -174,7 +174,7 @@ TEST_CASE("check names every damaged key of a family") {
     CHECK_FALSE(contains(outcome.errors, "sphere.ilh"));
 }
 
-TEST_CASE("a mesh of any form has its area, volume, parts, openings and handles, and is checked") {
+TEST_CASE("info prints area, volume, parts, openings and handles of any mesh, and check checks it") {
     const ScratchFolder folder;
     const std::string star = INTERLEAF_FIVE_KEYS "/star.ilh";
     REQUIRE(run_interleaf({"export", star, "-o", folder / "star.ply"}).status == 0);
@@ -208,7 +208,7 @@ TEST_CASE("the kind of a file does not depend on the case of its extension") {
     CHECK(info(folder / "SQUARE.ILH").at("kind") == "hierarchy");
 }
 
-TEST_CASE("a message is one line, whatever a file is called") {
+TEST_CASE("a message is one line, whatever the name of the file") {
     const Outcome outcome = run_interleaf({"info", "first\nsecond.ilh"});
     CHECK(outcome.status == 1);
     CHECK(is_one_message(outcome.errors));

@@ -33,13 +33,13 @@ TEST_CASE("--list names every shape that can be made") {
     }
 }
 
-TEST_CASE("a budget of leaves is kept and nearly used up") {
+TEST_CASE("make keeps a budget of leaves, and nearly uses it up") {
     const std::size_t leaves = make({"star", "--leaves", "1000"}).leaf_count();
     CHECK(leaves <= 1000);
     CHECK(leaves > 980);
 }
 
-TEST_CASE("fewer leaves than a shape has roots are refused") {
+TEST_CASE("make refuses fewer leaves than the shape has roots") {
     const ScratchFolder folder;
     const Outcome outcome = run_interleaf({"make", "brezel", "--leaves", "143", "-o", folder / "brezel.ilh"});
     CHECK(outcome.status == 2);
@@ -52,7 +52,7 @@ TEST_CASE("a smaller tolerance makes more leaves") {
           make({"sphere", "--tolerance", "0.005"}).leaf_count());
 }
 
-TEST_CASE("a compressed key is the same key in fewer bytes; rounded it takes fewer still") {
+TEST_CASE("a compressed key is the same key in fewer bytes, and a rounded key takes fewer still") {
     const ScratchFolder folder;
     const auto write = [&](const std::string& name, const std::vector<std::string>& options) {
         std::vector<std::string> line = {"make", "star", "--leaves", "5000", "-o", folder / name};
@@ -83,7 +83,7 @@ TEST_CASE("a compressed key is the same key in fewer bytes; rounded it takes few
     }
 }
 
-TEST_CASE("standard output gets the bytes that a file gets") {
+TEST_CASE("standard output gets the same bytes as a file") {
     const ScratchFolder folder;
     REQUIRE(run_interleaf({"make", "bone", "--leaves", "200", "-o", folder / "bone.ilh"}).status == 0);
     const Outcome outcome = run_interleaf({"make", "bone", "--leaves", "200", "-o", "-"});

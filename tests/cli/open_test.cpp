@@ -42,7 +42,7 @@ TEST_CASE("family makes a folder of keys that can be opened") {
     CHECK(run_interleaf({"export", folder / "three", "--at", "0,0", "-o", folder / "u.obj"}).status == 0);
 }
 
-TEST_CASE("family takes files of any name, and writes names that can be read") {
+TEST_CASE("family takes files of any name, and writes names that can be read back") {
     const ScratchFolder folder;
     const std::filesystem::path odd = folder / "a\u009b2J\n.ilh";
     std::filesystem::copy_file(names[0], odd);
@@ -71,7 +71,7 @@ TEST_CASE("a family of compressed keys is the same family in fewer bytes") {
           (folder / "small").string() + ": sound, 2 keys\n");
 }
 
-TEST_CASE("keys in another numbering are put over the roots of the first, and check and family say so") {
+TEST_CASE("keys in another numbering get the roots of the first key, and check and family report it") {
     const ScratchFolder folder;
     const Hierarchy star = read_hierarchy(names[1]);
     // The same key with its root vertices in reverse order.
@@ -104,7 +104,7 @@ TEST_CASE("keys in another numbering are put over the roots of the first, and ch
     CHECK(contains(run_interleaf({"check", folder / "g"}).output, "sound, 2 keys\n"));
 }
 
-TEST_CASE("a series of meshes is opened by a pattern or by name, in the order of its numbers") {
+TEST_CASE("a series of meshes is opened by a pattern or by name, in numerical order") {
     const ScratchFolder folder;
     write_series(folder);
     const std::string pattern = folder / "flow.*.obj";
@@ -131,7 +131,7 @@ TEST_CASE("a series of meshes is opened by a pattern or by name, in the order of
     }
 }
 
-TEST_CASE("several keys that do not fit exit with 1 and say which and where") {
+TEST_CASE("several keys that do not match exit with 1, and the message says which keys and where") {
     const ScratchFolder folder;
     write_series(folder);
     put(folder / "flow.2.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 1\n");
@@ -161,7 +161,7 @@ TEST_CASE("several keys that do not fit exit with 1 and say which and where") {
     CHECK_FALSE(std::filesystem::exists(folder / "f"));
 }
 
-TEST_CASE("meshes with other faces are no family, and the viewer offers to fit them") {
+TEST_CASE("meshes with different faces are not a family, and the viewer offers to fit them") {
     const ScratchFolder folder;
     write_series(folder);
     put(folder / "flow.2.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 1\n");
@@ -181,7 +181,7 @@ TEST_CASE("meshes with other faces are no family, and the viewer offers to fit t
     }
 }
 
-TEST_CASE("check takes a pattern and a folder of meshes to fit, and checks each") {
+TEST_CASE("check takes a pattern or a folder of meshes to fit, and checks each mesh") {
     const ScratchFolder folder;
     const std::string closed = "OFF 4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
     put(folder / "a.off", closed);

@@ -52,7 +52,7 @@ double difference(const Picture& a, const Picture& b) {
     return static_cast<double>(changed) / (static_cast<double>(a.rgb.size()) / 3);
 }
 
-TEST_CASE("the picture is a PNG of the size asked for, 1280x720 if nothing is said") {
+TEST_CASE("the picture is a PNG of the given size, by default 1280x720") {
     const ScratchFolder folder;
     REQUIRE(run_interleaf({"render", "--at", "0.3,0.4", "-o", folder / "a.png"}).status == 0);
     const Picture standard = decode(content(folder / "a.png"));
@@ -103,14 +103,14 @@ TEST_CASE("edges are drawn on the surface and leave the background as it is") {
     CHECK(difference(plain, edges) > 0.02);
 }
 
-TEST_CASE("a point of the domain, the weights there and the key at a corner are the same picture") {
+TEST_CASE("a point of the domain gives the same picture as its weights, also at a corner") {
     CHECK(difference(render({"--at", "-1,1"}), render({"--weights", "star=1"})) < 0.001);
     CHECK(difference(render({"--at", "-1,1"}), render({"--at", "1,1"})) > 0.02);
     CHECK(difference(render({"--at", "0.5,0"}), render({"--weights", "sphere=0.5,bone=0.25,cushion=0.25"})) <
           0.001);
 }
 
-TEST_CASE("the camera views all keys: none reaches the border of the picture") {
+TEST_CASE("the camera shows all keys: none reaches the border of the picture") {
     for (const std::string key : {"icosahedron", "bone", "cushion", "star", "sphere"}) {
         CAPTURE(key);
         const Picture picture = render({"--weights", key + "=1"});

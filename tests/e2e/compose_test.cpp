@@ -1,5 +1,5 @@
-// End-to-end tests of composing a family: with the mouse, the keys and the menus, undone, done again, saved
-// and opened.
+// End-to-end tests of composing a family with the mouse, the keys and the menus, and of undoing, redoing,
+// saving and opening it.
 #include <string>
 #include <vector>
 
@@ -14,7 +14,7 @@ using State = RunningViewer::State;
 
 namespace {
 
-/// Waits until the last step is called so.
+/// Waits until the last step is named \p name.
 State wait_for_step(const RunningViewer& viewer, const std::string& name) {
     return viewer.wait_for(name, [&](const State& s) { return s["document"]["undo"] == name; });
 }
@@ -100,14 +100,14 @@ void compose_domain(const RunningViewer& viewer) {
     viewer.press(XK_y, XK_Control_L);
     state = viewer.wait_for("it done again", [&](const State& s) { return family_of(s) == moved; });
 
-    // A heading, then the seven keys: the entry is bone.
+    // The menu has a heading, then the seven keys: the entry is bone.
     viewer.click(domain_pixel(state, {-0.5F, 0}), 3);
     choose_in_menu(viewer, 1, 8);
     state =
         viewer.wait_for("a new vertex", [](const State& s) { return s["document"]["domain"].size() == 6; });
     CHECK(state["document"]["domain"][5][2] == state["document"]["keys"][0]);
 
-    // And below them, "Remove vertex".
+    // Now it also has "Remove vertex" below them.
     viewer.click(domain_pixel(state, {-0.5F, 0}), 3);
     choose_in_menu(viewer, 3, 9);
     state = viewer.wait_for("another key at it", [](const State& s) {
@@ -131,7 +131,7 @@ void remove_a_key_by_its_menu(const RunningViewer& viewer) {
     const State state = viewer.state();
     const std::string name = state["document"]["keys"][6];
     viewer.click(row_pixel(state, 6), 3);
-    // Rename, duplicate, put on timeline, up, down, remove.
+    // The entries: rename, duplicate, put on timeline, up, down, remove.
     choose_in_menu(viewer, 5, 6);
     const State after = wait_for_step(viewer, "Remove " + name);
     CHECK(after["document"]["keys"].size() == 6);
@@ -169,7 +169,7 @@ void choose_in_browser(const RunningViewer& viewer, const std::string& letters, 
 
 }  // namespace
 
-TEST_CASE("a composed family undone, done again, saved and opened is the same family") {
+TEST_CASE("a composed family is the same after undo, redo, saving and opening") {
     const ScratchFolder home;
     State composed;
     {

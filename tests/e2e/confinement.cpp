@@ -12,7 +12,7 @@ namespace interleaf {
 
 namespace {
 
-// Of later kernels than the headers may be of.
+// Rights of newer kernels, which the headers may lack.
 constexpr std::uint64_t refer = 1ULL << 13;      // since version 2
 constexpr std::uint64_t truncate_ = 1ULL << 14;  // since version 3
 

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether \p act returns true in a process of its own that can write in \p folder alone.
+/// Whether \p act returns true in a separate process that can write only in \p folder.
 bool holds_confined(const fs::path& folder, const std::function<bool()>& act) {
     const pid_t process = fork();
     if (process == 0) _exit(confine_writes(std::span(&folder, 1), {}) && act() ? 0 : 1);
@@ -28,8 +28,8 @@ bool holds_confined(const fs::path& folder, const std::function<bool()>& act) {
 
 }  // namespace
 
-TEST_CASE("a confined program writes, renames and removes in its folder and nowhere else") {
-    if (!can_confine_writes()) return;  // random_window says so
+TEST_CASE("a confined program writes, renames and removes only in its folder") {
+    if (!can_confine_writes()) return;  // random_window reports this
     const ScratchFolder own;
     const ScratchFolder other;
     const fs::path file = other.path() / "file";
@@ -51,5 +51,5 @@ TEST_CASE("a confined program writes, renames and removes in its folder and nowh
         return static_cast<bool>(error);
     }));
     CHECK(fs::file_size(file) == 4);
-    CHECK(can_write(file));  // this process is free
+    CHECK(can_write(file));  // this process is not confined
 }

@@ -29,7 +29,7 @@ bool belongs_to(Display* display, Window window, pid_t process) {
     XGetWindowProperty(display, window, property, 0, 1, False, XA_CARDINAL, &type, &format, &count, &rest,
                        &bytes);
     const std::unique_ptr<unsigned char, FreeX> owner(bytes);
-    // Xlib hands out values of 32 bits as longs.
+    // Xlib returns 32-bit values as longs.
     return bytes != nullptr && format == 32 && count == 1 &&
            *reinterpret_cast<const unsigned long*>(bytes) == static_cast<unsigned long>(process);
 }
@@ -47,7 +47,7 @@ void Desktop::CloseDisplay::operator()(_XDisplay* display) const {
 
 Desktop::Desktop() : display_(XOpenDisplay(nullptr)) {
     if (!display_) throw std::runtime_error("the end-to-end tests need an X display");
-    // A window may vanish between being listed and being asked.
+    // A window may vanish between being listed and being queried.
     XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
 }
 
@@ -88,7 +88,7 @@ void Desktop::set_key(KeyName key, bool down) const {
 }
 
 void Desktop::type(const std::string& text) const {
-    // For printable ASCII the name of a key is the letter.
+    // For printable ASCII, the name of a key is the letter.
     for (const char letter : text) {
         const auto name = static_cast<KeyName>(static_cast<unsigned char>(letter));
         const KeyCode code = XKeysymToKeycode(display_.get(), name);
@@ -121,7 +121,7 @@ std::string Desktop::title(WindowName window) const {
 Picture Desktop::picture(WindowName window, const Area& area) const {
     XImage* const image = XGetImage(display_.get(), window, area.x, area.y, static_cast<unsigned>(area.width),
                                     static_cast<unsigned>(area.height), AllPlanes, ZPixmap);
-    if (image == nullptr) throw std::runtime_error("the window gives no picture");
+    if (image == nullptr) throw std::runtime_error("cannot read the picture of the window");
     Picture pixels;
     pixels.reserve(static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
     for (int y = 0; y < area.height; ++y) {

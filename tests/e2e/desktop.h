@@ -1,4 +1,4 @@
-// The X display as a person has it: a pointer, a keyboard, and pictures of what a window shows.
+// The X display as a user has it: a pointer, a keyboard, and pictures of what a window shows.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 #include <glm/vec2.hpp>
 #include <sys/types.h>
 
-// Xlib's header takes names such as None and Bool for macros, so it stays in desktop.cpp.
+// Xlib's header defines macros such as None and Bool, so only desktop.cpp includes it.
 struct _XDisplay;  // NOLINT(bugprone-reserved-identifier)
 
 namespace interleaf {
 
-/// Xlib's Window, 0 for none, and KeySym.
+/// Xlib's Window (0 for none) and KeySym.
 using WindowName = unsigned long;
 using KeyName = unsigned long;
 
@@ -26,15 +26,15 @@ struct Area {
     int height;
 };
 
-/// One value a pixel, row after row.
+/// One value per pixel, row by row.
 using Picture = std::vector<std::uint32_t>;
 
 class Desktop {
   public:
-    /// \throw std::runtime_error when there is no display
+    /// \throw std::runtime_error if there is no display
     Desktop();
 
-    /// The window of the process \p process; 0 while it has none.
+    /// The window of \p process; 0 while it has none.
     WindowName window_of(pid_t process) const;
 
     void move_pointer(WindowName window, glm::vec2 at) const;
@@ -43,12 +43,12 @@ class Desktop {
     void set_button(unsigned button, bool down) const;
     void set_key(KeyName key, bool down) const;
 
-    /// Types \p text, of ASCII, as the keyboard in use has its letters.
+    /// Types \p text, which is ASCII, with the layout of the current keyboard.
     void type(const std::string& text) const;
 
     void resize(WindowName window, glm::ivec2 size) const;
 
-    /// What a window manager shows above \p window; UTF-8.
+    /// The title that a window manager shows above \p window, in UTF-8.
     std::string title(WindowName window) const;
 
     Picture picture(WindowName window, const Area& area) const;

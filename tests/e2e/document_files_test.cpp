@@ -1,5 +1,5 @@
-// End-to-end tests of the files of the document: dropped, opened, changed on disk, left unsaved, lost in a
-// crash and recovered.
+// End-to-end tests of the document's files: dropped, opened, changed on disk, left unsaved, lost in a crash
+// and recovered.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -28,7 +28,7 @@ fs::path family_copy(const fs::path& folder) {
     return folder;
 }
 
-/// Keeps the blend that is shown: an edit.
+/// Keeps the shown blend as a key, which is an edit.
 State keep_blend(const RunningViewer& viewer) {
     viewer.point_at(view_middle(viewer.state()));
     const std::size_t count = viewer.state()["document"]["keys"].size();
@@ -36,7 +36,7 @@ State keep_blend(const RunningViewer& viewer) {
     return wait_for_keys(viewer, count + 1);
 }
 
-/// Pixels of the red that marks an edge; nothing else in the window has such.
+/// The number of pixels in the red that marks an edge. Nothing else in the window has this color.
 std::ptrdiff_t count_red(const Picture& picture) {
     return std::ranges::count_if(picture, [](std::uint32_t pixel) {
         const unsigned red = pixel >> 16 & 0xff;
@@ -54,7 +54,7 @@ std::vector<fs::path> recoveries(const fs::path& home) {
     return found;
 }
 
-/// Waits until \p count keys are in an autosave: the recovery's note comes last.
+/// Waits until an autosave has \p count keys. The recovery's note is written last.
 void wait_for_autosave(const RunningViewer& viewer, const fs::path& home, std::size_t count) {
     viewer.wait_for("the autosave", [&](const State&) {
         for (const fs::path& recovery : recoveries(home)) {
@@ -67,7 +67,7 @@ void wait_for_autosave(const RunningViewer& viewer, const fs::path& home, std::s
     });
 }
 
-/// The names with what a list of URIs must escape.
+/// Names with characters that a list of URIs must escape.
 const std::vector<std::string>& awkward_names() {
     static const std::vector<std::string> names{"star 1.ilh", "b\u00f6ne \u2013 two.ilh", "cush%41ion.ilh"};
     return names;
@@ -75,7 +75,7 @@ const std::vector<std::string>& awkward_names() {
 
 }  // namespace
 
-TEST_CASE("files dropped on the view are a new family; dropped on the list, they are keys of it") {
+TEST_CASE("files dropped on the view open as a new family; files dropped on the list become its keys") {
     const ScratchFolder home;
     const fs::path folder = home.path() / "a folder, 100%";
     fs::create_directory(folder);
@@ -103,7 +103,7 @@ TEST_CASE("files dropped on the view are a new family; dropped on the list, they
     viewer.press(XK_z, XK_Control_L);
     state = wait_for_keys(viewer, 3);
 
-    // A broken file is refused wherever it is dropped, and all stays as it was.
+    // A broken file is refused wherever it is dropped, and changes nothing.
     const fs::path broken = folder / "broken.ilh";
     fs::copy(builtin_file("star.ilh"), broken);
     fs::resize_file(broken, 3000);
@@ -117,7 +117,7 @@ TEST_CASE("files dropped on the view are a new family; dropped on the list, they
         viewer.wait_for("no message", [](const State& s) { return s["message"] == ""; });
     }
 
-    // Recent files, by the menu: File, then its second line, then the last but one that was opened.
+    // Recent files, by the menu: File, then its second line, then the file opened before the last.
     viewer.drop(std::vector{builtin_file("family.json")}, view_middle(state));
     wait_for_keys(viewer, 5);
     viewer.click({20, 10});
@@ -130,9 +130,7 @@ TEST_CASE("files dropped on the view are a new family; dropped on the list, they
     CHECK(state["document"]["keys"] == State({"star 1"}));
 }
 
-TEST_CASE(
-    "a folder that is a family is opened by its typed path, and by Ctrl+Enter in the list; Enter goes into "
-    "it") {
+TEST_CASE("a family folder is opened by its typed path, and by Ctrl+Enter in the list; Enter goes into it") {
     const ScratchFolder home;
     const fs::path folder = family_copy(home.path() / "mine");
     fs::create_directories(home.path() / "other" / "inner");
@@ -161,7 +159,7 @@ TEST_CASE(
     viewer.drop(std::vector{builtin_file("star.ilh")}, view_middle(viewer.state()));
     wait_for_keys(viewer, 1);
     browse();
-    // It begins in the folder of the choice before.
+    // The browser begins in the folder of the previous choice.
     viewer.wait_for("the folder", [&](const State& s) {
         return s["browsed"] == (home.path() / "other" / "inner").string();
     });
@@ -170,7 +168,7 @@ TEST_CASE(
                     [&](const State& s) { return s["browsed"] == (home.path() / "other").string(); });
     viewer.type_keys("mi");
     viewer.wait_for("the cursor on it", [&](const State& s) { return s["browsed"] == folder.string(); });
-    // Ctrl is held for a while, and released before the program can look again.
+    // Ctrl is held for a while, and released before the program looks again.
     viewer.desktop().set_key(XK_Control_L, true);
     viewer.settled_picture();
     viewer.while_it_is_busy([&] {
@@ -184,8 +182,7 @@ TEST_CASE(
     CHECK(viewer.state()["message"] == "");
 }
 
-TEST_CASE(
-    "leaving unsaved changes asks: cancelled it goes on, declined they are gone, saved they are there") {
+TEST_CASE("leaving unsaved changes asks: canceling keeps them, declining loses them, saving saves them") {
     const ScratchFolder home;
     const fs::path folder = family_copy(home.path() / "family");
     {
@@ -218,7 +215,7 @@ TEST_CASE(
     CHECK(State::parse(file)["keys"].size() == 6);
 }
 
-TEST_CASE("what a crash has left is offered, recovered unsaved, and offered no more once saved") {
+TEST_CASE("changes lost in a crash are offered, recovered as unsaved, and not offered again after saving") {
     const ScratchFolder home;
     const fs::path folder = family_copy(home.path() / "family");
     State composed;
@@ -229,7 +226,7 @@ TEST_CASE("what a crash has left is offered, recovered unsaved, and offered no m
         viewer.kill();
     }
     {
-        // Recovered and lost again, more than before: it is there once.
+        // Recover, edit and crash again: there is still one recovery.
         RunningViewer viewer(home.path());
         wait_for_question(viewer);
         viewer.press(XK_Return);
@@ -272,7 +269,7 @@ TEST_CASE("what a crash has left is offered, recovered unsaved, and offered no m
     CHECK(viewer.state()["document"]["changed"] == false);
 }
 
-TEST_CASE("a file that another program has changed is named, and Ctrl+R reads it again") {
+TEST_CASE("a message names a file that another program has changed, and Ctrl+R reads it again") {
     const ScratchFolder home;
     const fs::path folder = family_copy(home.path() / "family");
     const RunningViewer viewer(home.path(), {folder});
@@ -292,7 +289,7 @@ TEST_CASE("a file that another program has changed is named, and Ctrl+R reads it
     CHECK(again["document"]["changed"] == false);
     CHECK(again["message"] == "");
 
-    // Broken meanwhile, it is refused, and what is open stays.
+    // A file that is broken meanwhile is refused, and the open document stays.
     std::ofstream(file) << "{\"format\": 3";
     viewer.press(XK_r, XK_Control_L);
     const State refused = viewer.wait_for("a message", [&](const State& s) {
@@ -301,8 +298,7 @@ TEST_CASE("a file that another program has changed is named, and Ctrl+R reads it
     CHECK(family_of(refused) == family_of(again));
 }
 
-TEST_CASE(
-    "of keys that do not match the message has a picture, and what is open is as before once it is gone") {
+TEST_CASE("a message about keys that do not match has a picture, and nothing remains once it is dismissed") {
     const RunningViewer viewer;
     const Picture plain = viewer.settled_picture();
     CHECK(count_red(plain) == 0);

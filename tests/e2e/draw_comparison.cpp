@@ -1,5 +1,5 @@
-// Draws a picture of the documentation that takes a person: meshes are fitted in the window, and the first
-// one is compared with its key.
+// Draws a picture for the documentation that needs a user: fits meshes in the window, and compares the first
+// mesh with its key.
 //   draw_comparison MESH... PICTURE.png   (docs/draw-pictures)
 #include <cstdint>
 #include <exception>
@@ -33,7 +33,7 @@ Picture compared(const std::vector<std::filesystem::path>& meshes) {
                     [](const State& s) { return s["asking"] == false && s["notice"] == true; });
     viewer.press(XK_m);
     viewer.wait_for("the comparison", [](const State& s) { return s["comparing"] == true; });
-    viewer.point_at({size.x / 2, size.y - 2});  // where nothing answers
+    viewer.point_at({size.x / 2, size.y - 2});  // where nothing reacts to the pointer
     viewer.settled_picture();
     return viewer.desktop().picture(viewer.window(), {0, 0, size.x, size.y});
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr long version = 5;
 
-/// A list of URIs, RFC 2483: every byte but the plainest is escaped.
+/// A list of URIs (RFC 2483). Escapes every byte but letters, digits and a few signs.
 std::string uri_list(std::span<const std::filesystem::path> files) {
     std::string list;
     for (const std::filesystem::path& file : files) {
@@ -51,7 +51,7 @@ class FileDrag {
         tell("XdndPosition",
              {0, static_cast<long>(x) << 16 | y, CurrentTime, static_cast<long>(atom("XdndActionCopy"))});
         const XClientMessageEvent status = answer("XdndStatus");
-        if ((status.data.l[1] & 1) == 0) throw std::runtime_error("the window does not want the files");
+        if ((status.data.l[1] & 1) == 0) throw std::runtime_error("the window rejects the files");
         tell("XdndDrop", {0, CurrentTime, 0, 0});
         answer("XdndFinished");
     }
@@ -71,7 +71,7 @@ class FileDrag {
         XFlush(display_);
     }
 
-    /// Waits for \p message, and hands the files out when they are asked for meanwhile.
+    /// Waits for \p message. Meanwhile, hands out the files when the window asks for them.
     XClientMessageEvent answer(const char* message) const {
         using std::chrono::steady_clock;
         const auto deadline = steady_clock::now() + std::chrono::minutes(1);

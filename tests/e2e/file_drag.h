@@ -10,9 +10,9 @@
 
 namespace interleaf {
 
-/// Returns once \p window has taken them.
+/// Drops \p files on \p window, and returns when the window has taken them.
 /// \param at  a pixel of the window
-/// \throw std::runtime_error when it does not take them within a minute
+/// \throw std::runtime_error if the window does not take them within a minute
 void drop_files(WindowName window, glm::ivec2 at, std::span<const std::filesystem::path> files);
 
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-// End-to-end tests of fitting meshes in the window: the offer, by the keyboard alone, and what comes of it.
+// End-to-end tests of fitting meshes in the window: the offer, by the keyboard alone, and its result.
 #include <cstdlib>
 #include <fstream>
 #include <string>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Two meshes of the built-in family's keys in \p folder, of different faces and kinds of file.
+/// Meshes of two keys of the built-in family, in \p folder, with different faces and file formats.
 std::vector<fs::path> unlike_meshes(const fs::path& folder) {
     std::vector<fs::path> meshes{folder / "star.obj", folder / "bone.ply"};
     for (const fs::path& mesh : meshes) {
@@ -38,12 +38,12 @@ void wait_for_offered(const RunningViewer& viewer, const char* what, const State
                     [&](const State& s) { return s["offer"].is_object() && s["offer"][what] == value; });
 }
 
-/// What is offered when the second of two meshes is turned about z.
+/// The turns in the offer after the second of two meshes is turned about z.
 State turns(const char* degrees) {
     return State::array({State::array({"y", "0"}), State::array({"z", degrees})});
 }
 
-/// Moves on to the row called \p name, the next one or the one before.
+/// Goes to the row named \p name, which is the next row or, with \p back, the previous row.
 void go_to_row(const RunningViewer& viewer, const char* name, bool back = false) {
     viewer.press(XK_Tab, back ? XK_Shift_L : 0);
     wait_for_offered(viewer, "row", name);
@@ -54,7 +54,7 @@ State wait_for_compared(const RunningViewer& viewer, const char* mesh) {
                            [&](const State& s) { return s["comparing"] == true && s["compared"] == mesh; });
 }
 
-/// Waits until it is said that what has been fitted can be compared.
+/// Waits for the notice that the fitted keys can be compared.
 State wait_for_fit_told(const RunningViewer& viewer) {
     return viewer.wait_for("how near the keys are", [](const State& s) {
         const auto message = s["message"].get<std::string>();
@@ -64,7 +64,7 @@ State wait_for_fit_told(const RunningViewer& viewer) {
     });
 }
 
-/// Waits until the fitted keys have been played from the first to the last, with nothing more pressed.
+/// Waits until the fitted keys have been played from the first to the last, without further input.
 void wait_for_played(const RunningViewer& viewer) {
     viewer.wait_for("the morph on its way", [](const State& s) {
         return s["playing"] == true && s["time"].get<double>() > 0 && s["weights"].size() == 2;
@@ -75,7 +75,7 @@ void wait_for_played(const RunningViewer& viewer) {
     });
 }
 
-/// Compares star and bone, which have been fitted, with their meshes, looks at both, and goes back.
+/// Compares the fitted keys star and bone with their meshes, looks at both, and goes back.
 void compare_and_return(const RunningViewer& viewer) {
     wait_for_fit_told(viewer);
     viewer.press(XK_m);
@@ -95,13 +95,13 @@ void compare_and_return(const RunningViewer& viewer) {
     viewer.press(XK_c);
     CHECK(viewer.shows(star));
 
-    // Both sides turn together, by the mouse in either.
+    // Both sides turn together, whichever side is dragged.
     const float eye = state["eye"][0].get<float>();
     const glm::vec2 left = view_middle(state) - glm::vec2(200, 0);
     viewer.drag(left, left + glm::vec2(60, 10));
     viewer.wait_for("another view", [&](const State& s) { return s["eye"][0].get<float>() != eye; });
 
-    // The document is not to be seen, and not to be edited.
+    // The document is neither visible nor editable.
     viewer.press(XK_k, XK_Control_L);
     viewer.press(XK_Escape);
     state = viewer.wait_for("the document", [](const State& s) { return s["comparing"] == false; });
@@ -114,7 +114,7 @@ void compare_and_return(const RunningViewer& viewer) {
 
 }  // namespace
 
-TEST_CASE("dropped meshes whose faces differ are fitted by Enter alone, unless that is declined") {
+TEST_CASE("dropped meshes with different faces are fitted by Enter alone, unless the user declines") {
     const ScratchFolder home;
     const std::vector<fs::path> meshes = unlike_meshes(home.path());
     const RunningViewer viewer(home.path());
@@ -136,7 +136,7 @@ TEST_CASE("dropped meshes whose faces differ are fitted by Enter alone, unless t
     CHECK(state["document"]["folder"].is_null());
     CHECK(state["leaves"] > 19'000);
 
-    // The morph is played once. The comparison can be had later, too.
+    // The morph is played once. The comparison remains available.
     wait_for_fit_told(viewer);
     wait_for_played(viewer);
     viewer.wait_for("the notice gone by itself", [](const State& s) { return s["message"] == ""; });
@@ -145,14 +145,14 @@ TEST_CASE("dropped meshes whose faces differ are fitted by Enter alone, unless t
     viewer.wait_for("the comparison", [](const State& s) { return s["comparing"] == true; });
 }
 
-TEST_CASE("in the offer, leaves, roots and the turn of each mesh are chosen by the keyboard") {
+TEST_CASE("in the offer, the keyboard chooses leaves, roots and the turn of each mesh") {
     const ScratchFolder home;
     const std::vector<fs::path> meshes = unlike_meshes(home.path());
     const RunningViewer viewer(home.path(), meshes);
     wait_for_offer(viewer);
     CHECK(viewer.state()["document"]["name"] == "Five keys");
 
-    // Fewer leaves than roots are not taken.
+    // Fewer leaves than roots are refused.
     viewer.type("19");
     wait_for_offered(viewer, "leaves", "19");
     go_to_row(viewer, "roots");
@@ -193,13 +193,13 @@ TEST_CASE("in the offer, leaves, roots and the turn of each mesh are chosen by t
     compare_and_return(viewer);
 }
 
-TEST_CASE("a mesh dropped on the list is fitted over the family's roots, a refused one changes nothing") {
+TEST_CASE("a mesh dropped on the list is fitted over the family's roots; a refused mesh changes nothing") {
     const ScratchFolder home;
     const std::vector<fs::path> meshes = unlike_meshes(home.path());
     const fs::path& bone = meshes.back();
     const RunningViewer viewer(home.path());
     const State before = viewer.state();
-    // An .obj is a key as it is, but not one of this family.
+    // An .obj is a key by itself, but not a key of this family.
     viewer.drop(std::vector{meshes.front()}, row_pixel(before, 1));
     wait_for_offer(viewer);
     viewer.press(XK_Escape);
@@ -208,7 +208,8 @@ TEST_CASE("a mesh dropped on the list is fitted over the family's roots, a refus
 
     viewer.drop(std::vector{bone}, row_pixel(before, 1));
     wait_for_offer(viewer);
-    // There are no roots and no meshes to choose: behind the number comes what the keys there decide.
+    // There are no roots and no meshes to choose. After the number come the choices that depend on the other
+    // keys.
     for (const char* row : {"size", "center", "up", "axis"}) go_to_row(viewer, row);
     viewer.press(XK_Return);
     State state = wait_for_keys(viewer, 6);
@@ -216,7 +217,7 @@ TEST_CASE("a mesh dropped on the list is fitted over the family's roots, a refus
     CHECK(state["document"]["roots"] == before["document"]["roots"]);
     CHECK(state["document"]["undo"] == "Add bone");
     CHECK(wait_for_fit_told(viewer)["playing"] == false);
-    // It lies in the lower left corner of the view, and a click sends it away.
+    // The notice lies in the lower left corner of the view, and a click dismisses it.
     const State& view = state["rects"]["view"];
     viewer.click({view[0].get<float>() + 30, view[1].get<float>() + view[3].get<float>() - 30});
     viewer.wait_for("no message", [](const State& s) { return s["message"] == ""; });
@@ -237,9 +238,9 @@ TEST_CASE("a mesh dropped on the list is fitted over the family's roots, a refus
     CHECK(refused["document"]["changed"] == false);
 }
 
-TEST_CASE("what would be lost and made is shown, and Fit waits until that is allowed") {
+TEST_CASE("the offer shows what is lost and added, and Fit waits until the user allows it") {
     const ScratchFolder home;
-    // A box without a lid, and a small one beside it.
+    // A box without a lid, and a small box beside it.
     const fs::path mesh = home.path() / "boxes.obj";
     std::ofstream file(mesh);
     for (const double size : {2.0, 1.0})
@@ -259,13 +260,13 @@ TEST_CASE("what would be lost and made is shown, and Fit waits until that is all
                    s["offer"]["fault"].get<std::string>().find(words) != std::string::npos;
         };
     };
-    viewer.wait_for("parts are told of", fault_with("A key is made of one part"));
+    viewer.wait_for("a remark about parts", fault_with("A key is made of one part"));
     for (const char* row : {"roots", "size", "center", "meshes", "up", "axis", "degrees", "parts"})
         go_to_row(viewer, row);
     viewer.press(XK_Return);
     CHECK(viewer.state()["offer"].is_object());
     viewer.press(XK_space);
-    viewer.wait_for("holes are told of", fault_with("A key is closed"));
+    viewer.wait_for("a remark about holes", fault_with("A key is closed"));
     go_to_row(viewer, "holes");
     viewer.press(XK_space);
     wait_for_offered(viewer, "fault", "");
@@ -273,8 +274,7 @@ TEST_CASE("what would be lost and made is shown, and Fit waits until that is all
     CHECK(wait_for_keys(viewer, 2)["document"]["keys"] == State({"boxes", "copy"}));
 }
 
-TEST_CASE(
-    "unsaved changes are asked for before a fit is offered, and a fit that is cancelled leaves them alone") {
+TEST_CASE("unsaved changes are asked about before the offer to fit, and a canceled fit keeps them") {
     const ScratchFolder home;
     const std::vector<fs::path> meshes = unlike_meshes(home.path());
     const RunningViewer viewer(home.path());
@@ -288,7 +288,7 @@ TEST_CASE(
     viewer.type_keys("d");
     viewer.wait_for("the offer", [](const State& s) { return s["offer"].is_object(); });
 
-    // So many leaves take long enough to change one's mind.
+    // With so many leaves there is time to cancel.
     viewer.type("5000000");
     wait_for_offered(viewer, "leaves", "5000000");
     viewer.press(XK_Return);
@@ -298,7 +298,7 @@ TEST_CASE(
     CHECK(viewer.state()["document"] == before["document"]);
     CHECK(viewer.state()["message"] == "");
 
-    // The same with one click on "Fit", and no second thoughts.
+    // The same with one click on "Fit", without canceling.
     viewer.drop(meshes, view_middle(before));
     wait_for_question(viewer);
     viewer.type_keys("d");

@@ -1,4 +1,4 @@
-// End-to-end tests of menus and the keyboard: an open menu has it alone.
+// End-to-end tests of menus and the keyboard: an open menu receives all keys.
 #include <chrono>
 #include <thread>
 
@@ -19,7 +19,7 @@ State wait_for_no_menu(const RunningViewer& viewer) {
     return viewer.wait_for("no menu", [](const State& s) { return s["rects"]["popup"].is_null(); });
 }
 
-/// A key pressed again at once is taken for one that is held.
+/// Waits, because a key pressed again at once counts as held.
 void wait_as_between_keys() {
     std::this_thread::sleep_for(std::chrono::milliseconds(60));
 }
@@ -46,14 +46,13 @@ TEST_CASE("Esc closes a menu and nothing else") {
     CHECK(state["document"]["changed"] == false);
 }
 
-TEST_CASE("arrows move in an open menu and Enter chooses, while time and camera stand still") {
+TEST_CASE("arrows move in an open menu and Enter chooses, and time and camera do not change") {
     const RunningViewer viewer;
     const State start = viewer.state();
     const auto nothing_has_moved = [&](const State& s) {
         return s["time"] == start["time"] && s["eye"] == start["eye"] && s["document"] == start["document"];
     };
-    // To the last menu but one of them that can be chosen in: over the end of the bar it goes on at the
-    // other.
+    // From the first menu to the next, and back.
     viewer.click({20, 10});
     const State file = wait_for_menu(viewer);
     viewer.press(XK_Right);
@@ -67,7 +66,7 @@ TEST_CASE("arrows move in an open menu and Enter chooses, while time and camera 
     viewer.press(XK_Escape);
     CHECK(nothing_has_moved(wait_for_no_menu(viewer)));
 
-    // Of the key's menu the second: duplicate.
+    // The second entry of the key's menu: duplicate.
     viewer.click(row_pixel(start, 2), 3);
     wait_for_menu(viewer);
     viewer.press(XK_Down);
@@ -81,7 +80,7 @@ TEST_CASE("arrows move in an open menu and Enter chooses, while time and camera 
     CHECK(state["time"] == start["time"]);
     wait_for_no_menu(viewer);
 
-    // Afterwards they are the timeline's again.
+    // Afterwards the arrows are for the timeline again.
     viewer.press(XK_Right);
     viewer.wait_for("another time", [&](const State& s) { return s["time"] != start["time"]; });
 }

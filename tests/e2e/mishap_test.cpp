@@ -1,5 +1,4 @@
-// End-to-end tests of what has ended the program once, and of what happens where something goes wrong that
-// nothing was prepared for.
+// End-to-end tests of faults that once ended the program, and of failures at any point.
 #include <fstream>
 #include <initializer_list>
 #include <string>
@@ -27,7 +26,7 @@ void color_by(const RunningViewer& viewer, const char* coloring) {
     }
 }
 
-/// Waits until the program has seen the pointer somewhere else: it answers.
+/// Checks that the program answers: waits until it has seen the pointer elsewhere.
 void check_alive(const RunningViewer& viewer) {
     viewer.point_at(view_middle(viewer.state()) + glm::vec2(7, 9));
     viewer.point_at(view_middle(viewer.state()));
@@ -35,7 +34,7 @@ void check_alive(const RunningViewer& viewer) {
 
 }  // namespace
 
-TEST_CASE("colored by origin, the key that is shown may be undone, and done again") {
+TEST_CASE("while the surface is colored by origin, the shown key can be undone and redone") {
     const RunningViewer viewer;
     color_by(viewer, "origin");
     viewer.press(XK_k, XK_Control_L);
@@ -51,7 +50,7 @@ TEST_CASE("colored by origin, the key that is shown may be undone, and done agai
     check_alive(viewer);
 }
 
-TEST_CASE("a document of fewer keys may replace one that is shown by origin, or by a field that it lacks") {
+TEST_CASE("fewer keys can replace a document colored by origin, or by a field that a key lacks") {
     const ScratchFolder home;
     const RunningViewer viewer(home.path());
     color_by(viewer, "origin");
@@ -62,7 +61,7 @@ TEST_CASE("a document of fewer keys may replace one that is shown by origin, or 
     wait_for_keys(viewer, 1);
     check_alive(viewer);
 
-    // The last of three keys lacks the field: only its name says so, and then there is one key.
+    // The last of three keys lacks the field, and the panel names it. Then the document has only one key.
     std::vector<fs::path> files;
     for (const char* name : {"1", "2", "3"}) {
         files.push_back(home.path() / (std::string("flow.") + name + ".obj"));
@@ -80,7 +79,7 @@ TEST_CASE("a document of fewer keys may replace one that is shown by origin, or 
     check_alive(viewer);
 }
 
-TEST_CASE("what is typed while a button of the mouse is held beside the field is kept") {
+TEST_CASE("text typed while a mouse button is held beside the field is kept") {
     const RunningViewer viewer;
     State state = viewer.state();
     viewer.click(row_pixel(state, 1));
@@ -94,7 +93,7 @@ TEST_CASE("what is typed while a button of the mouse is held beside the field is
     check_alive(viewer);
     viewer.set_button(1, false);
     viewer.type("d");
-    // The steps that can be taken back are those since the text was put together.
+    // Undo goes back at most to the point at which the field took these letters.
     for (const KeyName key : std::initializer_list<KeyName>{XK_z, XK_z, XK_z, XK_y, XK_y, XK_y}) {
         viewer.press(key, XK_Control_L);
         check_alive(viewer);
@@ -104,7 +103,7 @@ TEST_CASE("what is typed while a button of the mouse is held beside the field is
     CHECK(state["document"]["keys"][1] == "abcd");
 }
 
-TEST_CASE("what is typed in one question cannot be taken back in the next") {
+TEST_CASE("text typed in one question cannot be undone in the next") {
     const RunningViewer viewer;
     State state = viewer.state();
     viewer.click(row_pixel(state, 1));
@@ -127,7 +126,7 @@ TEST_CASE("what is typed in one question cannot be taken back in the next") {
 }
 
 #ifndef INTERLEAF_SANITIZE
-TEST_CASE("where memory runs out the window goes on with what it had, which is put aside for recovery") {
+TEST_CASE("when memory runs out, the window keeps its document and saves it for recovery") {
     const ScratchFolder home;
     RunningViewer viewer(home.path());
     viewer.point_at(view_middle(viewer.state()));
@@ -154,7 +153,7 @@ TEST_CASE("where memory runs out the window goes on with what it had, which is p
         return false;
     });
 
-    // And what failed can be done now.
+    // The action that failed succeeds now.
     viewer.press(XK_Escape);
     viewer.wait_for("no message", [](const State& s) { return s["message"] == ""; });
     viewer.drop(std::vector{large}, row_pixel(kept, 1));

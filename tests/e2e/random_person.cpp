@@ -148,7 +148,7 @@ std::string RandomPerson::drag(const RunningViewer& viewer) {
     return fmt::format("drag {} from {:.0f},{:.0f} to {:.0f},{:.0f}", button, from.x, from.y, to.x, to.y);
 }
 
-/// Of the list of keys, to where keys can be put.
+/// Drags a key from the list of keys to a place where keys can be dropped.
 std::string RandomPerson::drag_key(const RunningViewer& viewer) {
     const State state = viewer.state();
     const glm::vec2 from = inside(state, "keys");
@@ -167,7 +167,7 @@ std::string RandomPerson::drag_key(const RunningViewer& viewer) {
     return fmt::format("drag a key from {:.0f},{:.0f} to {:.0f},{:.0f}", from.x, from.y, to.x, to.y);
 }
 
-/// While other things go on.
+/// Holds a button while other acts follow.
 std::string RandomPerson::hold_button(const RunningViewer& viewer) {
     const unsigned button = happens(0.8) ? 1 : 3;
     viewer.desktop().set_button(button, true);
@@ -246,7 +246,7 @@ std::string RandomPerson::save(const RunningViewer& viewer) {
     if (happens(0.7)) viewer.type_keys(fmt::format("~/family {}", below(4)));
     if (happens(0.9)) viewer.press(XK_Return);
     wait(60);
-    if (happens(0.5)) viewer.type_keys("r");  // replaces what is there
+    if (happens(0.5)) viewer.type_keys("r");  // confirms the replacement
     return elsewhere ? "save as" : "save";
 }
 

@@ -1,5 +1,5 @@
-// A person who does anything: moves, presses, drags and turns the wheel anywhere, presses any key, types,
-// drops files good and bad, changes the window's size, saves, and leaves.
+// A user who acts at random: moves, clicks, drags and turns the wheel anywhere, presses any key, types, drops
+// good and bad files, resizes the window, saves and quits.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@ namespace interleaf {
 
 class RandomPerson {
   public:
-    /// \param files  and folders to drop
+    /// \param files  files and folders to drop
     RandomPerson(std::uint64_t seed, std::vector<std::filesystem::path> files);
 
-    /// Does one thing to the program and says what. What that comes to depends on how fast the program is,
-    /// too, so a seed leads to nearly the same only.
+    /// Acts once on the program, and returns a description of the act. The effect also depends on the speed
+    /// of the program, so runs with the same seed are only similar.
     std::string act(const RunningViewer& viewer);
 
-    /// Lets go of all buttons and keys that are held.
+    /// Releases all buttons and keys that are held.
     static void let_go(const Desktop& desktop);
 
   private:

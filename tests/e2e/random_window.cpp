@@ -1,8 +1,8 @@
-// Does anything at random to the program in its window, and sees that it goes on, answers, and saves families
-// that are sound. Usage: random_window [RUNS] [EVENTS] [SEED]
+// Gives random input to the program in its window, and checks that it keeps running, answers, and saves
+// families that are sound. Usage: random_window [RUNS] [EVENTS] [SEED]
 //
-// The program runs confined: it can write into its user's home alone, which is a temporary folder, wherever a
-// random path leads it. Exit status 77 where that cannot be had.
+// The program runs confined: wherever random input leads it, it can write only into its user's home, a
+// temporary folder. The exit status is 77 if this machine cannot confine it.
 #include <array>
 #include <chrono>
 #include <cstdlib>
@@ -24,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Events between two looks at whether the program answers, and at what it has saved.
+/// Number of events between two checks that the program answers, and between two checks of the saved
+/// families.
 constexpr std::size_t answer_interval = 25;
 constexpr std::size_t check_interval = 250;
 
@@ -34,7 +35,7 @@ struct Plan {
     std::uint64_t seed = 1;
 };
 
-/// What can be dropped: families, keys, meshes and what is none of these.
+/// The files to drop: families, keys, meshes, and files that are none of these.
 std::vector<fs::path> make_files(const fs::path& folder) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(INTERLEAF_BUILTIN_FAMILY)) files.push_back(entry.path());
@@ -63,7 +64,7 @@ std::vector<fs::path> make_files(const fs::path& folder) {
     return files;
 }
 
-/// The folders of all families below \p home, also of those put aside for recovery.
+/// The folders of all families below \p home, including recoveries.
 std::vector<fs::path> families_in(const fs::path& home) {
     std::vector<fs::path> families;
     std::error_code error;
@@ -84,17 +85,17 @@ class Run {
   public:
     Run(std::uint64_t seed, std::size_t events) : person_(seed, make_files(files_.path())), events_(events) {}
 
-    /// \throw std::runtime_error saying what has gone wrong
+    /// \throw std::runtime_error if something has gone wrong, with a description
     void go() {
         const fs::path home = folder_.path() / "home";
         fs::create_directories(home);
-        // One to be opened and saved.
+        // A family to open and save.
         fs::copy(INTERLEAF_BUILTIN_FAMILY, home / "mine");
         while (done_.size() < events_) live_through(home);
         check(home);
     }
 
-    /// What has been done last, a line each.
+    /// The last acts, one per line.
     std::string story() const {
         std::string text;
         for (std::size_t i = done_.size() - std::min<std::size_t>(done_.size(), 30); i < done_.size(); ++i)
@@ -106,7 +107,7 @@ class Run {
     std::size_t starts() const { return starts_; }
 
   private:
-    /// From a start of the program to its end, or that of the run.
+    /// Runs the program until it ends, or until the run ends.
     void live_through(const fs::path& home) {
         RunningViewer viewer(home, {}, Confined::yes);
         ++starts_;
@@ -121,10 +122,10 @@ class Run {
             if (!viewer.has_ended()) throw;
         }
         RandomPerson::let_go(viewer.desktop());
-        if (!viewer.has_ended()) return viewer.kill();  // as a crash would: what it has saved must be sound
+        if (!viewer.has_ended()) return viewer.kill();  // as a crash would: its saved files must be sound
         if (const int status = viewer.exit_status(); status != 0)
             throw std::runtime_error(fmt::format("the program has ended with {}", status));
-        done_.emplace_back("(the program has been left, and is started again)");
+        done_.emplace_back("(the program has been quit, and is started again)");
     }
 
     /// Waits until the program has seen the pointer move.
@@ -143,7 +144,8 @@ class Run {
         return !viewer.has_ended();
     }
 
-    /// Whether what has been saved since the last time is sound; one that is being saved gets a little time.
+    /// Checks that families saved since the last check are sound. A family that is being saved gets a little
+    /// time.
     void check(const fs::path& home) {
         for (const fs::path& family : families_in(home)) {
             std::error_code error;
@@ -164,7 +166,7 @@ class Run {
     }
 
     ScratchFolder folder_;
-    ScratchFolder files_;  ///< outside of the program's home: it cannot change them
+    ScratchFolder files_;  ///< outside the program's home, so that it cannot change them
     RandomPerson person_;
     std::size_t events_;
     std::vector<std::string> done_;

@@ -23,7 +23,8 @@ namespace interleaf {
 
 namespace {
 
-/// Tries \p attempt every few milliseconds until it holds; false after a minute.
+/// Tries \p attempt every few milliseconds until it succeeds.
+/// \return false after a minute
 bool comes(const std::function<bool()>& attempt) {
     using std::chrono::steady_clock;
     const auto deadline = steady_clock::now() + std::chrono::minutes(1);
@@ -45,11 +46,11 @@ pid_t start(const std::filesystem::path& trace, const std::filesystem::path& hom
     std::filesystem::create_directories(home);
     const pid_t process = fork();
     if (process == 0) {
-        // Where it begins to save, too.
+        // The file browser saves into this folder at first.
         if (chdir(home.c_str()) != 0) _exit(127);
         const std::array<std::filesystem::path, 2> written{trace, "/dev/null"};
         if (confined == Confined::yes && !confine_writes(std::span(&home, 1), written)) _exit(126);
-        // Settings and recoveries of the person who runs the tests are none of theirs.
+        // The tests must not touch the settings and recoveries of the person who runs them.
         for (const char* variable : {"HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
             setenv(variable, home.c_str(), 1);
         execv(INTERLEAF_PROGRAM, pointers.data());
@@ -76,7 +77,7 @@ RunningViewer::RunningViewer(std::filesystem::path home, const std::vector<std::
     std::ofstream(trace_).close();
     process_ = start(trace_, home_, files, confined);
     if (!comes([&] { return (window_ = desktop_.window_of(process_)) != 0; })) {
-        throw std::runtime_error("no window has come");
+        throw std::runtime_error("no window has appeared");
     }
     wait_for("a first frame", [](const State&) { return true; });
 }
@@ -101,7 +102,8 @@ void RunningViewer::limit_memory(std::size_t more) const {
         std::ifstream(fmt::format("/proc/{}/statm", process_)) >> pages;
         limit.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + more;
     }
-    if (prlimit(process_, RLIMIT_AS, &limit, nullptr) != 0) throw std::runtime_error("no limit of memory");
+    if (prlimit(process_, RLIMIT_AS, &limit, nullptr) != 0)
+        throw std::runtime_error("cannot limit the memory");
 }
 
 void RunningViewer::kill() {
@@ -112,12 +114,12 @@ void RunningViewer::kill() {
 }
 
 RunningViewer::State RunningViewer::state() const {
-    // Of a long trace, the end.
+    // Read only the end of a long trace.
     constexpr std::streamoff most = 1 << 20;
     std::ifstream file(trace_, std::ios::ate);
     file.seekg(std::max<std::streamoff>(file.tellg() - most, 0));
     std::string lines{std::istreambuf_iterator<char>(file), {}};
-    // The line that is being written has no end yet.
+    // A line without an end is still being written.
     const std::size_t end = lines.rfind('\n');
     if (end == std::string::npos) return {};
     lines.resize(end);
@@ -127,7 +129,7 @@ RunningViewer::State RunningViewer::state() const {
 std::vector<RunningViewer::State> RunningViewer::states() const {
     std::vector<State> states;
     std::ifstream file(trace_);
-    // The line that is being written has no end yet.
+    // A line without an end is still being written.
     for (std::string line; std::getline(file, line) && !file.eof();) states.push_back(State::parse(line));
     return states;
 }
@@ -135,7 +137,8 @@ std::vector<RunningViewer::State> RunningViewer::states() const {
 RunningViewer::State RunningViewer::wait_for(const std::string& what, const Condition& condition) const {
     State last;
     if (!comes([&] { return !(last = state()).is_null() && condition(last); })) {
-        throw std::runtime_error(fmt::format("this has not come: {}; the state is {}", what, last.dump()));
+        throw std::runtime_error(
+            fmt::format("timed out waiting for: {}; the state is {}", what, last.dump()));
     }
     return last;
 }
@@ -150,7 +153,7 @@ Picture RunningViewer::settled_picture() const {
     const bool settled = comes([&] {
         std::this_thread::sleep_for(std::chrono::milliseconds(150));
         const bool is_same = last == std::exchange(last, desktop_.picture(window_, view_area()));
-        return is_same && !state()["coarse"].get<bool>();  // on a busy machine a better picture may take long
+        return is_same && !state()["coarse"].get<bool>();  // on a busy machine the last picture may take long
     });
     if (!settled) throw std::runtime_error("the picture does not stop changing");
     return last;

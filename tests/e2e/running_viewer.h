@@ -1,5 +1,5 @@
-// The program `interleaf view`, running, with a person before it: does what they do and sees what they see.
-// Whatever is waited for comes within a minute, or the test fails saying what has not come.
+// A running `interleaf view` with a user before it: does what the user does, and sees what the user sees. A
+// wait of more than a minute fails the test, with a message that names the missing event.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +13,15 @@
 
 namespace interleaf {
 
-/// Whether the program can change no files but those in its user's home.
+/// Whether the program can change only the files in its user's home.
 enum class Confined { no, yes };
 
 class RunningViewer {
   public:
-    /// Starts it and waits for the first frame.
-    /// \param home   its user's home with settings and recoveries; if empty, one that goes with it
-    /// \param files  to open; none for the built-in family
+    /// Starts the program, and waits for its first frame.
+    /// \param home  home of the program's user, with settings and recoveries; if empty, a temporary folder of
+    ///     this object
+    /// \param files  files to open; empty for the built-in family
     explicit RunningViewer(std::filesystem::path home = {},
                            const std::vector<std::filesystem::path>& files = {},
                            Confined confined = Confined::no);
@@ -40,13 +41,14 @@ class RunningViewer {
     /// Waits until the state fulfills \p condition.
     State wait_for(const std::string& what, const Condition& condition) const;
 
-    /// What the view shows, once it has stopped changing.
+    /// The picture in the view, once it has stopped changing.
     Picture settled_picture() const;
 
-    /// Waits until the view shows something other than \p before and has stopped changing.
+    /// Waits until the view shows a picture other than \p before and has stopped changing.
     Picture changed_picture(const Picture& before) const;
 
-    /// Waits until the view shows \p picture; false if it never does.
+    /// Waits until the view shows \p picture.
+    /// \return false if it never does
     bool shows(const Picture& picture) const;
 
     /// Moves the pointer, and waits until the program has seen it there.
@@ -63,16 +65,17 @@ class RunningViewer {
 
     void turn_wheel(bool forward) const;
 
-    /// All that \p act does with mouse and keys reaches the program in one frame, as if it were busy meanwhile.
+    /// Lets all that \p act does with mouse and keys reach the program in one frame, as if it were busy
+    /// meanwhile.
     void while_it_is_busy(const std::function<void()>& act) const;
 
-    /// Presses and releases \p key, held down with the modifiers if any.
+    /// Presses and releases \p key, with the modifiers, if any, held down.
     void press(KeyName key, KeyName modifier = 0, KeyName second_modifier = 0) const;
 
-    /// Types \p text, of ASCII, once there is a field for it.
+    /// Types \p text, which is ASCII, once there is a field for it.
     void type(const std::string& text) const;
 
-    /// Types \p text where no field takes it: in a list, or at a question with buttons only.
+    /// Types \p text where no field takes it: in a list, or in a question that has only buttons.
     void type_keys(const std::string& text) const { desktop_.type(text); }
 
     /// Drags files from another program and drops them at \p at.
@@ -81,20 +84,20 @@ class RunningViewer {
     const Desktop& desktop() const { return desktop_; }
     WindowName window() const { return window_; }
 
-    /// Whether it has ended by itself; exit_status() says how.
+    /// Whether the program has ended by itself; exit_status() says how.
     bool has_ended() const;
 
-    /// Of the window.
+    /// The title of the window.
     std::string title() const { return desktop_.title(window_); }
 
-    /// Lets it take at most \p more bytes of memory beyond what it has; as many as there are for 0.
+    /// Limits the program's memory to its current use and \p more bytes; 0 removes the limit.
     void limit_memory(std::size_t more) const;
 
-    /// Ends it as a crash would.
+    /// Ends the program as a crash would.
     void kill();
 
     /// Waits for the program to end.
-    /// \return its exit status; the negative number of the signal that has ended it, if one has
+    /// \return its exit status; if a signal has ended it, the negative number of the signal
     int exit_status();
 
   private:
@@ -104,7 +107,7 @@ class RunningViewer {
     std::filesystem::path home_;
     bool owns_home_;
     std::filesystem::path trace_;
-    pid_t process_ = 0;  ///< 0 when it has ended
+    pid_t process_ = 0;  ///< 0 if the program has ended
     WindowName window_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// End-to-end tests: a person at the real window. State and picture both change as they must, and stay as they
-// must.
+// End-to-end tests of the real window with a user before it. State and picture both change, or both stay, as
+// they must.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -28,18 +28,18 @@ glm::vec2 domain_pixel(const State& state, glm::vec2 point) {
             r[1].get<float>() + r[3].get<float>() * (1 - point.y) / 2};
 }
 
-/// The point of the domain that is shown, as pixel.
+/// The pixel of the shown point of the domain.
 glm::vec2 point_pixel(const State& state) {
     return domain_pixel(state, {state["point"][0].get<float>(), state["point"][1].get<float>()});
 }
 
-/// The pixel of \p part of the timeline, 0 to 1.
+/// The pixel at \p part of the timeline, 0 to 1.
 glm::vec2 timeline_pixel(const State& state, float part) {
     const State& r = state["rects"]["timeline"];
     return {r[0].get<float>() + r[2].get<float>() * part, r[1].get<float>() + r[3].get<float>() / 2};
 }
 
-/// The pixel of the view's middle, moved by \p offset.
+/// The pixel in the middle of the view, moved by \p offset.
 glm::vec2 view_pixel(const State& state, glm::vec2 offset = {0, 0}) {
     const State& r = state["rects"]["view"];
     return glm::vec2(r[0].get<float>() + r[2].get<float>() / 2, r[1].get<float>() + r[3].get<float>() / 2) +
@@ -74,7 +74,7 @@ TEST_CASE("the window opens on the five keys at time 0, with a shaded surface in
     CHECK(std::set<std::uint32_t>(picture.begin(), picture.end()).size() > 200);
 }
 
-TEST_CASE("dragging in the domain keeps the point under the pointer, and leaves time and camera alone") {
+TEST_CASE("dragging in the domain keeps the point under the pointer, and changes neither time nor camera") {
     const RunningViewer viewer;
     const State start =
         viewer.wait_for("a domain", [](const State& s) { return !s["rects"]["domain"].is_null(); });
@@ -125,7 +125,7 @@ TEST_CASE("in every frame all panels show the state that the surface shows") {
     CHECK(seen.size() >= 4);
 }
 
-TEST_CASE("within a triangle of the domain the union stays, in another it is made anew") {
+TEST_CASE("within a triangle of the domain the union stays, and another triangle rebuilds it") {
     const RunningViewer viewer;
     const State start = viewer.state();
     const auto drag_to = [&](glm::vec2 point) {
@@ -145,7 +145,7 @@ TEST_CASE("within a triangle of the domain the union stays, in another it is mad
     viewer.set_button(1, false);
 }
 
-TEST_CASE("dragging out of the domain holds the point at its rim") {
+TEST_CASE("dragging out of the domain holds the point at the border") {
     const RunningViewer viewer;
     const State start = viewer.state();
     viewer.drag(domain_pixel(start, {0.2F, 0.1F}), domain_pixel(start, {0.25F, 1.6F}));
@@ -154,7 +154,7 @@ TEST_CASE("dragging out of the domain holds the point at its rim") {
     CHECK(state["point"][0].get<double>() == doctest::Approx(0.25).epsilon(0.05));
 }
 
-TEST_CASE("scrubbing the timeline sets the time under the pointer, and takes the point back to its path") {
+TEST_CASE("scrubbing the timeline sets the time under the pointer, and returns the point to its path") {
     const RunningViewer viewer;
     const State start = viewer.state();
     Picture picture = viewer.settled_picture();
@@ -181,7 +181,7 @@ TEST_CASE("scrubbing the timeline sets the time under the pointer, and takes the
     viewer.set_button(1, false);
 }
 
-TEST_CASE("Space plays and pauses: time runs, then stands") {
+TEST_CASE("Space starts and pauses: time runs, then stands still") {
     const RunningViewer viewer;
     const Picture before = viewer.settled_picture();
     viewer.press(XK_space);
@@ -193,7 +193,7 @@ TEST_CASE("Space plays and pauses: time runs, then stands") {
     CHECK(viewer.state()["time"] == paused["time"]);
 }
 
-TEST_CASE("dragging the point while it plays pauses, and Space goes on from there") {
+TEST_CASE("dragging the point pauses playback, and Space continues from there") {
     const RunningViewer viewer;
     const State start = viewer.state();
     viewer.press(XK_space);
@@ -214,7 +214,7 @@ TEST_CASE("each display key changes the picture, and changes it back") {
         const char* name;
     };
     const RunningViewer viewer;
-    // Two keys of different levels, so that there is something to see for each.
+    // Two keys of different levels, so that each display key has a visible effect.
     viewer.drag(timeline_pixel(viewer.state(), 0.4F), timeline_pixel(viewer.state(), 0.47F));
     viewer.point_at(view_pixel(viewer.state()));
     const Picture plain = viewer.settled_picture();
@@ -243,7 +243,7 @@ TEST_CASE("each display key changes the picture, and changes it back") {
     CHECK(viewer.shows(plain));
 }
 
-TEST_CASE("colors of an OBJ are shown as a field, with the value under the pointer") {
+TEST_CASE("the colors of an OBJ are shown as a field, with the value under the pointer") {
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / fmt::format("interleaf-e2e-{}.obj", getpid());
     std::ofstream(file) << "v 1 1 1 1 0 0\nv -1 -1 1 0 1 0\nv -1 1 -1 0 0 1\nv 1 -1 -1 1 1 1\n"
@@ -258,7 +258,7 @@ TEST_CASE("colors of an OBJ are shown as a field, with the value under the point
         viewer.wait_for(coloring, [&](const State& s) { return s["display"]["coloring"] == coloring; });
         pictures.insert(viewer.settled_picture());
     }
-    // The value goes where the pointer goes, and away with it.
+    // The value follows the pointer, and disappears with it.
     const Picture with_value = viewer.settled_picture();
     viewer.point_at(view_pixel(start, {20, 10}));
     const Picture beside = viewer.changed_picture(with_value);
@@ -270,7 +270,7 @@ TEST_CASE("colors of an OBJ are shown as a field, with the value under the point
     std::filesystem::remove(file);
 }
 
-TEST_CASE("the mouse in the view moves the camera alone, and F sees the whole model again") {
+TEST_CASE("the mouse in the view moves only the camera, and F shows the whole model again") {
     const RunningViewer viewer;
     const State start = viewer.state();
     const Picture before = viewer.settled_picture();
@@ -328,7 +328,7 @@ TEST_CASE("Ctrl+Q ends the program with status 0") {
     CHECK(viewer.exit_status() == 0);
 }
 
-TEST_CASE("view writes a picture of the window as it is told to begin, and closes") {
+TEST_CASE("view writes a picture of the window as the options ask, and closes") {
     const std::filesystem::path folder = std::filesystem::temp_directory_path();
     const auto picture_of = [&](const std::string& options) {
         const std::filesystem::path file = folder / fmt::format("interleaf-e2e-{}.png", getpid());

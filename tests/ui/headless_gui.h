@@ -1,4 +1,4 @@
-// Dear ImGui without a window: a test is the mouse, and looks at what would be drawn.
+// Dear ImGui without a window: a test acts as the mouse, and looks at what would be drawn.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace interleaf {
 
 class HeadlessGui {
   public:
-    /// \param size  of the display
+    /// \param size  size of the display
     explicit HeadlessGui(glm::vec2 size);
     ~HeadlessGui();
     HeadlessGui(const HeadlessGui&) = delete;
@@ -20,12 +20,13 @@ class HeadlessGui {
     /// Begins a frame with the pointer at \p pointer and the left button up or down.
     void begin_frame(glm::vec2 pointer, bool is_button_down);
 
-    /// Shows the frame's panels once more, as Gui::begin_drawing() does.
+    /// Begins the second pass of the frame, as Gui::begin_drawing() does.
     void begin_drawing();
 
     void end_frame();
 
-    /// Whether the last frame draws something in \p color, packed as Dear ImGui packs it, within \p area.
+    /// Whether the last frame draws something in \p color within \p area.
+    /// \param color  packed as Dear ImGui packs it
     bool has_color(unsigned color, const Rect& area) const;
 };
 

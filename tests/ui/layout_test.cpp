@@ -1,4 +1,4 @@
-// Tests of the layout: that the panels cover any window, without gaps and overlaps.
+// Tests of the layout: the panels cover any window, without gaps and overlaps.
 #include "ui/layout.h"
 
 #include <algorithm>
@@ -66,7 +66,7 @@ TEST_CASE("edges lie on whole pixels, so that the picture is not resampled") {
     }
 }
 
-TEST_CASE("the view keeps the larger part of the width, at 640 by 480 already") {
+TEST_CASE("the view keeps the larger part of the width, even at 640 by 480") {
     for (const auto& [size, scale] : window_sizes) {
         CAPTURE(size.x);
         const Layout layout = lay_out(size, menu_height, scale, true);
@@ -75,20 +75,20 @@ TEST_CASE("the view keeps the larger part of the width, at 640 by 480 already") 
     }
 }
 
-TEST_CASE("a narrow window has one column of panels, a wide one two") {
+TEST_CASE("a narrow window has one column of panels, and a wide window has two") {
     CHECK_FALSE(lay_out({640, 480}, menu_height, 1, true).left);
     CHECK(lay_out({1280, 800}, menu_height, 1, true).left);
     CHECK_FALSE(lay_out({1280, 800}, menu_height, 2, true).left);
 }
 
-TEST_CASE("a window too small for anything gives no negative size") {
+TEST_CASE("a window too small for any panel gives no negative size") {
     for (const Rect& rect : parts(lay_out({10, 10}, menu_height, 2, true))) {
         CHECK(rect.width >= 0);
         CHECK(rect.height >= 0);
     }
 }
 
-TEST_CASE("without a timeline the picture has its place") {
+TEST_CASE("without a timeline, the view takes its place") {
     const Layout with = lay_out({1280, 800}, 24, 1, true);
     const Layout without = lay_out({1280, 800}, 24, 1, false);
     CHECK(without.timeline.height == 0);

@@ -43,8 +43,8 @@ class HelpFormatter : public CLI::Formatter {
 /// Adds `interleaf help [COMMAND]`, which prints the --help text of the program or of a command.
 void add_help(CLI::App& program) {
     const auto name = std::make_shared<std::string>();
-    CLI::App* command = program.add_subcommand("help", "Say how a command is used");
-    command->add_option("COMMAND", *name, "Which; all of them, in short, if left out");
+    CLI::App* command = program.add_subcommand("help", "Print the help of a command");
+    command->add_option("COMMAND", *name, "A command; by default, the program");
     command->final_callback([name, &program] {
         if (name->empty()) {
             // App::help() would print the help of the command in use.
@@ -107,11 +107,12 @@ ExitStatus run_and_report(int argument_count, const char* const* arguments) {
     program.set_version_flag("--version", "interleaf " INTERLEAF_VERSION, "Print the version and exit");
     program.require_subcommand(0, 1);
     program.footer(
-        "Exit status: 0 done, 1 the input is at fault, 2 the command line is, 3 the machine is.\n\n"
+        "Exit status: 0 done, 1 the input is at fault, 2 the command line is at fault,\n"
+        "3 the machine is at fault.\n\n"
         "Examples:\n"
-        "  interleaf                      open the viewer on the built-in five keys\n"
-        "  interleaf star.ilh             open it on a key\n"
-        "  interleaf render --help        say how to draw without a display");
+        "  interleaf                      open the viewer with the built-in five keys\n"
+        "  interleaf star.ilh             open a key\n"
+        "  interleaf render --help        print how to draw without a display");
     try {
         return run(program, argument_count, arguments);
     } catch (const CLI::ParseError& error) {

@@ -25,14 +25,15 @@ using Json = nlohmann::ordered_json;
 
 void check_options(const FitCommandOptions& options) {
     if (options.json && options.output == "-")
-        throw UsageError("fit: -o - leaves no place for --report, expected a file");
+        throw UsageError("fit: --report writes to standard output, expected a file for -o");
     if (!options.rotations.empty() && options.rotations.size() != options.meshes.size())
         throw UsageError(
-            fmt::format("fit: --rotate {} times for {} meshes, expected one for each, x,0 for none",
+            fmt::format("fit: {} times --rotate for {} meshes, expected it once per mesh (x,0 for no turn)",
                         options.rotations.size(), options.meshes.size()));
     if (!options.ups.empty() && options.ups.size() != options.meshes.size())
-        throw UsageError(fmt::format("fit: --up {} times for {} meshes, expected one for each, y for none",
-                                     options.ups.size(), options.meshes.size()));
+        throw UsageError(
+            fmt::format("fit: {} times --up for {} meshes, expected it once per mesh (y for no turn)",
+                        options.ups.size(), options.meshes.size()));
     if (options.meshes.size() == 1) {
         key_target_of(options.output);
     } else if (options.output == "-") {
@@ -151,7 +152,7 @@ void print_report(const std::filesystem::path& file, const FittedMesh& mesh) {
                key.hierarchy.leaf_count(), 100 * report.quality.hausdorff,
                100 * report.quality.root_mean_square);
     if (report.hausdorff_as_brought != report.quality.hausdorff)
-        fmt::print("  at most {:.3g} % of its box diagonal from the mesh as it was brought\n",
+        fmt::print("  at most {:.3g} % of its box diagonal from the input mesh\n",
                    100 * report.hausdorff_as_brought);
     fmt::print("  least angle {:.3g} degrees, flipped leaves: {}, {:.2g} s\n", report.quality.min_angle,
                report.quality.flipped_leaves, whole);

@@ -178,11 +178,11 @@ std::string text_of(const glm::dvec3& p) {
     return fmt::format("({}, {}, {})", number(p.x), number(p.y), number(p.z));
 }
 
-/// The size of a file in words: "52,340 bytes, compressed, 1.31 bytes a leaf".
+/// The size of a file in words: "52,340 bytes, compressed, 1.31 bytes per leaf".
 std::string file_text(const Figures& figures) {
     std::string bytes = grouped(figures.file) + " bytes";
     if (figures.form.empty()) return bytes;
-    return fmt::format("{}, {}, {:.2f} bytes a leaf", bytes, figures.form,
+    return fmt::format("{}, {}, {:.2f} bytes per leaf", bytes, figures.form,
                        static_cast<double>(figures.file) / static_cast<double>(figures.leaves));
 }
 

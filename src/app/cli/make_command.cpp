@@ -27,8 +27,8 @@ void run_make(const MakeOptions& options) {
     if (options.name == family_name) return make_family(options);
     const Shape* shape = find_shape(options.name);
     if (shape == nullptr) {
-        throw UsageError(
-            fmt::format("make: there is no shape '{}'; `interleaf make --list` shows them", options.name));
+        throw UsageError(fmt::format("make: there is no shape '{}'; `interleaf make --list` lists the shapes",
+                                     options.name));
     }
     write_output(key_target_of(options.output),
                  serialize_hierarchy(make_key(*shape, options.budget), options.form));
@@ -36,7 +36,7 @@ void run_make(const MakeOptions& options) {
 
 void list_shapes() {
     for (const Shape& shape : shapes()) fmt::print("{:<14}{}\n", shape.name, shape.description);
-    fmt::print("{:<14}the built-in family of the first five, into a folder\n", family_name);
+    fmt::print("{:<14}a folder with the built-in family of the first five shapes\n", family_name);
 }
 
 }  // namespace interleaf

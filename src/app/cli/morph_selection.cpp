@@ -19,7 +19,7 @@ Weights named_weights(const std::vector<NamedWeight>& named, const Family& famil
             std::string known;
             for (const Key& each : family.keys) known += (known.empty() ? "" : ", ") + each.name;
             throw UsageError(
-                fmt::format("--weights: no key is called '{}'; there are {}", weight.key, known));
+                fmt::format("--weights: there is no key '{}', the keys are {}", weight.key, known));
         }
         weights.push_back({*key, weight.value});
     }

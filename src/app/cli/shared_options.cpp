@@ -14,8 +14,8 @@ namespace {
 
 std::string family_help() {
     return fmt::format(
-        "A family.json, its folder, an {} file, or for several files a pattern such as 'flow.*.obj' or their "
-        "folder; the built-in five keys if left out",
+        "A family.json, its folder, or an {} file; for several files, a pattern such as 'flow.*.obj' "
+        "or their folder; by default, the built-in five keys",
         extensions_in_words(&Format::holds_key));
 }
 
@@ -28,9 +28,9 @@ void add_family(CLI::App& command, std::vector<std::filesystem::path>& family) {
 
 std::string viewed_help() {
     return fmt::format(
-        "A family.json, its folder, or {} files, several making a new family; a pattern such as 'flow.*.obj' "
-        "stands for the files that match, a folder for the keys or meshes in it; or meshes to fit, {}, or {} "
-        "with different faces; the built-in five keys if left out",
+        "A family.json, its folder, or {} files, of which several make a new family; or meshes to fit: "
+        "{} files, or {} files with different faces. A pattern such as 'flow.*.obj' stands for the files "
+        "that match it, a folder for the keys or meshes in it. By default, the built-in five keys.",
         extensions_in_words(&Format::holds_key), joined(extensions_of(&Format::holds_mesh_alone), ", "),
         extensions_in_words(&Format::holds_mesh_as_key));
 }
@@ -56,16 +56,16 @@ CLI::Option* add_family_or_keys(CLI::App& command, const std::string& name, cons
 
 void add_morph_selection(CLI::App& command, MorphSelection& morph) {
     add_family(command, morph.family);
-    CLI::Option* at =
-        add_text_option(command, "--at", "A point of the parameter domain, or the nearest to one outside",
-                        [&morph](const std::string& text) { morph.at = parse_point(text); });
-    CLI::Option* time =
-        add_text_option(command, "--time", "A time on the timeline, seconds, or the nearest to one outside",
-                        [&morph](const std::string& text) { morph.time = parse_number(text); });
+    CLI::Option* at = add_text_option(
+        command, "--at", "A point of the parameter domain; a point outside moves to the nearest inside",
+        [&morph](const std::string& text) { morph.at = parse_point(text); });
+    CLI::Option* time = add_text_option(
+        command, "--time", "A time on the timeline, in seconds; a time outside moves to the nearest end",
+        [&morph](const std::string& text) { morph.time = parse_number(text); });
     CLI::Option* weights =
         add_text_option(command, "--weights", "Weights of keys, used as given",
                         [&morph](const std::string& text) { morph.weights = parse_weights(text); });
-    const std::string group = "Which morph (one of these; time 0, or the only key, if left out)";
+    const std::string group = "Which blend (one of these; by default time 0, or the only key)";
     at->type_name("U,V")->group(group)->excludes(time)->excludes(weights);
     time->type_name("T")->group(group)->excludes(weights);
     weights->type_name("KEY=W,...")->group(group);
@@ -82,7 +82,7 @@ void add_output(CLI::App& command, Output& output, const std::vector<std::string
         ->type_name("FILE");
     command
         .add_option("--format", output.format,
-                    fmt::format("{}; goes by the extension of FILE if left out", either_of(formats)))
+                    fmt::format("{}; by default, the extension of FILE", either_of(formats)))
         ->type_name("NAME");
 }
 
@@ -90,17 +90,17 @@ void add_form(CLI::App& command, HierarchyFileOptions& form) {
     CLI::Option* compress =
         command.add_flag("--compress", form.compressed, "Write .ilh files in the compressed form");
     add_text_option(command, "--bits",
-                    "With --compress, round coordinates to N bits of the box's longest side, 8 to 24",
+                    "With --compress, round coordinates to N bits (8 to 24) of the longest side of the box",
                     [&form](const std::string& text) { form.rounding_bits = parse_bits(text); })
         ->type_name("N")
         ->needs(compress);
 }
 
 void add_display(CLI::App& command, Display& display) {
-    add_text_option(command, "--show", "Edges shown: " + shown_edges_in_words(),
+    add_text_option(command, "--show", "Edges to show: " + shown_edges_in_words(),
                     [&display](const std::string& text) { parse_shown_edges(text, display); })
         ->type_name("NAME,...");
-    add_text_option(command, "--shading", "How the surface is shaded: smooth or flat",
+    add_text_option(command, "--shading", "Shading: smooth or flat",
                     [&display](const std::string& text) { display.shading = parse_shading(text); })
         ->type_name("NAME")
         ->default_str("smooth");
@@ -114,7 +114,7 @@ void add_display(CLI::App& command, Display& display) {
         ->default_str("viridis")
         ->needs(color);
     add_text_option(command, "--range",
-                    "Values with the first and the last color; those of all keys if left out",
+                    "Values of the first and the last color; by default, the range of all keys",
                     [&display](const std::string& text) {
                         display.scale.range = parse_range(text);
                         display.range_locked = true;

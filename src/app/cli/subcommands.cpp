@@ -25,7 +25,7 @@ void add_view(CLI::App& program) {
     const auto options = std::make_shared<ViewOptions>();
     CLI::App* command = program.add_subcommand("view", "Open the viewer");
     add_family_or_keys(*command, "FAMILY", viewed_help(), options->family);
-    add_text_option(*command, "--size", "Size of the window; as it was last if left out",
+    add_text_option(*command, "--size", "Size of the window; by default its last size",
                     [options](const std::string& text) {
                         const PictureSize size = parse_size(text);
                         options->viewer.size = glm::ivec2(size.width, size.height);
@@ -48,7 +48,7 @@ void add_view(CLI::App& program) {
     command
         ->add_option_function<std::string>(
             "--trace", [options](const std::string& path) { options->viewer.trace = path; },
-            "A file that gets one JSON line at every change of state")
+            "Write one JSON line per change of state to this file")
         ->type_name("FILE");
     command->final_callback([options] { run_view(*options); });
     command->footer(
@@ -68,7 +68,8 @@ void add_render(CLI::App& program) {
         ->default_str(fmt::format("{}x{}", options->size.width, options->size.height));
     add_display(*command, options->display);
     const Viewpoint& viewpoint = options->viewpoint;
-    add_text_option(*command, "--camera", "Where it is seen from, in degrees; at zoom 1 all keys fit in",
+    add_text_option(*command, "--camera",
+                    "Direction of view in degrees; at zoom 1 all keys fit into the picture",
                     [options](const std::string& text) { options->viewpoint = parse_viewpoint(text); })
         ->type_name("AZIMUTH,ELEVATION[,ZOOM]")
         ->default_str(fmt::format("{},{},{}", viewpoint.azimuth, viewpoint.elevation, viewpoint.zoom));
@@ -82,7 +83,7 @@ void add_render(CLI::App& program) {
 
 void add_export(CLI::App& program) {
     const auto options = std::make_shared<ExportOptions>();
-    CLI::App* command = program.add_subcommand("export", "Write a morph as a mesh or as a key");
+    CLI::App* command = program.add_subcommand("export", "Write a blend as a mesh or as a key");
     add_morph_selection(*command, options->morph);
     add_output(*command, options->output, format_names(&Format::is_exported));
     add_form(*command, options->form);
@@ -100,7 +101,7 @@ void add_info(CLI::App& program) {
     command
         ->add_option_function<std::string>(
             "FILE", [options](const std::string& path) { options->file = path; },
-            fmt::format("A family.json, its folder, an {} file, or a pattern for several",
+            fmt::format("A family.json, its folder, an {} file, or a pattern for several files",
                         extensions_in_words(&Format::holds_key_or_mesh)))
         ->required();
     command->add_flag("--json", options->json, "Print JSON");
@@ -111,18 +112,18 @@ void add_info(CLI::App& program) {
 void add_check(CLI::App& program, CheckResult& result) {
     const auto files = std::make_shared<std::vector<std::string>>();
     CLI::App* command =
-        program.add_subcommand("check", "Check every invariant of keys and constraints (B) of families");
+        program.add_subcommand("check", "Check every invariant of keys, and constraints (B) of families");
     command
         ->add_option("FILE", *files,
-                     fmt::format("family.json files, their folders, {} files, patterns",
+                     fmt::format("family.json files, their folders, {} files, or patterns",
                                  extensions_in_words(&Format::holds_key_or_mesh)))
         ->required();
     command->final_callback([files, &result] {
         result = run_check(std::vector<std::filesystem::path>(files->begin(), files->end()));
     });
     command->footer(
-        "Exit status 0 when all are sound; 1 otherwise, with every violation named; 3 when one cannot be "
-        "read.\n\n"
+        "Exit status: 0 if all files are sound, 3 if a file cannot be read, otherwise 1. Prints every "
+        "violation.\n\n"
         "Example:\n  interleaf check assets/families/five-keys/*.ilh");
 }
 
@@ -132,10 +133,10 @@ void add_make(CLI::App& program) {
     CLI::Option* name = command->add_option("SHAPE", options->name, "What to make; see --list");
     CLI::Option* output =
         command->add_option("-o,--output", options->output,
-                            "The .ilh file to write, a folder for five-keys; - for standard output");
+                            "The .ilh file to write, or - for standard output; for five-keys, a folder");
     output->type_name("FILE");
     CLI::Option* leaves =
-        add_text_option(*command, "--leaves", "At most this many leaves, and as near as closure allows",
+        add_text_option(*command, "--leaves", "At most N leaves, and as close to N as closure allows",
                         [options](const std::string& text) { options->budget.leaves = parse_count(text); });
     leaves->type_name("N")->default_str("20000");
     add_text_option(*command, "--tolerance",
@@ -148,7 +149,7 @@ void add_make(CLI::App& program) {
     name->excludes(list);
     command->final_callback([options, name, output, list] {
         if (*list) return list_shapes();
-        if (!*name) throw UsageError("make: SHAPE is required; --list shows them");
+        if (!*name) throw UsageError("make: SHAPE is required; --list lists the shapes");
         if (!*output) throw UsageError("make: --output is required");
         run_make(*options);
     });
@@ -164,8 +165,8 @@ void add_family_command(CLI::App& program) {
     CLI::App* command = program.add_subcommand("family", "Make a family folder from keys");
     add_family_or_keys(
         *command, "KEY",
-        fmt::format("Files of keys: {}, whose roots are put over those of the first, or {} files "
-                    "with the same faces; or a pattern",
+        fmt::format("Keys: {} files, which get the roots of the first file, or {} files with the same faces; "
+                    "or a pattern",
                     extensions_in_words(&Format::holds_key_alone),
                     extensions_in_words(&Format::holds_mesh_as_key)),
         options->keys)
@@ -194,22 +195,23 @@ void add_family_command(CLI::App& program) {
 
 void add_fit(CLI::App& program) {
     const auto options = std::make_shared<FitCommandOptions>();
-    CLI::App* command = program.add_subcommand("fit", "Make keys from meshes, closed and without handles");
+    CLI::App* command = program.add_subcommand("fit", "Make keys from closed meshes without handles");
     command
         ->add_option_function<std::vector<std::string>>(
             "MESH",
             [options](const std::vector<std::string>& files) {
                 options->meshes.assign(files.begin(), files.end());
             },
-            fmt::format("Meshes: {} files; several make a family", extensions_in_words(&Format::holds_mesh)))
+            fmt::format("Meshes: {} files; several meshes make a family",
+                        extensions_in_words(&Format::holds_mesh)))
         ->required();
     command
         ->add_option("-o,--output", options->output,
-                     "The .ilh file to write, - for standard output; a folder for several meshes")
+                     "The .ilh file to write, or - for standard output; for several meshes, a folder")
         ->required()
         ->type_name("FILE");
     CLI::Option* leaves =
-        add_text_option(*command, "--leaves", "At most this many leaves, and as near as closure allows",
+        add_text_option(*command, "--leaves", "At most N leaves, and as close to N as closure allows",
                         [options](const std::string& text) { options->leaves = parse_count(text); });
     leaves->type_name("N")->default_str("20000");
     add_text_option(*command, "--tolerance",
@@ -220,7 +222,7 @@ void add_fit(CLI::App& program) {
     command
         ->add_option(
             "--roots", options->roots,
-            fmt::format("Root triangles: cube, icosahedron, octahedron, or an {} file around its middle",
+            fmt::format("Root triangles: cube, icosahedron, octahedron, or an {} file around its center",
                         extensions_in_words(&Format::holds_mesh_as_key)))
         ->type_name("NAME")
         ->default_str("cube");
@@ -230,7 +232,7 @@ void add_fit(CLI::App& program) {
             [options](const std::vector<std::string>& texts) {
                 for (const std::string& text : texts) options->rotations.push_back(parse_axis_turn(text));
             },
-            "Turn a mesh's parts over the roots; positions stay; once for each mesh")
+            "Turn the parts of a mesh over the roots; its positions stay; once per mesh")
         ->allow_extra_args(false)
         ->type_name("AXIS,DEGREES");
     command
@@ -239,18 +241,18 @@ void add_fit(CLI::App& program) {
             [options](const std::vector<std::string>& texts) {
                 for (const std::string& text : texts) options->ups.push_back(parse_up(text));
             },
-            "The axis of a mesh that points up: x, y or z; once for each mesh")
+            "The axis of a mesh that points up: x, y or z; once per mesh")
         ->allow_extra_args(false)
         ->type_name("AXIS");
     command->add_flag("--same-size", options->placing.same_size,
-                      "Scale all meshes to the first one's size, the square root of the area");
+                      "Scale all meshes to the size of the first, which is the square root of its area");
     command->add_flag("--same-center", options->placing.same_center,
-                      "Move all meshes to where the first one's area has its centroid");
+                      "Move the centroid of the area of all meshes to that of the first");
     command->add_flag("--keep-largest", options->keep_largest,
-                      "Of several parts keep the largest, even where over 2 % of the area is lost");
+                      "Keep only the largest of several parts, even if over 2 % of the area is lost");
     command->add_flag("--fill-holes", options->fill_holes,
-                      "Fill holes, even where that adds over 5 % to the area");
-    add_text_option(*command, "--report", "Print the report as json", [options](const std::string& text) {
+                      "Fill holes, even if that adds over 5 % to the area");
+    add_text_option(*command, "--report", "Print the report as JSON", [options](const std::string& text) {
         if (text != "json") throw UsageError(fmt::format("expected json, got '{}'", text));
         options->json = true;
     })->type_name("json");

@@ -148,7 +148,7 @@ ComparisonActions ComparisonView::show(const ViewerState& state, bool has_keyboa
                                      has_keyboard)};
 }
 
-void ComparisonView::apply(const ComparisonActions& actions, ViewerState& state) {
+void ComparisonView::apply_to_comparison(const ComparisonActions& actions, ViewerState& state) {
     pointer_.reset();
     for (std::size_t side = 0; side < sides_->size(); ++side) {
         const ViewInput& input = actions.sides[side];

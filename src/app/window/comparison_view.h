@@ -43,7 +43,7 @@ class ComparisonView {
 
     /// Moves the camera, and applies the choices of the panel to \p state.
     /// \pre show() returned \p actions for \p state
-    void apply(const ComparisonActions& actions, ViewerState& state);
+    void apply_to_comparison(const ComparisonActions& actions, ViewerState& state);
 
     /// Draws both surfaces into the window, behind the panels.
     /// \param window_height  screen coordinates

@@ -11,9 +11,10 @@
 
 namespace interleaf {
 
-void DocumentViews::apply(const WindowActions& actions, ViewerState& state, const FrameLayout& layout) {
-    if (actions.view) surface_.apply(*actions.view, layout.panels.view);
-    if (actions.comparison) comparison_.apply(*actions.comparison, state);
+void DocumentViews::apply_to_views(const WindowActions& actions, ViewerState& state,
+                                   const FrameLayout& layout) {
+    if (actions.view) surface_.apply_to_camera(*actions.view, layout.panels.view);
+    if (actions.comparison) comparison_.apply_to_comparison(*actions.comparison, state);
 }
 
 void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const Gui& gui) {

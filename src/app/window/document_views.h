@@ -26,7 +26,7 @@ class DocumentViews {
 
     /// Moves the cameras, and applies the choices of a comparison's panel to \p state.
     /// \pre the panels that returned \p actions showed \p state in \p layout
-    void apply(const WindowActions& actions, ViewerState& state, const FrameLayout& layout);
+    void apply_to_views(const WindowActions& actions, ViewerState& state, const FrameLayout& layout);
 
     /// Updates all views to \p state. Fulfills and clears its requests to move the camera and to reload the
     /// shaders. If the family lacks the displayed field, changes the display to one that the family supports.

@@ -16,7 +16,7 @@ SurfaceView::SurfaceView() {
     camera_.look_from(30, 20);
 }
 
-void SurfaceView::apply(const ViewInput& input, const Rect& view) {
+void SurfaceView::apply_to_camera(const ViewInput& input, const Rect& view) {
     move_camera(camera_, input, view, picture_.target());
 }
 

@@ -24,7 +24,7 @@ class SurfaceView {
     SurfaceView();
 
     /// Moves the camera by \p input, which was read over \p view.
-    void apply(const ViewInput& input, const Rect& view);
+    void apply_to_camera(const ViewInput& input, const Rect& view);
 
     /// Updates the surface to \p session.
     /// \param field  the field that the session's display shows; null for none

@@ -78,7 +78,7 @@ class Viewer {
     bool has_keyboard() const;
 
     void update(const FrameInput& input, double now);
-    void apply(const WindowActions& actions, double now);
+    void apply_actions(const WindowActions& actions, double now);
     void update_files(const FrameInput& input, double now);
     void follow_state(double now);
 
@@ -223,16 +223,16 @@ bool Viewer::has_keyboard() const {
 
 void Viewer::update(const FrameInput& input, double now) {
     state_.session.advance(now);
-    apply(input.actions, now);
+    apply_actions(input.actions, now);
     for (const Shortcut shortcut : input.pressed) run_command(*find_command(shortcut), state_, now);
     update_files(input, now);
     follow_state(now);
 }
 
 /// Applies \p actions before anything else changes the state that the panels have shown.
-void Viewer::apply(const WindowActions& actions, double now) {
-    views_.apply(actions, state_, layout());
-    interleaf::apply(actions, state_, holds_, now);
+void Viewer::apply_actions(const WindowActions& actions, double now) {
+    views_.apply_to_views(actions, state_, layout());
+    apply_to_state(actions, state_, holds_, now);
     if (!gui_.is_button_down()) end_drag(state_);
     if (actions.menu.chosen_item) files_.open({files_.recent_files()[*actions.menu.chosen_item]});
 }

@@ -10,6 +10,6 @@ namespace interleaf {
 /// on the comparison.
 /// \param holds  receives the objects that the mouse holds, for the next frame
 /// \pre the panels that returned \p actions showed \p state; only its time may have changed since
-void apply(const WindowActions& actions, ViewerState& state, MouseHolds& holds, double now);
+void apply_to_state(const WindowActions& actions, ViewerState& state, MouseHolds& holds, double now);
 
 }  // namespace interleaf

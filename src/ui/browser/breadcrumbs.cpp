@@ -30,7 +30,7 @@ float gap() {
     return text_size(separator).x + scaled(4);
 }
 
-/// A part as a button of \p width; the text is cut where it is longer.
+/// Shows a folder as a button of this width. An ellipsis cuts off a longer text.
 bool crumb(std::size_t index, const std::string& label, float width, bool is_last, bool is_focused) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::PushID(static_cast<int>(index));

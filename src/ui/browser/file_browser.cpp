@@ -16,15 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// \p folder as an absolute path, without "." and ".." and a '/' at its end.
+/// \p folder as an absolute path, without "." and ".." and without a '/' at its end.
 fs::path whole_path(const fs::path& folder) {
     std::error_code error;
     const fs::path path = fs::absolute(folder, error).lexically_normal();
-    if (error) return "/";  // relative to a folder that is gone
+    if (error) return "/";  // relative to a folder that no longer exists
     return path.has_filename() ? path : path.parent_path();
 }
 
-/// \p folder, or the nearest of its parents that is a folder.
+/// The nearest folder that exists: \p folder or one of its parents.
 fs::path nearest_folder(fs::path folder) {
     std::error_code error;
     folder = whole_path(folder);
@@ -47,7 +47,7 @@ std::string quoted(const fs::path& path) {
 }  // namespace
 
 void FileBrowser::open(FileRequest request) {
-    // What a person has set up stays for the next time: order, hidden files.
+    // Keep what the user has set for the next time: order, hidden files.
     request_ = std::move(request);
     open_ = is_new_ = true;
     choice_.reset();
@@ -79,7 +79,7 @@ FileType FileBrowser::type() const {
                                          : FileType{.name = "All files", .extensions = {}};
 }
 
-/// The name to save under, selected but for its extension.
+/// Puts the suggested name into the field, and selects it without its extension.
 void FileBrowser::suggest_name() {
     if (is_saving()) field_.set(request_.name, fs::path(request_.name).stem().native().size());
 }
@@ -89,7 +89,7 @@ void FileBrowser::complain(std::string text) {
     field_.refocus();
 }
 
-/// \param cursor  the name to put the cursor on
+/// \param cursor  name of the entry that gets the cursor
 void FileBrowser::go_to(const fs::path& folder, const fs::path& cursor) {
     folder_ = whole_path(folder);
     listing_ = read_folder(folder_);
@@ -108,7 +108,7 @@ void FileBrowser::read_again() {
     go_to(folder_, entry != nullptr ? entry->name : fs::path());
 }
 
-/// Filters and sorts anew, with nothing selected and the cursor on the name \p cursor.
+/// Filters and sorts the entries again. Selects the entry named \p cursor, or nothing if it is not shown.
 void FileBrowser::arrange(const fs::path& cursor) {
     shown_ = shown_entries(listing_.entries,
                            {.type = type(), .hidden = hidden_, .only_folders = wants_folder()}, order_);
@@ -133,7 +133,7 @@ fs::path FileBrowser::path_of(std::size_t row) const {
     return folder_ / listing_.entries[shown_[row]].name;
 }
 
-/// What a double click and Enter do to the row of the cursor, or to all selected files.
+/// What a double click and Enter do: opens the entry under the cursor, or all selected files.
 void FileBrowser::activate_cursor() {
     const FolderEntry* const entry = cursor_entry();
     if (entry == nullptr) return;
@@ -183,15 +183,15 @@ void FileBrowser::accept_text() {
         return go_to(path);
     }
     if (is_saving()) return accept_name(path);
-    if (wants_folder()) return complain(fmt::format("{} is no folder.", quoted(path)));
+    if (wants_folder()) return complain(fmt::format("{} is not a folder.", quoted(path)));
     if (text.find('*') != std::string::npos && !fs::exists(status)) return choose({path});
     if (status.type() == fs::file_type::not_found)
-        return complain(fmt::format("There is no {}.", shown_name(path.native())));
+        return complain(fmt::format("{} does not exist.", shown_name(path.native())));
     if (error) return complain(fmt::format("{}: {}", shown_name(path.native()), error.message()));
     choose({path});
 }
 
-/// Saves as \p path, unless something speaks against it; asks before anything is replaced.
+/// Saves as \p path, unless something prevents it. Asks before it replaces anything.
 void FileBrowser::accept_name(fs::path path) {
     const FileType chosen = type();
     if (request_.purpose == FilePurpose::save && !chosen.extensions.empty() &&
@@ -199,7 +199,8 @@ void FileBrowser::accept_name(fs::path path) {
         path += chosen.extensions.front();
     std::error_code error;
     if (!fs::is_directory(path.parent_path(), error))
-        return complain(fmt::format("There is no folder {}.", shown_name(path.parent_path().native())));
+        return complain(
+            fmt::format("The folder {} does not exist.", shown_name(path.parent_path().native())));
     const fs::file_status status = fs::symlink_status(path, error);
     if (error && status.type() != fs::file_type::not_found)
         return complain(fmt::format("{}: {}", quoted(path), error.message()));
@@ -211,9 +212,9 @@ void FileBrowser::accept_name(fs::path path) {
     if (is_folder && fs::is_empty(path, error)) return choose({path});
     path_to_replace_ = path;
     asked_ = Asked::replace;
-    const std::string detail =
-        is_folder ? "A family in it is replaced; other files stay." : "What is in it now will be lost.";
-    dialog_.ask({.text = fmt::format("{} is there already. Replace it?", quoted(path)),
+    const std::string detail = is_folder ? "A family in it will be replaced. Other files will stay."
+                                         : "Its current content will be lost.";
+    dialog_.ask({.text = fmt::format("{} already exists. Replace it?", quoted(path)),
                  .detail = detail,
                  .buttons = {"Replace", "Cancel"},
                  .default_button = 1,
@@ -229,10 +230,10 @@ void FileBrowser::choose(std::vector<fs::path> files) {
 void FileBrowser::ask_for_new_folder() {
     asked_ = Asked::new_folder;
     const auto fault = [this](const std::string& name) -> std::string {
-        if (name.find_first_not_of(" .") == std::string::npos) return "A name is needed.";
-        if (name.find('/') != std::string::npos) return "A name cannot hold a “/”.";
+        if (name.find_first_not_of(" .") == std::string::npos) return "Enter a name.";
+        if (name.find('/') != std::string::npos) return "A name cannot contain “/”.";
         std::error_code error;
-        return fs::exists(fs::symlink_status(folder_ / name, error)) ? "There is one already." : "";
+        return fs::exists(fs::symlink_status(folder_ / name, error)) ? "This name already exists." : "";
     };
     dialog_.ask({.text = "New folder",
                  .detail = fmt::format("in {}", shown_name(folder_.native())),
@@ -248,7 +249,7 @@ void FileBrowser::take_answer(const Answer& answer) {
     if (asked == Asked::replace) return choose({path_to_replace_});
     std::error_code error;
     fs::create_directory(folder_ / answer.entry, error);
-    if (error) return complain(fmt::format("Cannot make “{}”: {}", answer.entry, error.message()));
+    if (error) return complain(fmt::format("Cannot create “{}”: {}", answer.entry, error.message()));
     go_to(folder_ / answer.entry);
 }
 

@@ -1,5 +1,5 @@
-// The file browser: a window in front of all others to choose files to open, a folder, or where to save. All
-// of it can be done with the keyboard alone; docs/user-guide.md lists how.
+// The file browser: a window in front of all others to choose files to open, a folder, or a place to save.
+// The keyboard alone suffices; docs/user-guide.md lists the keys.
 #pragma once
 
 #include <cstdint>
@@ -22,10 +22,10 @@ enum class FilePurpose : std::uint8_t {
     open,         ///< files that exist
     open_folder,  ///< a folder that exists
     save,         ///< a file to write
-    save_folder,  ///< a folder to write into, made by who asks
+    save_folder,  ///< a folder to write into; the caller creates it
 };
 
-/// A folder to go to by one click.
+/// A folder that one click leads to.
 struct FilePlace {
     std::string name;
     std::filesystem::path folder;
@@ -35,30 +35,30 @@ struct FileRequest {
     std::string title;   ///< "Open a family"
     std::string action;  ///< on the button: "Open"
     FilePurpose purpose = FilePurpose::open;
-    bool several = false;         ///< more than one file may be opened
-    std::vector<FileType> types;  ///< the first is shown at first; all files can always be shown
-    /// Whether a folder can be opened as a whole, like a file; null for none.
+    bool several = false;         ///< whether several files may be opened
+    std::vector<FileType> types;  ///< the first type is shown at first; all files can always be shown
+    /// Whether a folder can be opened as a whole, like a file; null if no folder can.
     std::function<bool(const std::filesystem::path& folder)> opens_folder;
     std::vector<FilePlace> places;
     std::vector<std::filesystem::path> recent_folders;
-    std::filesystem::path folder;  ///< shown first; if it is not there, its nearest parent, or home if empty
-    std::string name;              ///< to save under, at first
+    std::filesystem::path folder;  ///< shown first; if missing, its nearest parent; if empty, the home folder
+    std::string name;              ///< name to save under, at first
 };
 
 struct FileChoice {
-    /// At least one, absolute. What was typed with a '*' is passed on as it is, and may exist or not.
+    /// At least one absolute path. A path typed with a '*' is passed on unchanged, and may not exist.
     std::vector<std::filesystem::path> files;
-    std::filesystem::path folder;  ///< that was shown, for next time
+    std::filesystem::path folder;  ///< the folder shown last, for the next time
 };
 
 class FileBrowser {
   public:
     void open(FileRequest request);
 
-    /// While it is, the program's own shortcuts are off.
+    /// Whether the browser is open. The program's own shortcuts are then off.
     bool is_open() const { return open_; }
 
-    /// The file or folder of the cursor, or the folder that is shown if it is empty; none unless it is open.
+    /// The entry under the cursor, or the shown folder if it is empty; none if the browser is not open.
     std::optional<std::filesystem::path> cursor_path() const;
 
     /// Draws the browser, if it is open, in the middle of \p area. Call it in every frame,
@@ -67,7 +67,7 @@ class FileBrowser {
     std::optional<FileChoice> show(const Rect& area);
 
   private:
-    /// What has the keyboard. Tab goes through those that are shown, in this order.
+    /// The part that has the keyboard. Tab visits the visible parts in this order.
     enum class Part : std::uint8_t {
         list,
         field,
@@ -82,7 +82,7 @@ class FileBrowser {
     };
     enum class Asked : std::uint8_t { nothing, replace, new_folder };
 
-    // file_browser.cpp: what it does
+    // file_browser.cpp: behavior
     void go_to(const std::filesystem::path& folder, const std::filesystem::path& cursor = {});
     void go_up();
     void read_again();
@@ -117,7 +117,7 @@ class FileBrowser {
     void sort_by(SortColumn column);
     std::vector<FilePlace> all_places() const;
 
-    // file_browser_parts.cpp: what it looks like
+    // file_browser_parts.cpp: appearance
     void show_path(float width);
     void show_places(float width, float height);
     void show_list(float width, float height);
@@ -131,18 +131,18 @@ class FileBrowser {
 
     FileRequest request_;
     bool open_ = false;
-    bool is_new_ = false;  ///< the keys that opened it are still down
+    bool is_new_ = false;  ///< the keys that opened the browser are still down
     std::optional<FileChoice> choice_;
 
     std::filesystem::path folder_;
     FolderListing listing_;
-    std::vector<std::size_t> shown_;  ///< of its entries
-    ListSelection selection_;         ///< of what is shown
+    std::vector<std::size_t> shown_;  ///< indices of the shown entries
+    ListSelection selection_;         ///< selected rows of the shown entries
     bool scroll_to_cursor_ = false;
     SortOrder order_;
-    std::size_t type_ = 0;  ///< of the request's; behind them, all files
+    std::size_t type_ = 0;  ///< index into the request's types; their number means all files
     bool hidden_ = false;
-    bool types_unfolded_ = false;  ///< so that their list has the keyboard
+    bool types_unfolded_ = false;  ///< the list of types is open and has the keyboard
     TypeAhead type_ahead_;
     std::size_t rows_in_sight_ = 1;
 
@@ -150,12 +150,12 @@ class FileBrowser {
     std::size_t crumb_ = 0;
     std::size_t place_ = 0;
     SortColumn column_ = SortColumn::name;
-    bool has_places_ = false;  ///< there is room for them
-    bool is_narrow_ = false;   ///< there is room for what cannot be left out
-    std::size_t columns_ = 3;  ///< there is room for
+    bool has_places_ = false;  ///< there is room for the places
+    bool is_narrow_ = false;   ///< there is room only for the essential parts
+    std::size_t columns_ = 3;  ///< number of columns that fit
     TextField field_;
-    std::string ambiguous_;  ///< what a Tab could not complete further
-    std::string remark_;     ///< what could not be done
+    std::string ambiguous_;  ///< text that Tab could not complete further
+    std::string remark_;     ///< why the last action failed
 
     Asked asked_ = Asked::nothing;
     Dialog dialog_;

@@ -36,7 +36,7 @@ void FileBrowser::read_keys() {
     if (io.KeyCtrl && is_enter_pressed()) return accept();
     if (io.KeyAlt && is_key_pressed(GLFW_KEY_UP)) return go_up();
     if (io.KeyAlt && is_key_pressed(GLFW_KEY_HOME)) return go_to(home_folder());
-    // A Tab in the field may complete what is typed; the field says whether it has.
+    // Tab may complete the path in the field; the field reports whether it did.
     if (is_key_pressed(GLFW_KEY_TAB, KeyRepeat::yes) && (part_ != Part::field || io.KeyShift))
         move_part(io.KeyShift ? -1 : 1);
     else if (part_ == Part::list)
@@ -72,7 +72,7 @@ void FileBrowser::move_cursor(std::ptrdiff_t by) {
     const ImGuiIO& io = ImGui::GetIO();
     const auto last = static_cast<std::ptrdiff_t>(shown_.size()) - 1;
     auto row = static_cast<std::ptrdiff_t>(selection_.cursor());
-    // The first key only shows where the cursor is.
+    // The first arrow key only shows the cursor.
     const bool is_first = selection_.count() == 0 && row == 0 && (by == 1 || by == -1) && !io.KeyCtrl;
     if (!is_first) row = std::clamp(row + by, std::ptrdiff_t{0}, last);
     const SelectionStep step = io.KeyShift  ? SelectionStep::extend
@@ -105,7 +105,7 @@ void FileBrowser::read_list_keys() {
 void FileBrowser::read_type_ahead() {
     const std::string letters = typed_letters();
     if (letters.empty()) return;
-    // A path begins so, no name does.
+    // These letters begin a path, not a name.
     if (letters == "/" || letters == "~") {
         part_ = Part::field;
         return field_.set(letters);
@@ -117,7 +117,7 @@ void FileBrowser::read_type_ahead() {
     scroll_to_cursor_ = true;
 }
 
-/// Of parts that are neither the list nor the field.
+/// Reads the keys of the parts other than the list and the field.
 void FileBrowser::read_part_keys() {
     const auto arrows = [](int before, int after, std::size_t& place, std::size_t count) {
         if (is_key_pressed(before, KeyRepeat::yes) && place > 0) --place;
@@ -181,7 +181,8 @@ void FileBrowser::set_type(std::size_t type) {
     arrange(entry != nullptr ? entry->name : std::filesystem::path());
 }
 
-/// Again by the same column turns the order around. Sizes and dates begin with the largest and the latest.
+/// Sorts by a column. Sorting by the same column again reverses the order. Sizes and dates begin with the
+/// largest and the latest.
 void FileBrowser::sort_by(SortColumn column) {
     const bool is_same = order_.column == column;
     order_ = {.column = column, .descending = is_same ? !order_.descending : column != SortColumn::name};

@@ -1,4 +1,4 @@
-// What the file browser looks like.
+// The appearance of the file browser.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* all_files = "All files";
 
-/// A small button with a symbol drawn on it by \p draw(list, middle, size, color).
+/// A small button. \p draw(list, middle, size, color) draws its symbol.
 template <typename Draw>
 bool symbol_button(const char* name, const char* tooltip, Draw draw) {
     const float side = ImGui::GetFrameHeight();
@@ -85,7 +85,7 @@ std::optional<FileChoice> FileBrowser::show(const Rect& area) {
     has_places_ = width >= scaled(600);
     is_narrow_ = width < scaled(420);
     if (!is_shown(part_)) part_ = Part::list;
-    // A narrow window has no room for what could not be done beside the buttons.
+    // A narrow window has no room for the remark beside the buttons; it replaces the title.
     const bool has_remark = is_narrow_ && !remark_.empty();
     draw_text(from_imgui(ImGui::GetCursorScreenPos()), width, has_remark ? colors::notice : colors::text,
               has_remark ? remark_ : request_.title);
@@ -164,13 +164,13 @@ void FileBrowser::show_list(float width, float height) {
     remark_.clear();
     selection_.step(*result.clicked, result.step);
     const FolderEntry& entry = listing_.entries[shown_[*result.clicked]];
-    // A field cannot hold every name; those that it cannot are chosen by a double click or Enter.
+    // The field cannot hold every name. The user chooses other names by a double click or Enter.
     const bool is_target = entry.is_folder() == wants_folder();
     if (is_saving() && is_target && is_editable(entry.name.native())) field_.set(entry.name.native());
     if (result.is_double_click) activate_cursor();
 }
 
-/// Why the list is empty, or ends early, and what to do about it.
+/// Explains why the list is empty or incomplete, and offers a remedy.
 void FileBrowser::show_nothing(float left, float top, float width, float height) {
     const auto has_hidden = [this] {
         return !hidden_ && std::ranges::any_of(listing_.entries, &FolderEntry::is_hidden);
@@ -184,21 +184,21 @@ void FileBrowser::show_nothing(float left, float top, float width, float height)
     if (!listing_.error.empty()) {
         text = fmt::format("This folder cannot be read: {}", listing_.error);
     } else if (has_others() && wants_folder()) {
-        text = "No folders in here.";
+        text = "This folder contains no folders.";
     } else if (has_others()) {
-        text = fmt::format("Nothing here is of the type {} ({}).", type().name, extensions_of(type()));
+        text = fmt::format("No files of the type {} ({}).", type().name, extensions_of(type()));
         button = "Show all files";
     } else if (has_hidden()) {
-        text = "Only hidden files in here.";
+        text = "This folder contains only hidden files.";
         button = "Show hidden files";
     }
-    // A listing that broke off keeps its rows; the reason stands below them.
+    // An incomplete listing keeps its rows, with the reason below them.
     const bool has_rows = !shown_.empty();
     const float line = ImGui::GetTextLineHeight();
     const float text_width = std::min(text_size(text).x, width - 2 * scaled(12));
     const float text_top = has_rows ? top + height - line - scaled(6) : top + height * 0.42F;
     const ImVec2 after = ImGui::GetCursorPos();
-    // Over the list, a window of its own draws over what this one draws.
+    // A child window of its own is drawn over the list.
     ImGui::SetCursorScreenPos({left + scaled(8), text_top});
     ImGui::BeginChild("nothing", {width - 2 * scaled(8), line + ImGui::GetFrameHeight() + scaled(16)}, false,
                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar);
@@ -250,11 +250,11 @@ void FileBrowser::show_field(float width) {
     }
 }
 
-/// After a Tab that has completed nothing. Where several \p names begin so, only a second one leaves.
+/// Reacts to a Tab that has completed nothing. If several \p names match, only a second Tab leaves the field.
 void FileBrowser::leave_field(std::size_t names) {
     const std::string text = field_.text();
     if (names <= 1 || text.empty() || std::exchange(ambiguous_, text) == text) return move_part(1);
-    remark_ = fmt::format("{} names begin so.", grouped(names));
+    remark_ = fmt::format("{} names begin with this text.", grouped(names));
 }
 
 void FileBrowser::show_types(float width) {

@@ -26,12 +26,13 @@ float side_margin() {
     return scaled(10);
 }
 
-/// Left and right edge of a column, in a list from \p left to \p right. The name takes what the others leave.
+/// The left and right edge of a column.
 struct Span {
     float left;
     float right;
 };
 
+/// The edges of \p column in a list from \p left to \p right. The name gets the width that the others leave.
 Span span_of(SortColumn column, float left, float right) {
     const auto present = columns_in(right - left);
     float end = right;
@@ -64,7 +65,7 @@ void draw_page(ImDrawList& list, glm::vec2 corner, float side, ImU32 color) {
     list.PathStroke(color, ImDrawFlags_Closed, scaled(1));
 }
 
-/// \param marks_order  0 without, 1 ascending, -1 descending
+/// \param marks_order  1 marks the ascending order, -1 the descending order, 0 none
 void draw_heading(const Span& span, float top, float height, const char* text, bool at_right,
                   int marks_order) {
     const float arrow = scaled(4);
@@ -112,8 +113,8 @@ float row_height() {
 struct RowLook {
     bool is_selected;
     bool is_hovered;
-    bool has_cursor;  ///< and the list the keyboard
-    bool is_focused;  ///< the list
+    bool has_cursor;  ///< the cursor is on the row, and the list has the keyboard
+    bool is_focused;  ///< the list has the keyboard
 };
 
 void draw_row_background(ImVec2 corner, ImVec2 end, const RowLook& look) {
@@ -132,7 +133,7 @@ void draw_row_background(ImVec2 corner, ImVec2 end, const RowLook& look) {
 
 std::string_view remark_on(const FolderEntry& entry) {
     if (entry.kind == EntryKind::broken_link) return "broken link";
-    return entry.kind == EntryKind::other ? "no file" : "";
+    return entry.kind == EntryKind::other ? "not a file" : "";
 }
 
 void draw_row(const FolderEntry& entry, ImVec2 corner, float width, const RowLook& look) {
@@ -220,7 +221,7 @@ FileListResult file_list(glm::vec2 size, const FileListState& state) {
     ImGui::BeginChild(
         "list", to_imgui(size), false,
         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    // Headings and rows leave the room of the scroll bar also where there is none: columns stay in line.
+    // Reserve room for the scroll bar even if there is none, so that the columns stay aligned.
     const float inner = size.x - ImGui::GetStyle().ScrollbarSize;
     result.sort_by = show_headings(inner, state);
     const float sight = ImGui::GetContentRegionAvail().y;

@@ -1,4 +1,4 @@
-// The list of the file browser: one row per entry, with columns to sort by. Only the rows in sight are drawn.
+// The list of the file browser: one row per entry, with columns to sort by. Draws only the visible rows.
 #pragma once
 
 #include <cstddef>
@@ -14,25 +14,25 @@ namespace interleaf {
 
 struct FileListState {
     std::span<const FolderEntry> entries;
-    std::span<const std::size_t> shown;  ///< indices of entries, a row each
-    const ListSelection& selection;      ///< of rows
+    std::span<const std::size_t> shown;  ///< indices into entries, one per row
+    const ListSelection& selection;      ///< selected rows
     SortOrder order;
     bool is_focused = false;                   ///< the rows have the keyboard
-    std::optional<SortColumn> focused_column;  ///< or this heading
+    std::optional<SortColumn> focused_column;  ///< heading that has the keyboard
     bool scroll_to_cursor = false;
 };
 
 struct FileListResult {
-    std::optional<std::size_t> clicked;  ///< a row
+    std::optional<std::size_t> clicked;  ///< clicked row
     SelectionStep step = SelectionStep::only;
     bool is_double_click = false;
-    std::optional<SortColumn> sort_by;  ///< a heading was clicked
-    std::size_t rows_in_sight = 1;      ///< whole ones
+    std::optional<SortColumn> sort_by;  ///< clicked heading
+    std::size_t rows_in_sight = 1;      ///< number of fully visible rows
 };
 
 FileListResult file_list(glm::vec2 size, const FileListState& state);
 
-/// The columns that a list of this width has room for, from left to right.
+/// The columns that fit into a list of this width, from left to right.
 std::span<const SortColumn> columns_in(float width);
 
 }  // namespace interleaf

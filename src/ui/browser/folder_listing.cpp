@@ -28,9 +28,9 @@ FolderEntry entry_at(const fs::path& path) {
     entry.label = shown_name(entry.name.native());
     entry.order = NaturalName(entry.label);
     struct stat status {};
-    // A link that leads nowhere, or in a circle, is described itself.
+    // Describe a link itself if it leads nowhere, or in a circle.
     if (::stat(path.c_str(), &status) != 0 && ::lstat(path.c_str(), &status) != 0) {
-        entry.kind = EntryKind::other;  // removed meanwhile, or not for us to know
+        entry.kind = EntryKind::other;  // removed in the meantime, or access denied
         return entry;
     }
     entry.kind = kind_of(status.st_mode);
@@ -39,7 +39,7 @@ FolderEntry entry_at(const fs::path& path) {
     return entry;
 }
 
-/// Whether \p a comes before \p b in a column; where they are equal there, by name.
+/// Whether \p a comes before \p b in the order of a column. Entries that are equal there are ordered by name.
 bool is_before(const FolderEntry& a, const FolderEntry& b, SortOrder order) {
     if (a.is_folder() != b.is_folder()) return a.is_folder();
     const FolderEntry& first = order.descending ? b : a;

@@ -1,4 +1,4 @@
-// What is in a folder: read once, then filtered and sorted for the file browser. Knows no ImGui.
+// The content of a folder: read once, then filtered and sorted for the file browser. Does not use ImGui.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,13 @@ namespace interleaf {
 
 enum class EntryKind : std::uint8_t { folder, file, broken_link, other };
 
-/// Links count as what they lead to.
+/// An entry of a folder. A link has the properties of its target.
 struct FolderEntry {
-    std::filesystem::path name;  ///< in its folder
+    std::filesystem::path name;  ///< without the folder
     std::string label;           ///< the name as shown_name() shows it
-    NaturalName order;           ///< of the label, to sort and to find by
+    NaturalName order;           ///< the label, prepared for sorting and searching
     EntryKind kind = EntryKind::file;
-    std::uint64_t size = 0;     ///< bytes; of files
+    std::uint64_t size = 0;     ///< bytes; 0 unless the entry is a file
     std::int64_t modified = 0;  ///< seconds since 1970, UTC
 
     bool is_folder() const { return kind == EntryKind::folder; }
@@ -29,18 +29,18 @@ struct FolderEntry {
 
 struct FolderListing {
     std::vector<FolderEntry> entries;
-    std::string error;  ///< what the system said when it could not be read, or not to its end
+    std::string error;  ///< the system's message if the folder could not be read to its end; empty otherwise
 };
 
 FolderListing read_folder(const std::filesystem::path& folder);
 
-/// Files a person may want to see alone.
+/// A type of files that the user can show alone.
 struct FileType {
     std::string name;                     ///< "Meshes"
-    std::vector<std::string> extensions;  ///< ".obj"; none: all files
+    std::vector<std::string> extensions;  ///< ".obj"; empty for all files
 };
 
-/// Whether the name ends in one of the type's extensions, in any case.
+/// Whether the name ends in one of the type's extensions, ignoring case.
 bool is_of_type(const FolderEntry& entry, const FileType& type);
 
 enum class SortColumn : std::uint8_t { name, size, modified };
@@ -57,15 +57,15 @@ struct ListingFilter {
     bool only_folders = false;
 };
 
-/// The entries to show, as indices in their order: folders first, then by \p order, equal ones in the natural
-/// order of their names. Folders pass every type.
+/// The indices of the entries to show, in their order: folders first, then by \p order, then in the natural
+/// order of names. Folders pass every type.
 std::vector<std::size_t> shown_entries(std::span<const FolderEntry> entries, const ListingFilter& filter,
                                        SortOrder order);
 
-/// "1.2 MB": at most four characters and the unit, of 1000.
+/// A size in few digits: "1.2 MB". Units are powers of 1000.
 std::string size_text(std::uint64_t bytes);
 
-/// "2026-03-09 14:05", local time; "" where there is no such date.
+/// Local date and time: "2026-03-09 14:05". Empty if there is no such date.
 std::string date_text(std::int64_t seconds);
 
 }  // namespace interleaf

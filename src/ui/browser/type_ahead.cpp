@@ -6,7 +6,8 @@ namespace interleaf {
 
 namespace {
 
-/// The place of the first name from \p from on that begins with \p beginning, around the end of the list.
+/// The first place, from \p from on, of a name that begins with \p beginning. Wraps around at the end of the
+/// list.
 std::optional<std::size_t> find(std::string_view beginning, std::span<const FolderEntry> entries,
                                 std::span<const std::size_t> shown, std::size_t from) {
     for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -28,7 +29,7 @@ std::optional<std::size_t> TypeAhead::type(std::string_view letters, double now,
     if (!repeats) typed_ += latest;
     last_ = now;
     if (repeats) {
-        // "oo" may be meant as such.
+        // The user may mean a name that begins with "oo".
         if (const auto place = find(typed_ + latest, entries, shown, cursor)) {
             typed_ += latest;
             return place;

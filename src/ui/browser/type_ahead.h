@@ -1,4 +1,4 @@
-// Finds a name in a list from its first typed letters.
+// Finds a name in a list by its first letters.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,20 @@
 
 namespace interleaf {
 
-/// Letters typed soon after one another are one beginning; the same letter again and again goes from one name
-/// with it to the next.
+/// Letters typed in quick succession form one beginning. The same letter typed repeatedly goes through the
+/// names that begin with it.
 class TypeAhead {
   public:
-    /// \param letters  what is typed at time \p now, seconds of any clock; UTF-8
-    /// \param shown    the list, as indices of \p entries
-    /// \param cursor   the place in it to start from
-    /// \return the place in \p shown to go to, the end being followed by the beginning; none if no name
-    /// begins so
+    /// \param letters  the letters typed at time \p now, in UTF-8
+    /// \param now  seconds of any clock
+    /// \param shown  the list, as indices into \p entries
+    /// \param cursor  the place in \p shown to start from
+    /// \return the place in \p shown to go to, where the beginning follows the end; none if no name matches
     std::optional<std::size_t> type(std::string_view letters, double now,
                                     std::span<const FolderEntry> entries, std::span<const std::size_t> shown,
                                     std::size_t cursor);
 
-    /// Whether a letter typed at time \p now would be added to others.
+    /// Whether a letter typed at time \p now would continue the beginning.
     bool is_typing(double now) const { return !typed_.empty() && now - last_ < patience; }
 
   private:

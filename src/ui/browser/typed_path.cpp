@@ -25,7 +25,7 @@ std::string_view without_blanks(std::string_view text) {
     return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-/// The names in \p folder that begin with \p beginning; with \p fold in any case.
+/// The names in \p folder that begin with \p beginning. \p fold ignores case.
 std::vector<std::string> names_beginning(const fs::path& folder, std::string_view beginning, bool fold) {
     const std::string wanted = fold ? folded(beginning) : std::string(beginning);
     std::vector<std::string> names;
@@ -39,7 +39,7 @@ std::vector<std::string> names_beginning(const fs::path& folder, std::string_vie
     return names;
 }
 
-/// What all \p names begin with, cut between characters.
+/// The longest common beginning of \p names, cut between characters.
 std::string common_beginning(const std::vector<std::string>& names) {
     std::string_view common = names.front();
     for (const std::string& name : names) {
@@ -83,7 +83,7 @@ PathCompletion completed_path(std::string_view text, const fs::path& folder, con
     std::string completed = common_beginning(names);
     std::error_code ignored;
     if (names.size() == 1 && fs::is_directory(in / completed, ignored)) completed += '/';
-    // Names that differ in the case of what was typed have less in common than that.
+    // Names that differ in case may have less in common than the typed text.
     if (completed.size() >= typed.size()) completion.text = std::string(before) + completed;
     return completion;
 }

@@ -1,4 +1,4 @@
-// Paths that a person types: relative to the folder they see, with ~ for home, completed by Tab.
+// Paths that the user types: relative to the shown folder, with ~ for the home folder, completed by Tab.
 #pragma once
 
 #include <filesystem>
@@ -7,23 +7,23 @@
 
 namespace interleaf {
 
-/// The user's folder, $HOME; "/" where that is not an absolute path.
+/// The home folder, $HOME; "/" if that is not an absolute path.
 std::filesystem::path home_folder();
 
-/// What \p text means to a person who sees \p folder. Blanks around it, and a pair of quotation marks as a
-/// terminal would take them, are ignored.
+/// The path that \p text means while \p folder is shown. Ignores blanks around the text, and one pair of
+/// quotation marks around it, as a terminal would.
 /// \return an absolute path, without "." and ".."
 std::filesystem::path typed_path(std::string_view text, const std::filesystem::path& folder,
                                  const std::filesystem::path& home);
 
 struct PathCompletion {
     std::string text;
-    std::size_t names;  ///< that begin as typed
+    std::size_t names;  ///< number of names that begin with the typed text
 };
 
-/// \p text as far as the names on the disk complete it: the longest beginning that all names have which begin
-/// so; in any case where none does exactly. A folder that is the only one gets its '/'. Names that a text
-/// field cannot hold are left out, hidden ones are only meant by typing their dot.
+/// Completes \p text by the names on disk: to the longest common beginning of all names that begin with it,
+/// ignoring case only if no name matches exactly. Appends '/' to the only match if it is a folder. Leaves out
+/// names that a text field cannot hold, and hidden names unless their dot is typed.
 PathCompletion completed_path(std::string_view text, const std::filesystem::path& folder,
                               const std::filesystem::path& home);
 

@@ -72,7 +72,7 @@ void Dialog::read_keys() {
     const bool back = ImGui::GetIO().KeyShift;
     if (is_key_pressed(GLFW_KEY_ESCAPE)) press(last());
     if (is_key_pressed(GLFW_KEY_TAB, KeyRepeat::yes)) move_focus(back ? -1 : 1);
-    if (in_entry) return;  // Enter comes from the field
+    if (in_entry) return;  // the field reports Enter
     if (is_enter_pressed() || is_key_pressed(GLFW_KEY_SPACE)) press(focus_);
     if (is_key_pressed(GLFW_KEY_LEFT, KeyRepeat::yes) && focus_ > 0) --focus_;
     if (is_key_pressed(GLFW_KEY_RIGHT, KeyRepeat::yes) && focus_ < last()) ++focus_;

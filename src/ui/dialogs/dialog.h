@@ -1,5 +1,5 @@
-// A question in the middle of the window, answered by one of a few buttons; with a line of text to edit, if
-// asked for.
+// A question in the middle of the window. The user answers it by one of a few buttons and, if the question
+// asks for it, by a line of text.
 #pragma once
 
 #include <functional>
@@ -14,12 +14,13 @@ namespace interleaf {
 
 struct Question {
     std::string text;                  ///< "Save changes to Five keys before closing?"
-    std::string detail;                ///< what it means, smaller; may be empty
-    std::vector<std::string> buttons;  ///< two or three, the last one leaves all as it is
-    std::size_t default_button = 0;    ///< what Enter does at first
+    std::string detail;                ///< the consequences, in dim text; may be empty
+    std::vector<std::string> buttons;  ///< two or three; the last button changes nothing
+    std::size_t default_button = 0;    ///< the button that Enter presses at first
 
-    std::optional<std::string> entry;  ///< a text to edit, and what it is at first
-    /// What is wrong with an entry, so that no button but the last can be pressed; "" for nothing.
+    std::optional<std::string> entry;  ///< initial text of the entry; none if the question has no entry
+    /// Returns what is wrong with an entry; "" if nothing is. A faulty entry disables all buttons but the
+    /// last.
     std::function<std::string(const std::string&)> fault;
 };
 
@@ -33,7 +34,7 @@ struct Answer {
 /// it, if only one does.
 class Dialog {
   public:
-    /// \pre  it is not open
+    /// \pre is_open() is false
     void ask(Question question);
 
     bool is_open() const { return question_.has_value(); }
@@ -56,8 +57,8 @@ class Dialog {
     std::optional<Question> question_;
     std::optional<std::size_t> pressed_;
     TextField entry_;
-    std::size_t focus_ = 0;  ///< a button; behind them all, the entry
-    bool is_new_ = false;    ///< the keys that opened it are still down
+    std::size_t focus_ = 0;  ///< index of a button; the number of buttons means the entry
+    bool is_new_ = false;    ///< the keys that opened the dialog are still down
 };
 
 }  // namespace interleaf

@@ -32,7 +32,7 @@ float number_width() {
     return scaled(84);
 }
 
-/// The name of a row; what follows stands beside it.
+/// Shows the label of a row. The next item stands beside it.
 void row_label(const char* text) {
     const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
     const float inset = ImGui::GetStyle().FramePadding.y;
@@ -40,7 +40,7 @@ void row_label(const char* text) {
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + label_width());
 }
 
-/// What stands behind the last item of a row, as far as there is room.
+/// Shows a remark behind the last item of a row, as far as there is room.
 void row_remark(const std::string& text) {
     ImGui::SameLine();
     const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
@@ -50,7 +50,7 @@ void row_remark(const std::string& text) {
     ImGui::Dummy({0, ImGui::GetFrameHeight()});
 }
 
-/// Rows below the tiles, the buttons among them.
+/// Number of rows below the tiles, including the buttons.
 int row_count(const FitOfferShown& shown) {
     constexpr int always = 5;  // limit, roots, up, turn, buttons
     return always + int{shown.can_be_placed} + int{!shown.parts_remark.empty()} +
@@ -89,7 +89,7 @@ std::optional<bool> FitDialog::show(const Rect& area, const FitOfferShown& shown
 
     if (begin_modal("fit", area, {width, without_tiles + tile_height(tile_side_)})) {
         if (!std::exchange(is_new_, false)) read_keys(shown);
-        // In a small window the rows scroll; what is wrong and the buttons stay in sight.
+        // In a small window the rows scroll; the fault and the buttons stay visible.
         const float below = ImGui::GetTextLineHeight() + line + spacing;
         ImGui::PushStyleColor(ImGuiCol_ChildBg, IM_COL32(0, 0, 0, 0));
         ImGui::BeginChild("rows", {0, ImGui::GetContentRegionAvail().y - below}, false,
@@ -132,7 +132,7 @@ void FitDialog::read_keys(const FitOfferShown& shown) {
     if (is_key_pressed(GLFW_KEY_UP, KeyRepeat::yes)) move_focus(-1, shown);
     if (is_key_pressed(GLFW_KEY_DOWN, KeyRepeat::yes)) move_focus(1, shown);
     if (focus_ == Place::number || focus_ == Place::degrees)
-        return;  // these take Enter and arrows themselves
+        return;  // these read Enter and arrows themselves
     if (is_enter_pressed()) press(focus_ != Place::cancel, shown);
     if (is_key_pressed(GLFW_KEY_LEFT, KeyRepeat::yes)) step_choice(-1, shown);
     if (is_key_pressed(GLFW_KEY_RIGHT, KeyRepeat::yes)) step_choice(1, shown);
@@ -158,7 +158,7 @@ void FitDialog::move_focus(int by, const FitOfferShown& shown) {
     focus(place);
 }
 
-/// A number that gets the focus is selected as a whole.
+/// Moves the focus to \p place. A number that gets the focus is selected as a whole.
 void FitDialog::focus(Place place) {
     focus_ = place;
     has_focus_moved_ = true;
@@ -176,7 +176,7 @@ void FitDialog::mark_focus(Place place) {
     if (focus_ == place) draw_focus();
 }
 
-/// Chooses the next, or the one before, in the row that has the focus; around the ends.
+/// Goes to the next or the previous choice in the focused row, and wraps around at the ends.
 void FitDialog::step_choice(int by, const FitOfferShown& shown) {
     const auto step = [by](std::size_t at, std::size_t count) {
         return (at + count + static_cast<std::size_t>(by + 1) - 1) % count;
@@ -280,7 +280,7 @@ void FitDialog::show_up(const FitOfferShown& shown) {
     row_remark(shown.meshes.size() == 1 ? "is up" : fmt::format("is up in {}", shown.meshes[mesh_].name));
 }
 
-/// What cleaning up changes so much that it must be allowed.
+/// Shows the changes of the clean-up that are so large that the user must allow them.
 void FitDialog::show_changes(const FitOfferShown& shown) {
     if (!shown.parts_remark.empty()) {
         row_label("Parts");

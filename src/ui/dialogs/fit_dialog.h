@@ -1,5 +1,5 @@
-// The offer to fit keys to meshes: how finely, over which roots, and how each mesh is turned over them,
-// beside pictures of the meshes with the roots around them.
+// The offer to fit keys to meshes. The user chooses the limit, the roots and the turn of each mesh, beside
+// pictures of the meshes with the roots around them.
 #pragma once
 
 #include <cstdint>
@@ -14,66 +14,66 @@
 
 namespace interleaf {
 
-/// What a person chooses; numbers as they are typed.
+/// The user's choices. Numbers are kept as typed.
 struct FitChoices {
     struct Turn {
         int axis = 1;  ///< 0, 1, 2 for x, y, z
         std::string degrees = "0";
     };
 
-    bool by_tolerance = false;  ///< rather than by a number of leaves
+    bool by_tolerance = false;  ///< the limit is a tolerance, not a number of leaves
     std::string leaves = "20000";
     std::string tolerance = "0.1";  ///< percent of the box diagonal
-    std::size_t roots = 0;          ///< index of FitOfferShown::roots
+    std::size_t roots = 0;          ///< index into FitOfferShown::roots
     std::vector<Turn> turns;        ///< one per mesh
-    std::vector<std::size_t> ups;   ///< one per mesh: the axis that points up, 0, 1, 2 for X, Y, Z
+    std::vector<std::size_t> ups;   ///< one per mesh: the axis that points up; 0, 1, 2 for X, Y, Z
     bool same_size = false;
     bool same_center = false;
-    bool keep_largest = false;  ///< though others of the parts are large
-    bool fill_holes = false;    ///< though they are large
+    bool keep_largest = false;  ///< even if other parts are large
+    bool fill_holes = false;    ///< even if the holes are large
 };
 
 struct FitOfferShown {
     std::string text;    ///< "Fit keys to these 2 meshes?"
-    std::string detail;  ///< what it means
+    std::string detail;  ///< the consequences
     std::vector<std::string> roots;
-    std::string roots_remark;  ///< why there is only one kind of roots; empty where there are several
+    std::string roots_remark;  ///< the reason why there is only one kind of roots; empty if there are several
     std::vector<FitTile> meshes;
-    bool can_be_placed = false;  ///< whether there are others to have the size and the place of
-    std::string parts_remark;    ///< what is lost with the smaller parts; empty where that is next to nothing
-    std::string holes_remark;    ///< what is added to fill holes; empty where that is next to nothing
-    std::string fault;  ///< what is wrong with the choices, so that "Fit" cannot be pressed; "" for nothing
+    bool can_be_placed = false;  ///< whether there are other meshes or keys to match in size and center
+    std::string parts_remark;    ///< what is lost with the smaller parts; empty if that is negligible
+    std::string holes_remark;    ///< what is added to fill holes; empty if that is negligible
+    std::string fault;  ///< what is wrong with the choices, so that "Fit" is disabled; "" if nothing is
 };
 
-/// Enter fits, Esc leaves all as it is. Tab, Up and Down move between the rows; Left and Right choose in a
-/// row.
+/// Enter fits, Esc cancels. Tab, Up and Down move between the rows; Left and Right choose within a row.
 class FitDialog {
   public:
-    /// \param can_be_placed  whether size and place can be those of others; they are to be then, at first
-    /// \pre it is not open
+    /// \param can_be_placed  whether there are other meshes or keys to match in size and center; if so, both
+    ///     are matched at first
+    /// \pre is_open() is false
     void open(std::size_t mesh_count, bool can_be_placed);
 
     bool is_open() const { return is_open_; }
 
-    /// What is chosen now: what the next show() is told about goes by it.
+    /// The current choices. The caller derives the argument of the next show() from them.
     const FitChoices& choices() const { return choices_; }
 
-    /// What has the keyboard: "limit", "number", "roots", "size", "center", "meshes", "up", "axis",
+    /// The row that has the keyboard: "limit", "number", "roots", "size", "center", "meshes", "up", "axis",
     /// "degrees", "parts", "holes", "fit" or "cancel".
     std::string_view row() const;
 
-    /// What was wrong with the choices when they were shown last, so that "Fit" could not be pressed; "" for
-    /// nothing.
+    /// What was wrong with the choices in the last show(), so that "Fit" was disabled; "" if nothing was.
     const std::string& fault() const { return fault_; }
 
     /// The mesh whose rotation is shown.
     std::size_t selected_mesh() const { return mesh_; }
 
-    /// Of the pictures, in screen coordinates; known once it has been shown.
+    /// Side of the pictures, in screen coordinates; known after the first show().
     float tile_side() const { return tile_side_; }
 
-    /// Draws it, if it is open, in the middle of \p area; call it in every frame from the same place.
-    /// \return once, whether to fit
+    /// Draws the dialog, if it is open, in the middle of \p area. Call it in every frame, from the same
+    /// place.
+    /// \return whether to fit, once
     std::optional<bool> show(const Rect& area, const FitOfferShown& shown);
 
   private:
@@ -115,11 +115,11 @@ class FitDialog {
     std::string& number_text() { return choices_.by_tolerance ? choices_.tolerance : choices_.leaves; }
 
     bool is_open_ = false;
-    bool is_new_ = false;  ///< the keys that opened it are still down
+    bool is_new_ = false;  ///< the keys that opened the dialog are still down
     std::optional<bool> pressed_;
     FitChoices choices_;
     Place focus_ = Place::number;
-    bool has_focus_moved_ = false;  ///< so that its row must be scrolled into sight
+    bool has_focus_moved_ = false;  ///< the focused row must be scrolled into view
     std::string fault_;
     std::size_t mesh_ = 0;
     std::size_t first_tile_ = 0;

@@ -17,12 +17,12 @@ namespace interleaf {
 
 namespace {
 
-/// Radii of the globe of roots and of the ends of its axes; the mesh is in the unit ball.
+/// Radii of the globe of roots and of the ends of its axes. The mesh is inside the unit ball.
 constexpr float globe_radius = 1.04F;
 constexpr float axis_radius = 1.15F;
 constexpr float scene_radius = 1.24F;
 
-/// Straight parts that a quarter of a great circle is drawn as.
+/// Number of line segments per quarter of a great circle.
 constexpr float parts_a_quarter = 16;
 
 constexpr ImU32 front_edge = IM_COL32(255, 205, 110, 235);
@@ -42,12 +42,13 @@ class Globe {
         return corner_ + side_ * glm::vec2(0.5F + clip.x / clip.w / 2, 0.5F - clip.y / clip.w / 2);
     }
 
-    /// Whether the globe does not hide this point of it.
+    /// Whether this point of the globe is on its visible side.
     bool is_in_front(const glm::vec3& point) const {
         return glm::dot(point, eye_) > globe_radius * globe_radius;
     }
 
-    /// The great circle from \p from to \p to, directions, as far as it is in front, or behind.
+    /// Draws the part of a great circle from \p from to \p to that is in front, or the part behind. Both ends
+    /// are directions.
     void draw_arc(const glm::vec3& from, const glm::vec3& to, bool front) const {
         const float angle = std::acos(std::clamp(glm::dot(from, to), -1.0F, 1.0F));
         const float parts = std::max(std::ceil(angle / 1.5708F * parts_a_quarter), 1.0F);
@@ -63,7 +64,7 @@ class Globe {
         }
     }
 
-    /// What sticks out of the globe at one end of an axis, with its letter.
+    /// Draws the part of an axis that sticks out of the globe at one end, with its letter.
     void draw_axis(int axis, bool is_chosen) const {
         glm::vec3 direction(0);
         direction[axis] = 1;
@@ -75,7 +76,7 @@ class Globe {
         list_.AddText(to_imgui(glm::round(at)), color, letter);
     }
 
-    /// The axis as far as it is inside and behind: only what is turned about is seen through the mesh.
+    /// Draws the part of an axis inside the globe. Only the axis of a turn is shown there.
     void draw_line(int axis) const {
         glm::vec3 direction(0);
         direction[axis] = 1;
@@ -91,7 +92,9 @@ class Globe {
     glm::mat4 to_clip_{1};
 };
 
-/// \p corner and \p side are the tile's; the globe fills a smaller square of it where others are larger.
+/// Draws the globe of a tile. The globe is smaller than the tile if other meshes are larger.
+/// \param corner  upper left corner of the tile
+/// \param side  side of the tile
 void draw_globe(const FitTile& tile, glm::vec2 corner, float side) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImGui::PushFont(small_font());

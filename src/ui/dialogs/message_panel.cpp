@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t max_pictures = 2;
 
-/// Two pictures and their captions in a panel \p width wide, at most \p height high; none if that is too
-/// little.
+/// Shows two pictures and their captions in a panel of this width, at most \p height high. Shows nothing if
+/// that is too little.
 void show_pictures(std::span<const MessagePicture> pictures, float width, float height) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float caption = ImGui::GetTextLineHeightWithSpacing();

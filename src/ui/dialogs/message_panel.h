@@ -1,4 +1,4 @@
-// Messages over the view: what is wrong, until it is dismissed, and notices, in a corner.
+// Messages over the view: faults, which stay until the user dismisses them, and notices in a corner.
 #pragma once
 
 #include <span>
@@ -10,23 +10,23 @@
 
 namespace interleaf {
 
-/// A picture that shows what a message is about.
+/// A picture that illustrates a message.
 struct MessagePicture {
-    unsigned texture;  ///< of OpenGL, of the size of message_picture_size() or another of that form
+    unsigned texture;  ///< OpenGL texture with the aspect ratio of message_picture_size()
     std::string caption;
 };
 
-/// Shows \p message, if any, at the top of \p area, and at most two \p pictures side by side, as large as
-/// there is room. The user can copy the text.
+/// Shows \p message, if there is one, at the top of \p area, with at most two \p pictures side by side, as
+/// large as there is room. The user can copy the text.
 /// \return whether the message was dismissed
 bool message_panel(const std::string& message, std::span<const MessagePicture> pictures, const Rect& area);
 
 struct NoticeResult {
     bool pointed_at = false;
-    bool dismissed = false;  ///< it was clicked
+    bool dismissed = false;  ///< by a click
 };
 
-/// Shows the notice \p text, if any, small and calm in a lower corner of \p area.
+/// Shows the notice \p text, if there is one, in a small panel in the lower left corner of \p area.
 NoticeResult notice_panel(const std::string& text, const Rect& area);
 
 /// The largest size of a picture, in screen coordinates.

@@ -21,7 +21,7 @@ namespace {
 constexpr const char* mesh_colorings[] = {"Distance", "Plain"};
 constexpr const char* back = "Back to document";
 
-/// From this width on the legend is beside the figures.
+/// From this width on, the legend stands beside the figures.
 constexpr float wide = 900;
 
 float figure_width() {
@@ -32,7 +32,7 @@ float figures_height() {
     return ImGui::GetTextLineHeight() + scaled(2) + ImGui::GetFontSize();
 }
 
-/// Of the legend with its heading.
+/// Height of the legend with its heading.
 float legend_height() {
     ImGui::PushFont(small_font());
     const float line = ImGui::GetTextLineHeight();
@@ -40,7 +40,7 @@ float legend_height() {
     return 2 * line + scaled(18) + ImGui::GetStyle().ItemSpacing.y;
 }
 
-/// A number below its name.
+/// Draws a number below its name.
 void figure(glm::vec2 corner, std::string_view name, const std::string& value) {
     ImGui::PushFont(small_font());
     const float line = ImGui::GetTextLineHeight();
@@ -67,7 +67,7 @@ void choose_pair(const ComparisonShown& shown, float width, std::size_t& chosen)
     if (!ImGui::BeginCombo("##pair", shown.names[shown.chosen].c_str())) return;
     for (std::size_t pair = 0; pair < shown.names.size(); ++pair) {
         const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
-        // Drawn by hand: Dear ImGui takes what follows a "##" in a label for no part of it.
+        // Draw the name by hand: Dear ImGui does not show the part of a label after "##".
         ImGui::PushID(static_cast<int>(pair));
         if (ImGui::Selectable("", pair == shown.chosen)) chosen = pair;
         draw_text(corner, ImGui::GetItemRectSize().x, colors::text, shown.names[pair]);

@@ -17,7 +17,7 @@ namespace interleaf {
 
 namespace {
 
-/// Buttons side by side, as wide as the panel, of which one is chosen.
+/// Buttons side by side, as wide as the panel. One of them is chosen.
 template <typename Choice, std::size_t count>
 void choice(const char* name, Choice& value, const std::pair<const char*, Choice> (&options)[count]) {
     std::array<const char*, count> labels{};
@@ -30,7 +30,7 @@ void choice(const char* name, Choice& value, const std::pair<const char*, Choice
     if (now < count) value = options[now].second;
 }
 
-/// Rows of three buttons.
+/// Shows the colorings in rows of three buttons.
 void coloring_choice(Coloring& value, bool has_fields) {
     constexpr std::size_t columns = 3;
     const std::vector<Coloring> all = colorings(has_fields);
@@ -87,7 +87,7 @@ void origin_legend(const Legend& legend) {
         const std::string name = origin_name(origin, legend);
         draw_text({corner.x + indent, corner.y}, width - indent, colors::text, name);
         ImGui::Dummy({width, height});
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("bisected this far in %s", name.c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Bisected this far in %s", name.c_str());
     }
     ImGui::PopFont();
 }

@@ -15,15 +15,14 @@ namespace interleaf {
 /// What the legend explains.
 struct Legend {
     LevelRange levels;
-    std::span<const KeySet> origins;  ///< that occur
-    std::span<const std::size_t>
-        active_keys;  ///< the keys that the bits of origins mean, as indices of the family
-    std::span<const std::string> active_names;     ///< of these, in their order
-    std::span<const FamilyField> fields;           ///< of the family
-    std::optional<std::string> key_without_field;  ///< an active key that lacks the one that is shown
+    std::span<const KeySet> origins;            ///< all origins that occur
+    std::span<const std::size_t> active_keys;   ///< keys of the bits in origins, as indices into the family
+    std::span<const std::string> active_names;  ///< names of the active keys, in the same order
+    std::span<const FamilyField> fields;        ///< fields of the family
+    std::optional<std::string> key_without_field;  ///< an active key that lacks the shown field; may be none
 };
 
-/// \return what the person wants to be shown: \p shown with any changes
+/// \return the display that the user wants: \p shown with any changes
 Display display_panel(const Display& shown, const Legend& legend);
 
 }  // namespace interleaf

@@ -20,7 +20,7 @@ void choose_field(Display& display, std::span<const FamilyField> fields) {
         const std::string& name = field.label.name;
         const bool chosen = name == display.field;
         const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
-        // Drawn by hand: Dear ImGui takes what follows a "##" in a label for no part of it.
+        // Draw the name by hand: Dear ImGui does not show the part of a label after "##".
         ImGui::PushID(&field);
         if (ImGui::Selectable("", chosen)) display.field = name;
         if (chosen) ImGui::SetItemDefaultFocus();
@@ -30,7 +30,7 @@ void choose_field(Display& display, std::span<const FamilyField> fields) {
     ImGui::EndCombo();
 }
 
-/// Each map with its colors beside its name.
+/// Offers the color maps, each with its colors beside its name.
 void choose_map(ColorMap& map) {
     ImGui::SetNextItemWidth(-1);
     if (!ImGui::BeginCombo("##map", std::string(name_of(map)).c_str())) return;
@@ -46,11 +46,12 @@ void choose_map(ColorMap& map) {
     ImGui::EndCombo();
 }
 
-/// The ends of a locked range. Ends that are no range, as while one is being typed, are passed over.
+/// Offers to lock the range, and to edit its ends. Ignores ends that are no range, as they may be while the
+/// user types.
 void lock_range(Display& display) {
     ImGui::Checkbox("Lock range", &display.range_locked);
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Keeps these values. Otherwise the range is that of all keys.");
+        ImGui::SetTooltip("Keeps this range. Otherwise the range covers the values of all keys.");
     if (!display.range_locked) return;
     float ends[] = {display.scale.range.min, display.scale.range.max};
     ImGui::SetNextItemWidth(-1);

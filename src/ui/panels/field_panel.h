@@ -1,4 +1,4 @@
-// The part of the display panel for a field: which field, its colors, and what they mean.
+// The part of the display panel for a field: the choice of the field, its colors and their legend.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@ namespace interleaf {
 
 /// Offers \p fields, color maps and ranges, and shows the legend.
 /// \param key_without  name of an active key that lacks the chosen field, so that the surface cannot show it;
-///                     empty for none
-/// \return what the person wants to be shown: \p shown with any changes
+///     empty if there is none
+/// \return the display that the user wants: \p shown with any changes
 Display field_panel(const Display& shown, std::span<const FamilyField> fields, std::string_view key_without);
 
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-// The help: every shortcut and what the mouse does, over the view.
+// The help over the view: every shortcut, and every action of the mouse.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 namespace interleaf {
 
 /// Shows \p entries in the middle of \p area.
-/// \return whether the person has closed it
+/// \return whether the user has closed the help
 bool help_overlay(std::span<const MenuEntry> entries, const Rect& area);
 
 }  // namespace interleaf

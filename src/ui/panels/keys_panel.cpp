@@ -69,7 +69,7 @@ void drag_row(const KeysPanel& panel, std::size_t key, KeysPanelResult& result) 
     }
 }
 
-/// The menu of the right mouse button on the row that is the last item, spaced as menus are.
+/// Shows the context menu of the row that is the last item, with the spacing of menus.
 void show_row_menu(const KeysPanel& panel, ImVec2 spacing, KeysPanelResult& result) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, spacing);
     if (ImGui::BeginPopupContextItem(menu_name)) {
@@ -95,7 +95,7 @@ void show_rows(const KeysPanel& panel, KeysPanelResult& result) {
             const bool is_active = std::ranges::find(panel.weights, key, &Weight::key) != panel.weights.end();
             ImGui::PushID(static_cast<int>(key));
             const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
-            // Under the pointer, one that is not selected must not look as if it were.
+            // Under the pointer, a row that is not selected must not look selected.
             const ImGuiCol hovered = panel.selected == key ? ImGuiCol_HeaderHovered : ImGuiCol_FrameBg;
             ImGui::PushStyleColor(ImGuiCol_HeaderHovered, ImGui::GetStyleColorVec4(hovered));
             const bool is_clicked =
@@ -130,7 +130,7 @@ std::optional<std::size_t> dropped_key(std::size_t key_count) {
         std::memcpy(&*key, payload->Data, sizeof *key);
     }
     ImGui::EndDragDropTarget();
-    if (key && *key >= key_count) key.reset();  // the family has changed since it was taken
+    if (key && *key >= key_count) key.reset();  // the family has changed since the drag began
     return key;
 }
 
@@ -140,7 +140,7 @@ KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
     const float wanted = key_row_height() * static_cast<float>(panel.keys.size());
     const float shown = std::min(wanted, std::max(height, key_row_height()));
     const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
-    // In a narrow window the panel scrolls, and the list may be out of sight.
+    // In a narrow window the panel scrolls, and the list may not be visible.
     const float bottom = std::min(corner.y + shown, ImGui::GetWindowDrawList()->GetClipRectMax().y);
     const float top = std::max(corner.y, ImGui::GetWindowDrawList()->GetClipRectMin().y);
     result.list = {corner.x, top, ImGui::GetContentRegionAvail().x, std::max(bottom - top, 0.0F)};
@@ -154,7 +154,7 @@ KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
     result.add = ImGui::Button("Add...", {width, 0});
     ImGui::SameLine(0, gap);
     result.keep_blend = ImGui::Button("Keep blend", {width, 0});
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Make the surface that is shown a key (Ctrl+K)");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Add the shown surface as a key (Ctrl+K)");
     return result;
 }
 

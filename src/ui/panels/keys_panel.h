@@ -1,4 +1,4 @@
-// The list of a family's keys: choosing one, and dragging it elsewhere.
+// The list of a family's keys. The user chooses keys in it, and drags them elsewhere.
 #pragma once
 
 #include <cstddef>
@@ -15,37 +15,37 @@ namespace interleaf {
 struct KeyRow {
     std::string name;
     std::size_t leaves;
-    unsigned deepest;  ///< level
-    unsigned picture;  ///< an OpenGL texture; 0 for none yet
+    unsigned deepest;  ///< level of the deepest leaf
+    unsigned picture;  ///< OpenGL texture; 0 if there is none yet
 };
 
 struct KeysPanel {
     std::span<const KeyRow> keys;
-    const Weights& weights;  ///< keys that are active in them stand out
+    const Weights& weights;  ///< the list highlights the active keys
     std::optional<std::size_t> selected;
-    std::span<const MenuEntry> menu;  ///< for the right mouse button, about the selected key
+    std::span<const MenuEntry> menu;  ///< context menu of the selected key
 };
 
 struct KeysPanelResult {
-    Rect list;                              ///< of the rows in sight
-    std::size_t first = 0;                  ///< row in sight,
-    std::size_t end = 0;                    ///< and the one behind the last
-    std::optional<std::size_t> chosen;      ///< clicked
-    std::optional<std::size_t> renamed;     ///< double-clicked
-    std::optional<std::size_t> dragged;     ///< dropped on another row ...
-    std::size_t dropped_on = 0;             ///< ... this one
-    std::optional<std::size_t> menu_entry;  ///< chosen from the menu
-    bool add = false;                       ///< keys from files
+    Rect list;                              ///< rectangle of the visible rows
+    std::size_t first = 0;                  ///< first visible row
+    std::size_t end = 0;                    ///< row behind the last visible row
+    std::optional<std::size_t> chosen;      ///< clicked row
+    std::optional<std::size_t> renamed;     ///< double-clicked row
+    std::optional<std::size_t> dragged;     ///< row dropped on another row
+    std::size_t dropped_on = 0;             ///< that other row
+    std::optional<std::size_t> menu_entry;  ///< chosen from the context menu
+    bool add = false;                       ///< add keys from files
     bool keep_blend = false;
 };
 
-/// \param height  of the list at most; it scrolls
+/// \param height  maximum height of the list; a longer list scrolls
 KeysPanelResult keys_panel(const KeysPanel& panel, float height);
 
-/// The side of a key's picture, in screen coordinates.
+/// Side of a key's picture, in screen coordinates.
 float key_picture_side();
 
-/// A key dropped on the last item after a drag from the list.
+/// Accepts a key that is dragged from the list and dropped on the last item.
 /// \return the index of the key, below \p key_count; none if no key was dropped
 std::optional<std::size_t> dropped_key(std::size_t key_count);
 

@@ -27,14 +27,14 @@ std::optional<std::size_t> show_submenu(const Submenu& submenu) {
     return chosen;
 }
 
-/// An arrow to the side that leads nowhere in the open menu opens the one beside it.
+/// Opens the next menu when an arrow to the side leads nowhere in the open menu.
 void move_to_menu_beside(const std::vector<std::string>& menus, std::size_t open) {
     ImGuiContext& context = *ImGui::GetCurrentContext();
     const ImGuiDir direction = context.NavMoveDir;
     const bool is_aside = direction == ImGuiDir_Left || direction == ImGuiDir_Right;
     if (!is_aside || !ImGui::NavMoveRequestButNoResultYet()) return;
     ImGui::NavMoveRequestCancel();
-    context.NavDisableMouseHover = true;  // or the menu under the pointer would open again
+    context.NavDisableMouseHover = true;  // otherwise the menu under the pointer would open again
     context.NavDisableHighlight = false;
     const std::size_t step = direction == ImGuiDir_Right ? 1 : menus.size() - 1;
     ImGui::OpenPopup(menus[(open + step) % menus.size()].c_str());

@@ -18,7 +18,7 @@ struct MenuEntry {
     bool enabled = true;
 };
 
-/// A menu in a menu, after its entry \p after.
+/// A submenu of \p menu, behind its entry \p after.
 struct Submenu {
     std::string_view menu;
     std::string_view after;
@@ -28,18 +28,18 @@ struct Submenu {
 
 struct MenuBarResult {
     std::optional<std::size_t> chosen;       ///< index of an entry
-    std::optional<std::size_t> chosen_item;  ///< of the submenu
+    std::optional<std::size_t> chosen_item;  ///< index of an item of the submenu
 };
 
 /// Height of the menu bar, in screen coordinates.
 /// \pre a frame has begun
 float menu_bar_height();
 
-/// \param entries  the entries of one menu stand in a row
-/// \param title    of the open document, shown at the right
+/// \param entries  the entries of one menu follow each other
+/// \param title  title of the open document, shown at the right
 MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submenu, std::string_view title);
 
-/// Shows entries as a menu of the right mouse button.
+/// Shows entries as a context menu.
 /// \return the index of the chosen entry
 /// \pre a popup has begun
 std::optional<std::size_t> menu_entries(std::span<const MenuEntry> entries);

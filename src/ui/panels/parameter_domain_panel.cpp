@@ -18,7 +18,8 @@ namespace interleaf {
 
 namespace {
 
-/// Dear ImGui has no function for a triangle with one color per vertex, but its vertices carry colors.
+/// Fills a triangle with one color per vertex. Dear ImGui has no function for it, but its vertices carry
+/// colors.
 void fill_triangle(ImDrawList& list, const std::array<glm::vec2, 3>& corners,
                    const std::array<ImU32, 3>& fills) {
     const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
@@ -47,7 +48,7 @@ void draw_path(ImDrawList& list, std::span<const glm::dvec2> path, const PlotFra
     list.PathStroke(IM_COL32(255, 255, 255, 150), ImDrawFlags_None, scaled(2));
 }
 
-/// A vertex with its key's name, on the side that is away from the middle of the domain.
+/// Draws a vertex with its key's name, on the side away from the middle of the domain.
 void draw_vertex(ImDrawList& list, glm::vec2 pixel, const Key& key, ImU32 color, const Rect& area,
                  float middle) {
     list.AddCircleFilled(to_imgui(pixel), scaled(5), colors::dark);
@@ -73,7 +74,7 @@ void draw_point(ImDrawList& list, glm::vec2 pixel, bool held) {
     list.AddCircleFilled(at, scaled(2), colors::white);
 }
 
-/// The vertex nearest to the pointer; none where all are too far away.
+/// The vertex nearest to the pointer; none if all are too far away.
 std::optional<Index> vertex_near(const ParameterDomain& domain, const PlotFrame& frame, glm::vec2 pointer) {
     std::optional<Index> nearest;
     float distance = scaled(10);
@@ -86,7 +87,7 @@ std::optional<Index> vertex_near(const ParameterDomain& domain, const PlotFrame&
     return nearest;
 }
 
-/// The keys of the family to choose from; \p present has a mark.
+/// Offers the keys of the family in a menu, which marks \p present.
 std::optional<std::size_t> choose_key(const Family& family, std::optional<std::size_t> present) {
     std::optional<std::size_t> chosen;
     for (std::size_t key = 0; key < family.keys.size(); ++key) {
@@ -110,7 +111,7 @@ void show_menu(const Family& family, const DomainMenu& place, ParameterDomainRes
     }
 }
 
-/// The drag that goes on, if any, on the canvas, which is the last item and shows \p box.
+/// The drag on the canvas, if there is one. The canvas is the last item and shows \p box.
 std::optional<DomainDrag> follow_drag(const ParameterDomain& domain, const DomainPanel& panel,
                                       const DomainBox& box, const PlotFrame& frame) {
     if (!ImGui::IsItemActive()) return std::nullopt;
@@ -119,7 +120,7 @@ std::optional<DomainDrag> follow_drag(const ParameterDomain& domain, const Domai
     return DomainDrag{box, panel.edits ? vertex_near(domain, frame, pointer) : std::nullopt};
 }
 
-/// What the mouse does on the canvas, which is the last item.
+/// Reads the mouse on the canvas, which is the last item.
 void read_mouse(const Family& family, const DomainPanel& panel, const PlotFrame& frame,
                 ParameterDomainResult& result) {
     const ParameterDomain& domain = *family.domain;
@@ -142,7 +143,7 @@ void read_mouse(const Family& family, const DomainPanel& panel, const PlotFrame&
     }
 }
 
-/// The menu of the right mouse button over the canvas, which is the last item.
+/// Shows the context menu of the canvas, which is the last item.
 void show_canvas_menu(const Family& family, const DomainPanel& panel, const PlotFrame& frame,
                       ParameterDomainResult& result) {
     result.menu = panel.menu;
@@ -163,7 +164,7 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const DomainP
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float heading_height = ImGui::GetTextLineHeightWithSpacing();
 
-    // The names of the vertices need room above and below, half of the point to the sides.
+    // Leave room for the names of the vertices above and below, and for half of the point at the sides.
     const float margin = scaled(30);
     const float side_margin = scaled(14);
     const float width = ImGui::GetContentRegionAvail().x;

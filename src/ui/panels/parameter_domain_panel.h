@@ -1,5 +1,5 @@
-// The parameter domain (paper, figure 8): its triangles colored by barycentric weight, and the point to
-// drag. Keys are dropped on it from their list; the right mouse button has what can be done to a vertex.
+// The panel of the parameter domain (paper, figure 8): triangles colored by barycentric weight, and the point
+// to drag. Keys are dropped on it from their list. The context menu offers the edits of vertices.
 #pragma once
 
 #include <optional>
@@ -12,25 +12,27 @@
 
 namespace interleaf {
 
-/// What the left mouse button holds, from press to release.
+/// The object that the left mouse button holds, from press to release.
 struct DomainDrag {
-    /// The box of the plot when the button was pressed, because moving a vertex must not move the plane under the pointer.
+    /// The box of the plot when the button was pressed. Moving a vertex must not move the plane under the
+    /// pointer.
     DomainBox box;
-    std::optional<Index> vertex;  ///< none for the point, and beside all vertices
+    std::optional<Index> vertex;  ///< none for the point, and for a drag that began beside all vertices
 };
 
-/// What the menu of the right mouse button is about.
+/// The subject of the context menu.
 struct DomainMenu {
     std::optional<Index> vertex;  ///< none for a place without a vertex
     glm::dvec2 at;
 };
 
 struct DomainPanel {
-    const std::optional<DomainPoint>& point;  ///< where the morph stands, if anywhere
-    std::span<const glm::dvec2> path;         ///< the points the timeline passes, in their order
-    bool edits = false;                       ///< dragging moves vertices, not the point
-    std::optional<DomainDrag> drag = {};      ///< the last result's
-    std::optional<DomainMenu> menu = {};      ///< the last result's
+    const std::optional<DomainPoint>&
+        point;                            ///< place of the blend in the domain; none if it has no place there
+    std::span<const glm::dvec2> path;     ///< points that the timeline passes, in order
+    bool edits = false;                   ///< dragging moves vertices, not the point
+    std::optional<DomainDrag> drag = {};  ///< from the last result
+    std::optional<DomainMenu> menu = {};  ///< from the last result
 };
 
 struct MovedVertex {
@@ -49,18 +51,18 @@ struct VertexKey {
 };
 
 struct ParameterDomainResult {
-    std::optional<glm::dvec2> moved_to;  ///< where the pointer drags the point; may be outside the domain
-    std::optional<MovedVertex> moved_vertex;  ///< dragged by the pointer
-    std::optional<AddedVertex> added;         ///< asked for at a place
-    std::optional<VertexKey> assigned;        ///< another key at a vertex
-    std::optional<Index> removed;             ///< vertex
-    std::optional<DomainDrag> drag;           ///< goes on: hand it to the next call
-    std::optional<DomainMenu> menu;           ///< stays: hand it to the next call
-    double snap = 0;                          ///< distance that counts as touching, in units of the domain
-    Rect plot;                                ///< the pixels of the bounding box of the domain's vertices
+    std::optional<glm::dvec2> moved_to;       ///< place of the dragged point; may be outside the domain
+    std::optional<MovedVertex> moved_vertex;  ///< vertex that the user drags
+    std::optional<AddedVertex> added;         ///< vertex that the user adds
+    std::optional<VertexKey> assigned;        ///< key that the user gives to a vertex
+    std::optional<Index> removed;             ///< vertex that the user removes
+    std::optional<DomainDrag> drag;           ///< current drag: pass it to the next call
+    std::optional<DomainMenu> menu;           ///< open menu: pass it to the next call
+    double snap = 0;                          ///< distance at which two places touch, in units of the domain
+    Rect plot;                                ///< bounding box of the domain's vertices, in pixels
 };
 
-/// \pre  the family has a domain
+/// \pre the family has a domain
 ParameterDomainResult parameter_domain_panel(const Family& family, const DomainPanel& panel);
 
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-// The status line: what is shown, and how long it took.
+// The status line: the size of the shown surface, and the time it takes.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@ namespace interleaf {
 
 struct StatusFigures {
     std::size_t active_keys;
-    std::size_t leaves;  ///< of the union
+    std::size_t leaves;  ///< leaves of the union
     std::size_t vertices;
-    double rebuild_milliseconds;  ///< of the last rebuild of the union
+    double rebuild_milliseconds;  ///< duration of the last rebuild of the union
     double frame_milliseconds;
 };
 

@@ -20,7 +20,7 @@ ViewInput view_area(const Rect& rect, const char* name) {
                                    ImGuiButtonFlags_MouseButtonMiddle);
         const ImGuiIO& io = ImGui::GetIO();
         input.pointer = from_imgui(io.MousePos);
-        // On the frame of the press the way also holds what the pointer did before it.
+        // In the frame of the press, the mouse delta also contains the movement before the press.
         if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) {
             const bool pans = !ImGui::IsMouseDown(ImGuiMouseButton_Left) || io.KeyShift;
             (pans ? input.pan : input.orbit) = from_imgui(io.MouseDelta) / rect.height;

@@ -1,4 +1,4 @@
-// The area in which the surface is seen: what the mouse does there, as wishes for the camera.
+// The area that shows the surface: the mouse input in it, as movements of the camera.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -8,16 +8,16 @@
 namespace interleaf {
 
 struct ViewInput {
-    glm::vec2 orbit{0};       ///< the pointer's way, in units of the area's height, y down
-    glm::vec2 pan{0};         ///< the same
-    float zoom = 1;           ///< factor, above 1 nearer
+    glm::vec2 orbit{0};       ///< movement of the pointer, in units of the area's height, y down
+    glm::vec2 pan{0};         ///< in the same units
+    float zoom = 1;           ///< factor; above 1 moves nearer
     glm::vec2 pointer{0};     ///< window coordinates
-    bool view_all = false;    ///< see the whole model
-    bool pointed_at = false;  ///< the pointer rests or moves over the area, and drags nothing
+    bool view_all = false;    ///< show the whole model
+    bool pointed_at = false;  ///< the pointer is over the area, and drags nothing
 };
 
-/// Left drag orbits; right, middle and Shift + left drag pan; the wheel zooms; a double click views the whole
-/// model.
+/// Reads the mouse in the area. A left drag orbits; a right drag, a middle drag and Shift + left drag pan;
+/// the wheel zooms; a double click shows the whole model.
 /// \param name  unique in the frame
 ViewInput view_area(const Rect& rect, const char* name = "view");
 

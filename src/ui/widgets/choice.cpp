@@ -22,7 +22,7 @@ std::size_t choice(const char* name, std::span<const char* const> labels, std::s
     for (std::size_t i = 0; i < labels.size(); ++i) {
         if (i > 0) ImGui::SameLine(0, gap);
         if (i == chosen) {
-            // Under the pointer, too: it must not look like one that is not chosen.
+            // Also under the pointer: a chosen button must not look like a button that is not chosen.
             ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
             ImGui::PushStyleColor(ImGuiCol_ButtonHovered, chosen_hovered);
         }

@@ -1,5 +1,5 @@
-// Which rows of a list are selected, and where its cursor is: what clicks and arrows do, alone and with Shift
-// and Ctrl, as people know it from their desktop.
+// The selected rows of a list, and its cursor. Clicks and arrow keys, alone and with Shift and Ctrl, act as
+// in other desktop programs.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,15 @@
 namespace interleaf {
 
 enum class SelectionStep {
-    only,    ///< the row, and no other
-    toggle,  ///< Ctrl: this row as well, or no longer
-    extend,  ///< Shift: all rows from the last row chosen without it
-    look,    ///< Ctrl and an arrow: only the cursor moves
+    only,    ///< selects only the row
+    toggle,  ///< Ctrl: selects the row too, or deselects it
+    extend,  ///< Shift: selects all rows from the last row chosen without Shift
+    look,    ///< Ctrl and an arrow: moves only the cursor
 };
 
 class ListSelection {
   public:
-    /// Nothing selected, the cursor on the first of \p rows.
+    /// Selects nothing, and puts the cursor on the first of \p rows.
     /// \param several  whether more than one row may be selected
     void reset(std::size_t rows, bool several);
 

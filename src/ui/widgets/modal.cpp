@@ -16,7 +16,8 @@ namespace interleaf {
 
 namespace {
 
-/// Dear ImGui would fade this in over frames that are not drawn while nothing happens.
+/// Dims everything behind the window. Dear ImGui would dim it gradually, over frames that are not drawn while
+/// nothing happens.
 void dim_behind() {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 corner = ImGui::GetWindowPos();

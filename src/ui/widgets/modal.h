@@ -1,5 +1,5 @@
-// What the windows that stand in front of all others are made of: their frame, their buttons, and the
-// keyboard. Dear ImGui's own keyboard navigation is off everywhere, so each of them keeps its focus itself.
+// The parts of modal windows, which stand in front of all others: frame, buttons and keyboard. Dear ImGui's
+// own keyboard navigation is off in them, so each modal window keeps its focus itself.
 #pragma once
 
 #include <string>
@@ -21,29 +21,29 @@ void end_modal(bool closing);
 struct ModalButton {
     const char* label;
     float width;
-    bool is_main = false;          ///< what Enter does
-    bool is_focused = false;       ///< by the keyboard
+    bool is_main = false;          ///< Enter presses this button
+    bool is_focused = false;       ///< has the keyboard focus
     bool has_accelerator = false;  ///< its first letter presses it, and is underlined
 };
 
 /// \return whether it was clicked
 bool modal_button(const ModalButton& button);
 
-/// The width a button with this label wants.
+/// The preferred width of a button with this label.
 float modal_button_width(const std::string& label);
 
-/// Marks the last item as the one with the keyboard focus.
+/// Draws the frame of the keyboard focus around the last item.
 void draw_focus();
 
 enum class KeyRepeat { no, yes };
 
-/// \param key  a key of GLFW
+/// \param key  a GLFW key
 bool is_key_pressed(int key, KeyRepeat repeat = KeyRepeat::no);
 
-/// Enter, of either part of the keyboard.
+/// Whether Enter was pressed, on the main keyboard or the keypad.
 bool is_enter_pressed();
 
-/// The letters typed in this frame, UTF-8; without those typed with Ctrl or Alt.
+/// The letters typed in this frame, in UTF-8, without letters typed with Ctrl or Alt.
 std::string typed_letters();
 
 }  // namespace interleaf

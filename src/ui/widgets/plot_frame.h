@@ -1,5 +1,5 @@
-// The map between the plane of a parameter domain and the pixels it is drawn on: one scale for both axes, v
-// up.
+// The map between the plane of a parameter domain and the pixels that show it. Both axes have the same scale;
+// v points up.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -17,7 +17,7 @@ class PlotFrame {
     glm::vec2 pixel(glm::dvec2 point) const;
     glm::dvec2 point(glm::vec2 pixel) const;
 
-    /// The pixels of the box.
+    /// The rectangle of the box, in pixels.
     Rect rect() const;
 
   private:

@@ -1,4 +1,4 @@
-// Dear ImGui's clipper of long lists, which must end even if an exception leaves the list half shown.
+// Dear ImGui's clipper of long lists. It ends even if an exception leaves the list half shown.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,7 @@ namespace interleaf {
 
 namespace {
 
-/// Numbers below the bar, with marks; those that would touch a number that is there already are left out.
+/// Numbers with marks below the bar. A number that would touch an earlier number is left out.
 class Numbers {
   public:
     Numbers(glm::vec2 corner, float width, const ValueRange& range)

@@ -1,4 +1,4 @@
-// What the colors of a scale mean: a bar of them with numbers below.
+// The legend of a color scale: a bar of its colors, with numbers below.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -7,10 +7,11 @@
 
 namespace interleaf {
 
-/// The bar, as wide as the present panel.
+/// Shows the legend, as wide as the current panel.
 void scale_legend(const ColorScale& scale);
 
-/// The colors of \p scale alone, over its range, from \p corner on.
+/// Draws only the colors of \p scale, over its range.
+/// \param corner  upper left corner
 void draw_scale_colors(glm::vec2 corner, glm::vec2 size, const ColorScale& scale);
 
 }  // namespace interleaf

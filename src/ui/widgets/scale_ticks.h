@@ -6,8 +6,8 @@
 
 namespace interleaf {
 
-/// Multiples of 1, 2 or 5 times a power of ten within [\p min, \p max], ascending, at most \p max_count, and
-/// as many as that allows. None for a range without length.
+/// The multiples of 1, 2 or 5 times a power of ten within [\p min, \p max], ascending: as many as possible,
+/// but at most \p max_count. Empty for a range without length.
 std::vector<double> scale_ticks(double min, double max, std::size_t max_count);
 
 }  // namespace interleaf

@@ -39,7 +39,7 @@ void set_colors(ImGuiStyle& style) {
     c[ImGuiCol_HeaderHovered] = color(52, 88, 134);
     c[ImGuiCol_HeaderActive] = color(54, 102, 163);
     c[ImGuiCol_CheckMark] = ImGui::ColorConvertU32ToFloat4(colors::accent);
-    c[ImGuiCol_ModalWindowDimBg] = color(0, 0, 0, 0);  // begin_modal() dims by itself
+    c[ImGuiCol_ModalWindowDimBg] = color(0, 0, 0, 0);  // begin_modal() dims the background itself
     c[ImGuiCol_Separator] = color(48, 53, 63);
     c[ImGuiCol_ScrollbarBg] = color(0, 0, 0, 0);
     c[ImGuiCol_ScrollbarGrab] = color(62, 68, 80);
@@ -73,7 +73,8 @@ void make_fonts(float scale, float density) {
     for (const float height : {text_height, small_text_height}) {
         ImFontConfig config;
         config.FontDataOwnedByAtlas = false;
-        // With FontDataOwnedByAtlas off nothing writes to the bytes; the parameter merely lacks its const.
+        // With FontDataOwnedByAtlas off, Dear ImGui does not write to the bytes; its parameter merely lacks
+        // the const.
         void* const data =
             const_cast<unsigned char*>(bytes.data());  // NOLINT(cppcoreguidelines-pro-type-const-cast)
         io.Fonts->AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()),
@@ -90,7 +91,7 @@ void apply_style(float scale, float density) {
     set_colors(style);
     set_sizes(style);
     style.ScaleAllSizes(scale);
-    style.WindowMinSize = {1, 1};  // rounded down it could be too small for Dear ImGui
+    style.WindowMinSize = {1, 1};  // rounded down, the size could be too small for Dear ImGui
     make_fonts(scale, density);
 }
 
@@ -104,7 +105,7 @@ ImFont* small_font() {
 }
 
 ImTextureID texture_id(unsigned name) {
-    // By a pointer's worth of bits.
+    // The identifier is a pointer that holds the bits of the name.
     ImTextureID texture = nullptr;
     const std::uintptr_t bits = name;
     std::memcpy(static_cast<void*>(&texture), &bits, sizeof texture);

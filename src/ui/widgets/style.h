@@ -1,5 +1,5 @@
-// How the user interface looks: colors, spacing, the two sizes of its typeface, and the few pieces all
-// panels are made of.
+// The look of the user interface: colors, spacing, the two sizes of its typeface, and the elements that all
+// panels share.
 #pragma once
 
 #include <string_view>
@@ -12,7 +12,7 @@
 
 namespace interleaf {
 
-/// What is drawn by hand takes its colors from here.
+/// Colors of everything that is drawn by hand.
 namespace colors {
 inline constexpr ImU32 text = IM_COL32(222, 226, 232, 255);
 inline constexpr ImU32 dim_text = IM_COL32(146, 154, 168, 255);
@@ -23,43 +23,44 @@ inline constexpr ImU32 dark = IM_COL32(12, 13, 16, 255);
 inline constexpr ImU32 white = IM_COL32(255, 255, 255, 255);
 }  // namespace colors
 
-/// Sets Dear ImGui's style and makes the typeface at \p scale; \p density is framebuffer pixels per
-/// screen coordinate.
+/// Sets Dear ImGui's style and makes the fonts.
+/// \param scale  scale of the user interface
+/// \param density  framebuffer pixels per screen coordinate
 void apply_style(float scale, float density);
 
-/// \p length at scale 1, in screen coordinates at the present scale.
+/// Converts \p length from scale 1 to screen coordinates at the current scale.
 float scaled(float length);
 
-/// The typeface for headings, legends and marks.
+/// The font for headings, legends and marks.
 ImFont* small_font();
 
-/// How Dear ImGui names the OpenGL texture \p name.
+/// Dear ImGui's identifier of the OpenGL texture \p name.
 ImTextureID texture_id(unsigned name);
 
 ImU32 to_color(glm::vec3 color, float alpha = 1);
 ImVec2 to_imgui(glm::vec2 point);
 glm::vec2 from_imgui(ImVec2 point);
 
-/// Begins a window that fills \p rect; ends with end_panel().
+/// Begins a window that fills \p rect. Call end_panel() to end it.
 void begin_panel(const char* name, const Rect& rect);
 void end_panel();
 
-/// The distance between two parts of a panel.
+/// Adds the gap between two parts of a panel.
 void section_gap();
 
-/// A heading above a part of a panel; \p remark at its right end.
+/// Shows a heading above a part of a panel, with \p remark at its right end.
 void heading(std::string_view title, std::string_view remark = {});
 
-/// Draws \p text from \p position on, cut off with an ellipsis at \p max_width.
+/// Draws \p text from \p position on. An ellipsis cuts it off at \p max_width.
 void draw_text(glm::vec2 position, float max_width, ImU32 color, std::string_view text);
 
-/// Width and height of \p text in the present typeface.
+/// Width and height of \p text in the current font.
 glm::vec2 text_size(std::string_view text);
 
-/// Shows \p text in as many lines as the window's width asks for.
+/// Shows \p text, wrapped to the width of the window.
 void wrapped_text(std::string_view text, ImU32 color);
 
-/// The height of \p text in lines \p width wide; 0 for none.
+/// Height of \p text when it is wrapped to \p width; 0 if it is empty.
 float wrapped_height(std::string_view text, float width);
 
 }  // namespace interleaf

@@ -14,8 +14,8 @@ namespace interleaf {
 
 namespace {
 
-/// What Ctrl+Z would take back in the active widget, or the last one that was, is about the text that it had,
-/// and Dear ImGui does not see to that: in another text its places lie past the end.
+/// Clears Dear ImGui's undo steps. They belong to the previous text of the active or last active widget, and
+/// Dear ImGui does not clear them: in another text, their positions may lie past the end.
 void forget_steps() {
     ImStb::StbUndoState& steps = ImGui::GetCurrentContext()->InputTextState.Stb.undostate;
     steps.undo_point = 0;
@@ -36,7 +36,7 @@ bool is_editable(std::string_view text) {
     return true;
 }
 
-/// What the widget's callback works on.
+/// The data of the widget's callback.
 struct TextField::Edit {
     TextField& field;
     const Completion& completion;
@@ -50,7 +50,7 @@ void TextField::set(std::string text, std::size_t selected) {
     is_set_now_ = true;
 }
 
-/// The widget takes a frame or two to become active; what is typed meanwhile must not be lost.
+/// Takes the letters typed before the widget is active, which takes a frame or two.
 void TextField::take_early_letters() {
     const std::string typed = typed_letters();
     if (typed.empty()) return;
@@ -67,16 +67,16 @@ int TextField::edit(ImGuiInputTextCallbackData* data) {
         forget_steps();
     };
     if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
-        if (ImGui::GetIO().KeyShift) return 0;  // goes back to the part before
+        if (ImGui::GetIO().KeyShift) return 0;  // Shift+Tab goes to the previous part
         const std::string before(data->Buf, static_cast<std::size_t>(data->BufTextLen));
         const std::string after = edit.completion ? edit.completion(before) : before;
         edit.tabbed = after == before;
         if (!edit.tabbed) replace(after);
     } else if (std::exchange(edit.field.has_new_text_, false)) {
-        // The widget holds a text of its own while it is active.
+        // An active widget has its own copy of the text.
         const std::string& text = edit.field.text_;
         if (text != data->Buf) replace(text);
-        // From here on the selection is the widget's, which changes the text.
+        // From now on the widget keeps the selection, because it changes the text.
         const std::size_t selected = std::exchange(edit.field.selected_, 0);
         data->SelectionStart = 0;
         data->SelectionEnd = data->CursorPos = selected > 0 ? static_cast<int>(selected) : data->BufTextLen;
@@ -87,15 +87,15 @@ int TextField::edit(ImGuiInputTextCallbackData* data) {
 
 TextFieldResult TextField::show(const char* name, const char* hint, float width, bool focused,
                                 const Completion& completion) {
-    // Not while a button of the mouse is down: it would be taken from what was pressed, whose click would be
-    // lost.
+    // Do not take the focus while a mouse button is down: the pressed item would lose it, and the click with
+    // it.
     const bool takes_focus = focused && !had_focus_ && !ImGui::IsAnyMouseDown();
     if (takes_focus) ImGui::SetKeyboardFocusHere();
-    // What was typed in the frame that set the text has led to it.
+    // Letters typed in the frame that called set() caused the call, and are not part of the text.
     if (!std::exchange(is_set_now_, false) && focused && !was_active_) take_early_letters();
     Edit edit{.field = *this, .completion = completion};
-    if (has_new_text_) forget_steps();  // before a Ctrl+Z that is down already
-    // The callback may set the widget's text from text_, which the widget writes to.
+    if (has_new_text_) forget_steps();  // before the widget reads a Ctrl+Z that is already down
+    // The callback may replace the widget's text by text_, although the widget also writes to text_.
     ImGui::SetNextItemWidth(width);
     TextFieldResult result;
     result.entered =
@@ -110,7 +110,7 @@ TextFieldResult TextField::show(const char* name, const char* hint, float width,
         !focused && is_active && ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (focused || is_active) draw_focus();
     if (!focused && is_active && !result.clicked) ImGui::ClearActiveID();
-    // Where a click beside it has taken the keyboard from it, it takes it back.
+    // If a click beside the field has taken the keyboard from it, the field takes the keyboard back.
     const bool has_lost_it = had_focus_ && ImGui::IsItemDeactivated();
     had_focus_ = (takes_focus || (focused && had_focus_) || result.clicked) && !has_lost_it;
     return result;

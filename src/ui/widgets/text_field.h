@@ -1,4 +1,4 @@
-// A line of text to edit, in a window that keeps its keyboard focus itself.
+// A line of text to edit, in a window that keeps the keyboard focus itself.
 #pragma once
 
 #include <functional>
@@ -9,27 +9,27 @@ struct ImGuiInputTextCallbackData;
 
 namespace interleaf {
 
-/// Whether a text field can hold \p text and give it back unchanged.
+/// Whether a text field can hold \p text and return it unchanged.
 bool is_editable(std::string_view text);
 
 struct TextFieldResult {
-    bool entered = false;  ///< Enter was pressed in it
-    bool tabbed = false;   ///< Tab was pressed in it and completed nothing
-    bool clicked = false;  ///< into, so that it wants the focus
+    bool entered = false;  ///< Enter was pressed in the field
+    bool tabbed = false;   ///< Tab was pressed in the field and completed nothing
+    bool clicked = false;  ///< the field was clicked, so it wants the focus
 };
 
 class TextField {
   public:
-    /// What Tab makes of a text.
+    /// Maps a text to its completion by Tab.
     using Completion = std::function<std::string(const std::string&)>;
 
     const std::string& text() const { return text_; }
 
-    /// \param selected  bytes at its begin to select as soon as it has the focus, so that typing replaces
-    /// them; the cursor goes behind them
+    /// \param selected  number of bytes to select at the start of the text when the field gets the focus, so
+    ///     that typing replaces them; the cursor goes behind them
     void set(std::string text, std::size_t selected = 0);
 
-    /// Takes the focus anew, as after a message about what was entered.
+    /// Makes the field take the focus again, for example after a message about the entered text.
     void refocus() { had_focus_ = false; }
 
     /// \param focused  whether the field has the keyboard focus
@@ -43,10 +43,10 @@ class TextField {
     void take_early_letters();
 
     std::string text_;
-    std::size_t selected_ = 0;   ///< what the widget does not know yet; at most the text's size
-    bool is_set_now_ = false;    ///< in this frame
-    bool was_active_ = false;    ///< in the frame before
-    bool has_new_text_ = false;  ///< that the widget does not know yet
+    std::size_t selected_ = 0;   ///< bytes still to be selected in the widget; at most the size of the text
+    bool is_set_now_ = false;    ///< set() was called in this frame
+    bool was_active_ = false;    ///< the widget was active in the previous frame
+    bool has_new_text_ = false;  ///< the widget does not know text_ yet
     bool had_focus_ = false;
 };
 

@@ -5,7 +5,7 @@
 
 namespace interleaf {
 
-/// The OpenType file's bytes.
+/// The bytes of the OpenType file.
 std::span<const unsigned char> typeface();
 
 }  // namespace interleaf

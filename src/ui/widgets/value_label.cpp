@@ -15,7 +15,7 @@ void value_label(glm::vec2 pointer, const Rect& area, glm::vec3 color, std::stri
     const float swatch = scaled(10);
     const float gap = scaled(6);
     const glm::vec2 size = text_size(text) + 2.0F * padding + glm::vec2(swatch + gap, 0);
-    // Right of the pointer and below it, where that is within the area.
+    // Place the label to the right of the pointer and below it, if it fits there into the area.
     const glm::vec2 offset(scaled(14), scaled(16));
     const auto place = [](float at, float shift, float length, float begin, float end) {
         const float after = at + shift;

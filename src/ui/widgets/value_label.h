@@ -1,4 +1,4 @@
-// The value of a field under the pointer, beside it.
+// The label beside the pointer that shows the value of a field.
 #pragma once
 
 #include <string_view>

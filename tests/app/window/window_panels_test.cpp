@@ -25,7 +25,7 @@ class Panels {
     ShownWindow frame(glm::vec2 pointer, bool is_down) {
         gui_.begin_frame(pointer, is_down);
         const ShownWindow read = show();
-        apply(read.actions, state_, holds_, now_ += 0.02);
+        apply_to_state(read.actions, state_, holds_, now_ += 0.02);
         if (!is_down) state_.is_dragging = false;
         gui_.begin_drawing();
         ShownWindow drawn = show();

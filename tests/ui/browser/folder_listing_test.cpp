@@ -55,7 +55,7 @@ const FileType keys{.name = "Keys", .extensions = {".json", ".ilh"}};
 
 }  // namespace
 
-TEST_CASE("a folder is read with kinds, sizes and dates; links count as what they lead to") {
+TEST_CASE("reading a folder gives kinds, sizes and dates, and those of the target for a link") {
     const ScratchFolder folder;
     put(folder / "file", "12345");
     fs::create_directory(folder / "inner");
@@ -80,7 +80,7 @@ TEST_CASE("a folder is read with kinds, sizes and dates; links count as what the
     CHECK(named(listing, "bad\xff").label == "bad\\xff");
 }
 
-TEST_CASE("a folder that cannot be read says why") {
+TEST_CASE("a folder that cannot be read gives the reason") {
     const ScratchFolder folder;
     CHECK(read_folder(folder / "missing").error == "No such file or directory");
     put(folder / "file", "");
@@ -92,13 +92,13 @@ TEST_CASE("a folder that cannot be read says why") {
     CHECK(read_folder(folder.path()).error.empty());
 }
 
-TEST_CASE("folders come first, names in their natural order") {
+TEST_CASE("folders come first, and names are in natural order") {
     CHECK(names(sample, {.type = all}) == "A b flow.2.ILH flow.10.ilh lost.ilh mesh.obj ");
     CHECK(names(sample, {.type = all}, {.column = SortColumn::name, .descending = true}) ==
           "b A mesh.obj lost.ilh flow.10.ilh flow.2.ILH ");
 }
 
-TEST_CASE("equal sizes and dates are in the order of names, either way") {
+TEST_CASE("entries of equal size or date are ordered by name, ascending and descending") {
     CHECK(names(sample, {.type = all}, {.column = SortColumn::size}) ==
           "A b lost.ilh flow.10.ilh mesh.obj flow.2.ILH ");
     CHECK(names(sample, {.type = all}, {.column = SortColumn::size, .descending = true}) ==
@@ -107,14 +107,14 @@ TEST_CASE("equal sizes and dates are in the order of names, either way") {
           "A b mesh.obj flow.10.ilh flow.2.ILH lost.ilh ");
 }
 
-TEST_CASE("a type leaves its files, in any case, and all folders") {
+TEST_CASE("a type passes all folders, and its files in any case") {
     CHECK(names(sample, {.type = keys}) == "A b flow.2.ILH flow.10.ilh lost.ilh ");
     CHECK(names(sample, {.type = keys, .hidden = true}) ==
           ".git A b .hidden.ilh flow.2.ILH flow.10.ilh lost.ilh ");
     CHECK(names(sample, {.type = all, .only_folders = true}) == "A b ");
 }
 
-TEST_CASE("typing finds the next name that begins so, around the end") {
+TEST_CASE("typing finds the next name with this beginning, and wraps around") {
     const auto shown = shown_entries(sample, {.type = all}, {});  // A b flow.2 flow.10 lost mesh
     TypeAhead typing;
     CHECK(typing.type("F", 0, sample, shown, 0) == 2);
@@ -127,7 +127,7 @@ TEST_CASE("typing finds the next name that begins so, around the end") {
     CHECK_FALSE(TypeAhead().type("a", 0, sample, {}, 0));
 }
 
-TEST_CASE("the same letter again and again goes from name to name") {
+TEST_CASE("repeating a letter goes from name to name") {
     const auto shown = shown_entries(sample, {.type = all}, {});
     TypeAhead typing;
     CHECK(typing.type("f", 0, sample, shown, 0) == 2);
@@ -135,7 +135,7 @@ TEST_CASE("the same letter again and again goes from name to name") {
     CHECK(typing.type("f", 0.4, sample, shown, 3) == 2);
 }
 
-TEST_CASE("a doubled letter that begins a name is meant as such") {
+TEST_CASE("a doubled letter can be the beginning of a name") {
     const std::vector<FolderEntry> entries{entry("oak"), entry("oo"), entry("ox")};
     const std::vector<std::size_t> shown{0, 1, 2};
     TypeAhead typing;
@@ -156,7 +156,7 @@ TEST_CASE("sizes have few digits") {
     CHECK(size_text(UINT64_MAX) == "18 EB");
 }
 
-TEST_CASE("dates have minutes; what is no date is left out") {
+TEST_CASE("dates have minutes, and an invalid date has no text") {
     CHECK(date_text(1'800'000'000).size() == std::string("2027-01-15 08:00").size());
     CHECK(date_text(INT64_MAX).empty());
 }

@@ -1,4 +1,4 @@
-// Tests of typed paths: what they mean, and how Tab completes them.
+// Tests of typed paths: their meaning, and their completion by Tab.
 #include "ui/browser/typed_path.h"
 
 #include "scratch_folder.h"
@@ -18,7 +18,7 @@ std::string meant(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("a typed path is relative to the folder that is seen, and ~ is home") {
+TEST_CASE("a typed path is relative to the shown folder, and ~ is the home folder") {
     CHECK(meant("a.ilh") == "/seen/here/a.ilh");
     CHECK(meant("./b/../a.ilh") == "/seen/here/a.ilh");
     CHECK(meant("..") == "/seen");
@@ -32,7 +32,7 @@ TEST_CASE("a typed path is relative to the folder that is seen, and ~ is home") 
     CHECK(meant(".") == "/seen/here");
 }
 
-TEST_CASE("blanks and quotation marks around a pasted path do not count") {
+TEST_CASE("blanks and quotation marks around a pasted path are ignored") {
     CHECK(meant("  /a b/c \n") == "/a b/c");
     CHECK(meant("'/a b/c'") == "/a b/c");
     CHECK(meant("\"~/c\"") == "/home/anna/c");
@@ -62,7 +62,7 @@ TEST_CASE("Tab completes as far as the names agree") {
     CHECK(complete(".s") == ".secret");
     CHECK(complete("x") == "x");
     CHECK(complete("missing/x") == "missing/x");
-    // Between characters: the two differ in what comes after the a umlaut.
+    // The completion is cut between characters: the two names differ after the a umlaut.
     CHECK(complete("k") == "kä");
     CHECK(complete("odd") == "odd");
     CHECK(complete((folder / "Sph").string()) == (folder / "Sphere.ilh").string());
@@ -70,21 +70,21 @@ TEST_CASE("Tab completes as far as the names agree") {
     CHECK(completed_path("x", folder.path(), "/").names == 0);
 }
 
-TEST_CASE("characters that begin alike in bytes are not cut") {
+TEST_CASE("a character is not cut where names share only its first bytes") {
     const ScratchFolder folder;
     put(folder / "aä", "");
     put(folder / "aö", "");
     CHECK(completed_path("a", folder.path(), "/").text == "a");
 }
 
-TEST_CASE("names that differ in case keep what was typed") {
+TEST_CASE("names that differ in case keep the typed text") {
     const ScratchFolder folder;
     put(folder / "Flow", "");
     put(folder / "fLow", "");
     CHECK(completed_path("flo", folder.path(), "/").text == "flo");
 }
 
-TEST_CASE("the way to a folder begins at the root") {
+TEST_CASE("the path to a folder begins at the root") {
     CHECK(folders_on_the_way("/a/b c") == std::vector<fs::path>{"/", "/a", "/a/b c"});
     CHECK(folders_on_the_way("/") == std::vector<fs::path>{"/"});
 }

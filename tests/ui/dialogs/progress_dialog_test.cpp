@@ -1,11 +1,11 @@
-// Tests of what is said about the time that work will take.
+// Tests of the estimate of the remaining time.
 #include "ui/dialogs/progress_dialog.h"
 
 #include <doctest/doctest.h>
 
 using namespace interleaf;
 
-TEST_CASE("the time left is said once there is something to go by, in seconds or minutes") {
+TEST_CASE("the remaining time appears once it can be estimated, in seconds or minutes") {
     CHECK(time_left(0, 10) == "");
     CHECK(time_left(0.5, 0.2) == "");
     CHECK(time_left(0.5, 4) == "about 4 s left");

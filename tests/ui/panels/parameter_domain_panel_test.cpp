@@ -1,4 +1,4 @@
-// Tests of the parameter domain's panel: what dragging comes to, at places that a float cannot hold.
+// Tests of the panel of the parameter domain: dragging, at places that a float cannot hold.
 #include "ui/panels/parameter_domain_panel.h"
 
 #include <doctest/doctest.h>
@@ -13,10 +13,10 @@ using namespace interleaf;
 
 namespace {
 
-/// Corner of a square that is 2 wide. Around there, neighboring floats are 0.5 apart.
+/// Corner of a square with side 2. Neighboring floats are 0.5 apart there.
 constexpr glm::dvec2 low{6000000.3, -6000001.7};
 
-/// More than a pixel, in units of the domain: Dear ImGui knows whole pixels.
+/// More than a pixel, in units of the domain, because Dear ImGui uses whole pixels.
 constexpr double a_pixel = 0.02;
 
 Family distant_family() {
@@ -32,7 +32,7 @@ Family distant_family() {
     return family;
 }
 
-/// What the mouse holds is what the last result said.
+/// The panel. Each frame gets the drag and the menu of the last result.
 class Panel {
   public:
     Panel(Family family, bool edits) : family_(std::move(family)), edits_(edits) {}
@@ -60,7 +60,7 @@ class Panel {
     std::optional<DomainMenu> menu_;
 };
 
-/// The pixel of low + \p offset, where the plot shows the whole square.
+/// The pixel of low + \p offset, if the plot shows the whole square.
 glm::vec2 pixel(const Rect& plot, glm::dvec2 offset) {
     return {plot.x + plot.width * static_cast<float>(offset.x / 2),
             plot.bottom() - plot.height * static_cast<float>(offset.y / 2)};
@@ -68,7 +68,7 @@ glm::vec2 pixel(const Rect& plot, glm::dvec2 offset) {
 
 }  // namespace
 
-TEST_CASE("the point is dragged to the place under the pointer, however far the domain is from 0") {
+TEST_CASE("a drag moves the point to the place under the pointer, however far the domain is from 0") {
     Panel panel(distant_family(), false);
     const Rect plot = panel.show({0, 0}, false).plot;
     panel.show(pixel(plot, {0.5, 0.5}), false);
@@ -81,7 +81,7 @@ TEST_CASE("the point is dragged to the place under the pointer, however far the 
     CHECK_FALSE(panel.show(pixel(plot, {1, 1}), false).moved_to);
 }
 
-TEST_CASE("a vertex is dragged to the place under the pointer, and the plane stays meanwhile") {
+TEST_CASE("a drag moves a vertex to the place under the pointer, and the plane stays") {
     Panel panel(distant_family(), true);
     const Rect plot = panel.show({0, 0}, false).plot;
     panel.show(pixel(plot, {2, 2}), false);
@@ -94,13 +94,13 @@ TEST_CASE("a vertex is dragged to the place under the pointer, and the plane sta
         CHECK(glm::distance(result.moved_vertex->to - low, offset) < a_pixel);
         panel.family().domain = with_vertex_moved(*panel.family().domain, 2, result.moved_vertex->to);
     }
-    // Once it is let go, the plot shows the whole domain again.
+    // After the release, the plot shows the whole domain again.
     panel.show(pixel(plot, {1.5, 1.75}), false);
     const Rect after = panel.show({0, 0}, false).plot;
     CHECK(after.width == doctest::Approx(plot.width).epsilon(0.01));
 }
 
-TEST_CASE("a drag that began beside all vertices moves none") {
+TEST_CASE("a drag that began beside all vertices moves no vertex") {
     Panel panel(distant_family(), true);
     const Rect plot = panel.show({0, 0}, false).plot;
     panel.show(pixel(plot, {0.5, 1}), false);

@@ -17,14 +17,14 @@ ListSelection list(std::size_t rows, bool several) {
 
 }  // namespace
 
-TEST_CASE("at first nothing is selected and the cursor is on the first row") {
+TEST_CASE("at first nothing is selected, and the cursor is on the first row") {
     const ListSelection selection = list(5, true);
     CHECK(selection.rows().empty());
     CHECK(selection.cursor() == 0);
     CHECK(list(0, true).size() == 0);
 }
 
-TEST_CASE("a plain step selects its row alone") {
+TEST_CASE("a plain step selects only its row") {
     ListSelection selection = list(5, true);
     selection.step(3, SelectionStep::only);
     selection.step(1, SelectionStep::only);
@@ -32,7 +32,7 @@ TEST_CASE("a plain step selects its row alone") {
     CHECK(selection.count() == 1);
 }
 
-TEST_CASE("Ctrl adds and takes away, and a cursor moved with it changes nothing") {
+TEST_CASE("Ctrl selects and deselects rows, and moving the cursor with Ctrl changes no row") {
     ListSelection selection = list(5, true);
     selection.step(1, SelectionStep::only);
     selection.step(3, SelectionStep::toggle);
@@ -45,7 +45,7 @@ TEST_CASE("Ctrl adds and takes away, and a cursor moved with it changes nothing"
     CHECK(selection.count() == 1);
 }
 
-TEST_CASE("Shift selects from the last row chosen without it, up and down") {
+TEST_CASE("Shift selects from the last row chosen without Shift, up and down") {
     ListSelection selection = list(6, true);
     selection.step(3, SelectionStep::only);
     selection.step(5, SelectionStep::extend);
@@ -58,7 +58,7 @@ TEST_CASE("Shift selects from the last row chosen without it, up and down") {
     CHECK(selection.count() == 2);
 }
 
-TEST_CASE("where one row may be selected, there is never more than one") {
+TEST_CASE("a list that allows one selected row never has more") {
     ListSelection selection = list(4, false);
     for (const SelectionStep step :
          {SelectionStep::only, SelectionStep::toggle, SelectionStep::extend, SelectionStep::look}) {
@@ -70,7 +70,7 @@ TEST_CASE("where one row may be selected, there is never more than one") {
     CHECK(selection.count() == 1);
 }
 
-TEST_CASE("all can be selected, and none") {
+TEST_CASE("all rows can be selected, or none") {
     ListSelection selection = list(3, true);
     selection.select_all();
     CHECK(selection.rows() == Rows{0, 1, 2});

@@ -5,7 +5,7 @@
 
 using namespace interleaf;
 
-TEST_CASE("a number rounded to a power of ten is the one that its digits mean") {
+TEST_CASE("a number rounded to a power of ten is the double that its digits mean") {
     CHECK(rounded_to_power(139 * 0.01, -2) == 1.39);
     CHECK(rounded_to_power(1.3849, -2) == 1.38);
     CHECK(rounded_to_power(-0.31, -1) == -0.3);

@@ -24,13 +24,13 @@ TEST_CASE("a box is fitted into the area, centered, with v up") {
     CHECK(frame.pixel({0, 0}) == glm::vec2(200, 200));
 }
 
-TEST_CASE("both axes have one scale, so that shapes stay as they are") {
+TEST_CASE("both axes have the same scale, so that shapes are not distorted") {
     const PlotFrame frame(box_of(wide), {0, 0, 200, 200});
     CHECK(frame.rect() == Rect{0, 75, 200, 50});
     CHECK(frame.pixel({12, 3}) == glm::vec2(100, 75));
 }
 
-TEST_CASE("a pixel's point has that pixel") {
+TEST_CASE("the point of a pixel maps back to the pixel") {
     const unsigned seed = 1;
     CAPTURE(seed);
     std::mt19937 random(seed);

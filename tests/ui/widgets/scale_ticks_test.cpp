@@ -16,7 +16,7 @@ TEST_CASE("ticks are the multiples of a round number") {
     CHECK(scale_ticks(0, 1, 0).empty());
 }
 
-TEST_CASE("ticks lie within, ascend, and are as many as asked for at most, at any scale") {
+TEST_CASE("ticks lie within the range, ascend, and do not exceed the given number, at any scale") {
     for (int exponent = -38; exponent <= 38; ++exponent)
         for (const double begin : {-2.0, -0.3, 0.0, 0.7, 1000.0})
             for (std::size_t most = 1; most < 8; ++most) {
