@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <glm/geometric.hpp>
+
 #include "hierarchy/lanes.h"
 
 namespace interleaf {
@@ -123,6 +125,24 @@ std::vector<glm::vec3> morph_normals(const NormalForm& form, std::span<const flo
         for (std::size_t n = 0; n < form.product_count; ++n)
             normals[v] += factors[n] * form.products[v * form.product_count + n];
     return normals;
+}
+
+void surface_normals(const UnionMesh& mesh, std::span<const float> weights,
+                     std::span<const glm::vec3> positions, Buffer<glm::vec3>& normals) {
+    normals.assign(mesh.vertex_count(), glm::vec3(0));
+    for (std::size_t t = 0; t < mesh.leaf_count(); ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        const glm::vec3 normal = glm::cross(positions[b] - positions[a], positions[c] - positions[a]);
+        for (unsigned corner = 0; corner < 3; ++corner)
+            normals[mesh.triangles[t][corner]] += power_of_two(mesh.tags[t].corner_exponent(corner)) * normal;
+    }
+    KeySet blended = 0;
+    for (std::size_t key = 0; key < weights.size(); ++key)
+        if (weights[key] != 0) blended |= key_bit(key);
+    for (std::size_t v = mesh.roots.vertex_count(); v < mesh.vertex_count(); ++v) {
+        const auto& [edge, owners] = mesh.vertices[v];
+        if ((owners & blended) == 0) normals[v] = (normals[edge[0]] + normals[edge[1]]) * 0.5F;
+    }
 }
 
 }  // namespace interleaf

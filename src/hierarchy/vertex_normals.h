@@ -50,4 +50,12 @@ void normal_form(const UnionMesh& mesh, NormalForm& form);
 /// N(b), one vector per vertex, not normalized.
 std::vector<glm::vec3> morph_normals(const NormalForm& form, std::span<const float> weights);
 
+/// The vertex normals of a blended surface, for many keys, whose products would take too much memory. Rule 1
+/// holds, and rule 2 for the keys of weight 0: a vertex that only they own takes the mean of its edge's ends.
+/// \param weights    one per key of \p mesh
+/// \param positions  the morph of \p mesh with these weights
+/// \param normals    receives one vector per vertex, not normalized
+void surface_normals(const UnionMesh& mesh, std::span<const float> weights,
+                     std::span<const glm::vec3> positions, Buffer<glm::vec3>& normals);
+
 }  // namespace interleaf

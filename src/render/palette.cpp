@@ -29,10 +29,11 @@ LevelRange level_range(const UnionMesh& mesh) {
 }
 
 std::vector<KeySet> origins_of(const UnionMesh& mesh) {
-    std::vector<KeySet> origins;  // few, so a search is quick
-    for (const KeySet origin : mesh.origins)
-        if (std::find(origins.begin(), origins.end(), origin) == origins.end()) origins.push_back(origin);
-    std::sort(origins.begin(), origins.end());
+    std::vector<KeySet> origins;  // sorted
+    for (const KeySet origin : mesh.origins) {
+        const auto place = std::lower_bound(origins.begin(), origins.end(), origin);
+        if (place == origins.end() || *place != origin) origins.insert(place, origin);
+    }
     return origins;
 }
 

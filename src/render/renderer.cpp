@@ -164,7 +164,8 @@ const GlProgram& Renderer::surface_program(const SurfaceKind& kind) {
 }
 
 void Renderer::upload(const UnionMesh& mesh, const NormalForm& form, std::span<const std::size_t> keys) {
-    assert(mesh.key_count() > 0 && form.product_count == product_count(mesh.key_count()));
+    assert(mesh.key_count() > 0);
+    assert(mesh.key_count() > max_gpu_keys || form.product_count == product_count(mesh.key_count()));
     check_limit(mesh.leaf_count(), "leaves");
     std::vector<std::size_t> family_keys(keys.begin(), keys.end());
     if (family_keys.empty()) {
@@ -186,7 +187,7 @@ void Renderer::upload(const UnionMesh& mesh, const NormalForm& form, std::span<c
         gpu_key_count_ = mesh.key_count();
         upload_streams(std::vector<Stream>(mesh.positions.begin(), mesh.positions.end()), form.products);
     } else {
-        processor_blend_ = ProcessorBlend{mesh, form, {}, {}};
+        processor_blend_ = ProcessorBlend{.mesh = mesh};
         gpu_key_count_ = 1;
     }
 }
@@ -258,14 +259,13 @@ void Renderer::upload_field(std::span<const std::span<const float>> values, std:
 
 void Renderer::blend_on_processor(ProcessorBlend& blend, std::span<const float> weights) {
     if (std::equal(weights.begin(), weights.end(), blend.weights.begin(), blend.weights.end())) return;
-    const Buffer<glm::vec3> positions = morph(blend.mesh, weights);
-    const std::vector<glm::vec3> normals = morph_normals(blend.form, weights);
-    const Stream position_stream = positions;
-    upload_streams({&position_stream, 1}, normals);
+    morph(blend.mesh, weights, blend.positions);
+    surface_normals(blend.mesh, weights, blend.positions, blend.normals);
+    const Stream position_stream = blend.positions;
+    upload_streams({&position_stream, 1}, blend.normals);
     if (blend.field) {
-        Buffer<float> values;
-        morph(*blend.field, weights, values);
-        const std::span<const float> stream = values;
+        morph(*blend.field, weights, blend.values);
+        const std::span<const float> stream = blend.values;
         upload_field({&stream, 1}, component_count(blend.field->label.kind));
     }
     blend.weights.assign(weights.begin(), weights.end());

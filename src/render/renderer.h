@@ -3,7 +3,7 @@
 // upload() sends the data that stay constant while the active keys stay the same: leaves, tags, position
 // streams, normal products. draw() sends weights, camera and display as uniforms and draws once; the vertex
 // shader blends positions and exact normals. With more than max_gpu_keys active keys, the processor blends
-// into a streamed buffer.
+// positions into a streamed buffer and takes the normals of the blended surface.
 #pragma once
 
 #include <array>
@@ -31,6 +31,8 @@ class Renderer {
     Renderer();
 
     /// Replaces the surface.
+    /// \param form  the normal products of \p mesh; not needed, and may be empty, with more than max_gpu_keys
+    ///     keys
     /// \param keys  index in the family of each key of \p mesh, for the colors by origin; 0, 1, 2, ... if
     ///     empty
     /// \throw MachineError if there are more leaves than a buffer texture holds here; the old surface stays
@@ -71,9 +73,11 @@ class Renderer {
     /// A mesh with too many keys for the GPU, which the processor blends.
     struct ProcessorBlend {
         UnionMesh mesh;
-        NormalForm form;
-        std::optional<UnionField> field;
-        std::vector<float> weights;  ///< the weights that the streams were blended with
+        std::optional<UnionField> field{};
+        std::vector<float> weights{};  ///< the weights that the streams were blended with
+        Buffer<glm::vec3> positions{};
+        Buffer<glm::vec3> normals{};
+        Buffer<float> values{};  ///< of the field
     };
 
     static GlProgram make_surface_program(const SurfaceKind& kind);

@@ -8,7 +8,8 @@ namespace interleaf {
 Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline) {
     constexpr float narrow = 960;
     constexpr float column_width = 248;
-    constexpr float timeline_height = 82;
+    // A low window shows no curves of weights.
+    const float timeline_height = size.y >= 620 * scale ? 160 : 104;
     constexpr float status_height = 26;
     const auto pixels = [scale](float length) { return std::round(length * scale); };
 

@@ -129,10 +129,10 @@ void compose_domain(const RunningViewer& viewer) {
 
 void remove_a_key_by_its_menu(const RunningViewer& viewer) {
     const State state = viewer.state();
-    const std::string name = state["document"]["keys"][6];
-    viewer.click(row_pixel(state, 6), 3);
-    // The entries: rename, duplicate, put on timeline, up, down, remove.
-    choose_in_menu(viewer, 5, 6);
+    const std::string name = state["document"]["keys"][1];
+    viewer.click(row_pixel(state, 1), 3);
+    // The entries: rename, duplicate, put on timeline, put here, up, down, remove.
+    choose_in_menu(viewer, 6, 7);
     const State after = wait_for_step(viewer, "Remove " + name);
     CHECK(after["document"]["keys"].size() == 6);
 }

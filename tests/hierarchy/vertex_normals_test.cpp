@@ -107,3 +107,27 @@ TEST_CASE("a triangle without area contributes nothing, and no result is undefin
     for (const glm::vec3& normal : morph_normals(normal_form(alone), std::vector<float>{1}))
         CHECK(normal == glm::vec3(0));
 }
+
+TEST_CASE(
+    "the normals of a blended surface are its corner-weighted ones, and a key of weight 0 changes none") {
+    for_random_families(600, 3, [](const RandomFamily& family) {
+        CAPTURE(family.seed);
+        Random random(family.seed);
+        const UnionMesh mesh = unite(family.key_pointers());
+        const std::vector<float> weights = random_weights(random, 3);
+        Buffer<glm::vec3> normals;
+        surface_normals(mesh, weights, morph(mesh, weights), normals);
+        const std::vector<glm::dvec3> expected = normals_of_blended_mesh(mesh, weights);
+        const double scale = static_cast<double>(magnitude({normals.begin(), normals.end()}));
+        for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
+            REQUIRE(glm::distance(glm::dvec3(normals[v]), expected[v]) <= 1e-4 * scale);
+
+        // The first key alone, with the others at weight 0: as the key's own normals at its own vertices.
+        const std::vector<float> first{1, 0, 0};
+        surface_normals(mesh, first, morph(mesh, first), normals);
+        const UnionMesh alone = unite(std::vector<const Hierarchy*>{family.key_pointers()[0]});
+        const std::vector<glm::vec3> own = morph_normals(normal_form(alone), std::vector<float>{1});
+        for (std::size_t v = 0; v < alone.vertex_count(); ++v)
+            REQUIRE(glm::distance(normals[mesh.own_vertices[0][v]], own[v]) <= 1e-4F * magnitude(own));
+    });
+}

@@ -47,6 +47,7 @@ ROOMS = {
         "dialogs": {"widgets"},
         "browser": {"widgets", "dialogs"},
         "panels": {"widgets"},
+        "timeline": {"widgets", "panels"},
         "": {"widgets"},
     },
     "app": {

@@ -58,7 +58,8 @@ void run_render(const RenderOptions& options) {
 
     const EglContext context;
     Renderer renderer;
-    renderer.upload(mesh, normal_form(mesh), active_keys(weights));
+    renderer.upload(mesh, mesh.key_count() <= max_gpu_keys ? normal_form(mesh) : NormalForm{},
+                    active_keys(weights));
     if (field) renderer.set_field(&*field);
     const auto [width, height] = options.size;
     OffscreenTarget target(width, height, samples);

@@ -1,6 +1,7 @@
 #include "app/document/session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace interleaf {
@@ -85,12 +86,15 @@ void Session::show_key(std::size_t key, double now) {
     advance(now);
 }
 
-void Session::toggle_playing(double now) {
+void Session::toggle_playing(double now, bool backward) {
     if (!has_timeline()) return;
-    if (playback_.is_playing(now)) {
+    // Back and forth changes the direction by itself, so there any direction can be paused.
+    const bool same_direction =
+        playback_.goes_back(now) == backward || playback_.repeat() == Repeat::back_and_forth;
+    if (playback_.is_playing(now) && same_direction) {
         playback_.pause(now);
     } else {
-        playback_.play(now);
+        playback_.play(now, backward);
     }
     driver_ = Driver::timeline;
     advance(now);
@@ -116,9 +120,32 @@ void Session::seek_key(int direction, double now) {
     }
 }
 
-void Session::toggle_loop(double now) {
+void Session::step_frame(int direction, double now) {
     if (!has_timeline()) return;
-    playback_.set_loops(!playback_.loops(), now);
+    playback_.pause(now);
+    const double begin = playback_.begin();
+    // A time that is a frame's own but for rounding counts as that frame.
+    constexpr double tolerance = 1e-6;
+    const double frame = (playback_.time(now) - begin) * frame_rate;
+    const double next = direction > 0 ? std::floor(frame + tolerance) + 1 : std::ceil(frame - tolerance) - 1;
+    seek(begin + next / frame_rate, now);
+}
+
+void Session::set_repeat(Repeat repeat, double now) {
+    if (!has_timeline()) return;
+    playback_.set_repeat(repeat, now);
+    advance(now);
+}
+
+void Session::set_speed(double speed, double now) {
+    if (!has_timeline()) return;
+    playback_.set_speed(speed, now);
+    advance(now);
+}
+
+void Session::set_range(std::optional<TimeRange> range, double now) {
+    if (!has_timeline()) return;
+    playback_.set_range(range, now);
     advance(now);
 }
 

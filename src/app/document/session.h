@@ -63,18 +63,33 @@ class Session {
     /// Time on the timeline at the last advance(), seconds; 0 without a timeline.
     double time() const { return playback_.time(now_); }
     bool is_playing() const { return playback_.is_playing(now_); }
-    bool loops() const { return has_timeline() && playback_.loops(); }
+    bool plays_back() const { return playback_.goes_back(now_); }
+    const Playback& playback() const { return playback_; }
 
-    /// The functions below do nothing without a timeline. All but toggle_loop() let the timeline drive.
-    void toggle_playing(double now);
+    /// The functions below do nothing without a timeline. Those that play or change the time let the timeline
+    /// drive.
+
+    /// Pauses playback in the given direction, or plays in it.
+    void toggle_playing(double now, bool backward = false);
     void seek(double time, double now);
+
+    /// Goes to the next frame (\p direction 1) or to the previous one (-1). Frames begin at the timeline's
+    /// begin and last 1 / frame_rate seconds.
+    void step_frame(int direction, double now);
 
     /// Goes to the next key of the timeline (\p direction 1) or to the previous one (-1).
     void seek_key(int direction, double now);
 
-    void toggle_loop(double now);
+    void set_repeat(Repeat repeat, double now);
+
+    /// \param speed  seconds of the timeline per second
+    void set_speed(double speed, double now);
+
+    /// The in and out points; none for the whole timeline.
+    void set_range(std::optional<TimeRange> range, double now);
 
     Display display;
+    double frame_rate = 30;  ///< frames per second, for step_frame(); above 0
 
   private:
     /// Lets the timeline drive; without a timeline the point, which starts at the first vertex if there was
@@ -83,7 +98,7 @@ class Session {
 
     std::shared_ptr<const Family> family_;
     double now_ = 0;           ///< wall time of the last advance(), seconds
-    Playback playback_{0, 0};  ///< of the timeline; without one it rests at 0 and keeps its loop
+    Playback playback_{0, 0};  ///< of the timeline; without one it rests at 0 and keeps repeat and speed
     Driver driver_ = Driver::key;
     std::size_t key_ = 0;  ///< the key that drives under Driver::key
     std::optional<DomainPoint> point_;

@@ -45,8 +45,9 @@ struct ViewerState {
     Document document;
     Session session;  ///< of the document's present state
     std::optional<std::size_t> selected_key;
-    bool edits_domain = false;  ///< dragging in the domain moves its vertices
-    bool is_dragging = false;   ///< the document's present step is a drag in progress
+    std::optional<TimeRange> shown_times;  ///< the part of the timeline that its panel shows; none for all
+    bool edits_domain = false;             ///< dragging in the domain moves its vertices
+    bool is_dragging = false;              ///< the document's present step is a drag in progress
 
     Comparisons comparisons;      ///< of keys that were fitted to meshes since the document was opened
     bool is_comparing = false;    ///< the window shows a comparison, not the document

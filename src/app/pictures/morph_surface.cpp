@@ -35,7 +35,7 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
 
     const auto start = std::chrono::steady_clock::now();
     unite(family, weights, mesh_);
-    normal_form(mesh_, form_);
+    if (keys.size() <= max_gpu_keys) normal_form(mesh_, form_);
     renderer_.upload(mesh_, form_, keys);
     const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
 

@@ -140,7 +140,7 @@ void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, const Fitte
     replace_document(std::move(family), {});
     state_.document.mark_unsaved();
     for (const fs::path& mesh : meshes) remember(mesh);
-    state_.session.toggle_loop(now_);
+    state_.session.set_repeat(Repeat::once, now_);
     state_.session.toggle_playing(now_);
     tell_fit(fitted);
 }

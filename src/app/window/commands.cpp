@@ -1,6 +1,10 @@
 #include "app/window/commands.h"
 
 #include <algorithm>
+#include <cassert>
+#include <vector>
+
+#include "app/window/command_rows.h"
 
 namespace interleaf {
 
@@ -19,7 +23,21 @@ bool is_in_scope(CommandScope scope, const ViewerState& state) {
     return false;
 }
 
+std::vector<Command> all_commands() {
+    std::vector<Command> all;
+    for (const std::span<const Command> menu : {document_commands(), playback_commands(), view_commands()})
+        all.insert(all.end(), menu.begin(), menu.end());
+    for (std::size_t place = 0; place < all.size(); ++place)
+        assert(static_cast<std::size_t>(all[place].id) == place && "commands are in the order of their ids");
+    return all;
+}
+
 }  // namespace
+
+std::span<const Command> commands() {
+    static const std::vector<Command> all = all_commands();
+    return all;
+}
 
 const Command* find_command(Shortcut shortcut) {
     const auto found = std::ranges::find_if(commands(), [shortcut](const Command& command) {

@@ -8,6 +8,7 @@
 
 #include "app/document/shown_field.h"
 #include "ui/dialogs/message_panel.h"
+#include "ui/timeline/timeline_panel.h"
 
 namespace interleaf {
 
@@ -23,7 +24,9 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
         family_ = state.document.snapshot();
         portraits_.update(*family_);
         fields_ = fields_of(family_->keys);
+        curves_of_.reset();
     }
+    follow_curves(state, layout.panels.timeline.width);
     Session& session = state.session;
     adapt_display(session.display, fields_);
     surface_.follow(session, shown_field(session.display, fields_));
@@ -33,6 +36,14 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
                      layout.panels.view);
     const glm::vec2 size = message_picture_size() * gui.density();
     mismatch_pictures_.update(state.message.mismatch, glm::max(glm::ivec2(glm::round(size)), 1));
+}
+
+void DocumentViews::follow_curves(const ViewerState& state, float width) {
+    if (!family_->timeline) return curves_.clear();
+    const CurvesOf wanted{shown_times(*family_->timeline, state.shown_times), curve_samples(width)};
+    if (wanted == curves_of_) return;
+    curves_ = weight_curves(*family_->timeline, wanted.visible, wanted.samples);
+    curves_of_ = wanted;
 }
 
 void DocumentViews::reload_shaders(ViewerState& state) {

@@ -16,6 +16,7 @@
 #include "app/window/window_panels.h"
 #include "family/family_fields.h"
 #include "ui/gui.h"
+#include "ui/timeline/weight_curves.h"
 
 namespace interleaf {
 
@@ -49,6 +50,7 @@ class DocumentViews {
 
     const std::vector<KeyPortrait>& portraits() const { return portraits_.portraits(); }
     const std::vector<FamilyField>& fields() const { return fields_; }
+    const std::vector<WeightCurve>& curves() const { return curves_; }
     const SurfaceFigures& figures() const { return surface_.figures(); }
     const std::vector<MessagePicture>& message_pictures() const { return mismatch_pictures_.shown(); }
 
@@ -56,10 +58,19 @@ class DocumentViews {
     glm::vec3 eye() const;
 
   private:
+    /// What the curves of the timeline were made from.
+    struct CurvesOf {
+        TimeRange visible;
+        std::size_t samples;
+        bool operator==(const CurvesOf&) const = default;
+    };
     void reload_shaders(ViewerState& state);
+    void follow_curves(const ViewerState& state, float width);
 
     std::shared_ptr<const Family> family_;  ///< the family of the fields and portraits
     std::vector<FamilyField> fields_;
+    std::vector<WeightCurve> curves_;
+    std::optional<CurvesOf> curves_of_;  ///< none before curves_ are made for family_
     SurfaceView surface_;
     ComparisonView comparison_;
     KeyPortraits portraits_;

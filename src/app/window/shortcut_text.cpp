@@ -28,6 +28,8 @@ std::string keyboard_key_text(int key) {
             return "Page Down";
         case GLFW_KEY_ESCAPE:
             return "Esc";
+        case GLFW_KEY_BACKSPACE:
+            return "Backspace";
         case GLFW_KEY_DELETE:
             return "Del";
         case GLFW_KEY_UP:

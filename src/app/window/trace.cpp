@@ -36,7 +36,7 @@ Json json_of(const Session& session) {
     Json json;
     json["time"] = session.time();
     json["playing"] = session.is_playing();
-    json["loop"] = session.loops();
+    json["repeat"] = name_of(session.playback().repeat());
     json["driver"] = name_of(session.driver());
     json["point"] = session.point() ? Json{session.point()->at.x, session.point()->at.y} : Json();
     json["weights"] = json_of(session.weights(), session.family());

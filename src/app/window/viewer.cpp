@@ -284,6 +284,7 @@ ShownWindow Viewer::show_panels() {
                                      .title = title_,
                                      .portraits = views_.portraits(),
                                      .fields = views_.fields(),
+                                     .curves = views_.curves(),
                                      .figures = views_.figures(),
                                      .pictures = views_.message_pictures(),
                                      .frame_milliseconds = frame_milliseconds_,

@@ -1,6 +1,7 @@
 #include "app/window/window_actions.h"
 
 #include "app/document/edit_commands.h"
+#include "app/document/playback_commands.h"
 #include "app/window/commands.h"
 #include "family/domain_edits.h"
 #include "family/key_edits.h"
@@ -8,6 +9,36 @@
 namespace interleaf {
 
 namespace {
+
+CommandId command_of_button(TransportButton button) {
+    switch (button) {
+        case TransportButton::first_key:
+            return CommandId::go_to_start;
+        case TransportButton::previous_key:
+            return CommandId::go_to_previous_key;
+        case TransportButton::step_back:
+            return CommandId::step_back;
+        case TransportButton::play_backward:
+            return CommandId::play_backward;
+        case TransportButton::play:
+            return CommandId::play;
+        case TransportButton::step_forward:
+            return CommandId::step_forward;
+        case TransportButton::next_key:
+            return CommandId::go_to_next_key;
+        case TransportButton::last_key:
+            return CommandId::go_to_end;
+        case TransportButton::ask_for_time:
+            return CommandId::go_to_time;
+        case TransportButton::ask_for_speed:
+            return CommandId::set_speed;
+        case TransportButton::ask_for_rate:
+            return CommandId::set_frame_rate;
+        case TransportButton::ask_for_degree:
+            return CommandId::bernstein_pieces;
+    }
+    return CommandId::play;
+}
 
 void apply_to_domain(const ParameterDomainResult& done, ViewerState& state, double now) {
     if (done.moved_to) state.session.move_point(*done.moved_to, now);
@@ -26,11 +57,32 @@ void apply_to_domain(const ParameterDomainResult& done, ViewerState& state, doub
     if (done.removed) remove_domain_vertex(state, *done.removed, now);
 }
 
-void apply_to_timeline(const TimelineResult& done, ViewerState& state, double now) {
+void apply_to_transport(const TransportResult& done, ViewerState& state, double now) {
+    if (done.pressed) run_command(command_of_button(*done.pressed), state, now);
+    if (done.repeat) state.session.set_repeat(*done.repeat, now);
+    if (done.speed) state.session.set_speed(*done.speed, now);
+    if (done.frame_rate) state.session.frame_rate = *done.frame_rate;
+    if (done.interpolation) choose_interpolation(state, *done.interpolation, now);
+}
+
+/// \param range  a part of the timeline, or all of it
+void show_times(ViewerState& state, TimeRange range) {
+    const Timeline& timeline = *state.document.family().timeline;
+    const bool is_whole = range.begin <= timeline.begin() && range.end >= timeline.end();
+    state.shown_times = is_whole ? std::nullopt : std::optional(range);
+}
+
+void set_in_or_out(ViewerState& state, const RangeEdit& edit, double now) {
+    if (edit.clears) state.session.set_range({}, now);
+    if (edit.in) set_in_point(state, *edit.in, now);
+    if (edit.out) set_out_point(state, *edit.out, now);
+}
+
+void apply_to_track(const TrackResult& done, ViewerState& state, double now) {
     Session& session = state.session;
     if (done.seek_to) session.seek(*done.seek_to, now);
-    if (done.toggle_playing) session.toggle_playing(now);
-    if (done.toggle_loop) session.toggle_loop(now);
+    if (done.visible) show_times(state, *done.visible);
+    if (done.range) set_in_or_out(state, *done.range, now);
     if (const auto& moved = done.moved) {
         drag_edit(
             state, "Move a key in time",
@@ -70,8 +122,9 @@ void apply_to_state(const WindowActions& actions, ViewerState& state, MouseHolds
         holds.domain_menu = actions.domain->menu;
     }
     if (actions.timeline) {
-        apply_to_timeline(*actions.timeline, state, now);
-        holds.time = actions.timeline->drag;
+        apply_to_transport(actions.timeline->transport, state, now);
+        apply_to_track(actions.timeline->track, state, now);
+        holds.time = actions.timeline->track.drag;
     }
     if (actions.keys) apply_to_keys(*actions.keys, state, now);
     if (actions.menu.chosen) run_command(commands()[*actions.menu.chosen], state, now);

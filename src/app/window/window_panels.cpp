@@ -26,10 +26,12 @@ Submenu recent_menu(std::span<const std::filesystem::path> files) {
     return menu;
 }
 
-/// The points of the domain through which the timeline passes.
+/// The points of the domain through which a linear timeline passes; none for other interpolations, whose
+/// weights are hardly ever those of a point.
 std::vector<glm::dvec2> path_through_domain(const Family& family) {
     std::vector<glm::dvec2> path;
     if (!family.timeline || !family.domain) return path;
+    if (family.timeline->interpolation().basis != Basis::linear) return path;
     for (const TimelineKey& key : family.timeline->keys()) {
         if (const auto at = family.domain->point_of(family.timeline->at(key.time))) path.push_back(*at);
     }
@@ -87,16 +89,34 @@ void show_domain(const WindowShown& shown, ShownWindow& result) {
     result.layout.domain = result.actions.domain->plot;
 }
 
+TransportState transport_of(const Session& session) {
+    const Timeline& timeline = *session.family().timeline;
+    return {.time = session.time(),
+            .end = timeline.end(),
+            .playing = session.is_playing(),
+            .plays_back = session.plays_back(),
+            .repeat = session.playback().repeat(),
+            .speed = session.playback().speed(),
+            .frame_rate = session.frame_rate,
+            .interpolation = timeline.interpolation()};
+}
+
+std::optional<TimeRange> in_and_out_of(const Playback& playback) {
+    return playback.has_range() ? std::optional(playback.range()) : std::nullopt;
+}
+
 void show_timeline(const WindowShown& shown, ShownWindow& result) {
     const Session& session = shown.state.session;
     result.actions.timeline = timeline_panel(shown.layout.panels.timeline, shown.state.document.family(),
-                                             {.time = session.time(),
-                                              .playing = session.is_playing(),
-                                              .loops = session.loops(),
+                                             {.transport = transport_of(session),
                                               .drives = session.driver() == Driver::timeline,
                                               .remark = remark_of(session.driver()),
-                                              .drag = shown.holds.time});
-    result.layout.timeline = result.actions.timeline->track;
+                                              .range = in_and_out_of(session.playback()),
+                                              .visible = shown.state.shown_times,
+                                              .drag = shown.holds.time,
+                                              .curves = shown.curves,
+                                              .weights = session.weights()});
+    result.layout.timeline = result.actions.timeline->area;
 }
 
 void show_document(const WindowShown& shown, ShownWindow& result) {

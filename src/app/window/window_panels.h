@@ -21,8 +21,8 @@
 #include "ui/panels/keys_panel.h"
 #include "ui/panels/menu_bar.h"
 #include "ui/panels/parameter_domain_panel.h"
-#include "ui/panels/timeline_panel.h"
 #include "ui/panels/view_area.h"
+#include "ui/timeline/timeline_panel.h"
 
 namespace interleaf {
 
@@ -40,6 +40,7 @@ struct WindowShown {
     std::string_view title;
     std::span<const KeyPortrait> portraits;  ///< one per key
     std::span<const FamilyField> fields;
+    std::span<const WeightCurve> curves;  ///< of the timeline, in its shown times
     const SurfaceFigures& figures;
     std::span<const MessagePicture> pictures;  ///< illustrations of the message
     double frame_milliseconds;

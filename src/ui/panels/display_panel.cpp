@@ -62,6 +62,9 @@ void level_legend(LevelRange levels) {
             levels.max > levels.min ? fmt::format("{}", levels.max) : "");
 }
 
+/// Many active keys can make thousands of origins.
+constexpr std::size_t max_origin_rows = 12;
+
 std::string origin_name(KeySet origin, const Legend& legend) {
     std::string name;
     for (std::size_t i = 0; i < legend.active_names.size(); ++i) {
@@ -77,7 +80,8 @@ void origin_legend(const Legend& legend) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float swatch = scaled(10);
     const float indent = scaled(18);
-    for (const KeySet origin : legend.origins) {
+    const std::size_t shown = std::min(legend.origins.size(), max_origin_rows);
+    for (const KeySet origin : legend.origins.first(shown)) {
         const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
         const float height = ImGui::GetTextLineHeight();
         const float top = corner.y + std::round((height - swatch) / 2);
@@ -89,6 +93,9 @@ void origin_legend(const Legend& legend) {
         ImGui::Dummy({width, height});
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Bisected this far in %s", name.c_str());
     }
+    if (shown < legend.origins.size())
+        wrapped_text(fmt::format("and {} other sets of keys", legend.origins.size() - shown),
+                     colors::dim_text);
     ImGui::PopFont();
 }
 

@@ -17,6 +17,7 @@ namespace colors {
 inline constexpr ImU32 text = IM_COL32(222, 226, 232, 255);
 inline constexpr ImU32 dim_text = IM_COL32(146, 154, 168, 255);
 inline constexpr ImU32 well = IM_COL32(20, 22, 27, 255);  ///< behind bars and canvases
+inline constexpr ImU32 faint_line = IM_COL32(62, 68, 80, 255);
 inline constexpr ImU32 accent = IM_COL32(92, 164, 255, 255);
 inline constexpr ImU32 notice = IM_COL32(240, 190, 90, 255);
 inline constexpr ImU32 dark = IM_COL32(12, 13, 16, 255);

@@ -138,9 +138,9 @@ TEST_CASE("playing moves in time with the clock and starts over at the end") {
 
 TEST_CASE("without the loop playing rests at the end") {
     Session session(std::make_shared<const Family>(sample_family()));
-    CHECK(session.loops());
-    session.toggle_loop(0);
-    CHECK_FALSE(session.loops());
+    CHECK(session.playback().repeat() == Repeat::loop);
+    session.set_repeat(Repeat::once, 0);
+    CHECK(session.playback().repeat() == Repeat::once);
     session.toggle_playing(0);
     session.advance(7);
     CHECK(session.time() == 5);
@@ -150,7 +150,7 @@ TEST_CASE("without the loop playing rests at the end") {
 TEST_CASE("switching the loop does not make the timeline drive") {
     Session session(std::make_shared<const Family>(sample_family()));
     session.move_point({0.5, 0.25}, 0);
-    session.toggle_loop(1);
+    session.set_repeat(Repeat::once, 1);
     CHECK(session.driver() == Driver::point);
     CHECK(point_of(session) == glm::dvec2(0.5, 0.25));
 }
@@ -182,12 +182,12 @@ TEST_CASE("without a timeline the point drives from the first vertex on, and tim
     session.toggle_playing(1);
     session.seek(2, 1);
     session.seek_key(1, 1);
-    session.toggle_loop(1);
+    session.set_repeat(Repeat::once, 1);
     session.advance(2);
     CHECK(session.driver() == Driver::point);
     CHECK(session.time() == 0);
     CHECK_FALSE(session.is_playing());
-    CHECK_FALSE(session.loops());
+    CHECK(session.playback().repeat() == Repeat::loop);
 }
 
 TEST_CASE("without a domain the timeline drives and there is no point") {
@@ -227,13 +227,13 @@ TEST_CASE(
             CAPTURE(loops);
             Session session(shared(before));
             session.seek(2, 10);
-            if (!loops) session.toggle_loop(10);
+            if (!loops) session.set_repeat(Repeat::once, 10);
             if (playing) session.toggle_playing(10);
             session.advance(10.5);
             session.replace_family(shared(with_time_added(before, 3, 6)), 11);
             CHECK(session.time() == (playing ? 3 : 2));
             CHECK(session.is_playing() == playing);
-            CHECK(session.loops() == loops);
+            CHECK((session.playback().repeat() == Repeat::loop) == loops);
             CHECK(session.driver() == Driver::timeline);
             CHECK(session.weights() == session.family().timeline->at(session.time()));
             session.advance(11.25);
@@ -251,12 +251,11 @@ TEST_CASE("a timeline that is gone and comes back loops as before") {
     for (const bool loops : {false, true}) {
         CAPTURE(loops);
         Session session(shared(before));
-        if (!loops) session.toggle_loop(0);
+        if (!loops) session.set_repeat(Repeat::once, 0);
         session.replace_family(shared(without), 1);
-        CHECK_FALSE(session.loops());
-        session.toggle_loop(2);  // does nothing
+        session.set_repeat(loops ? Repeat::once : Repeat::loop, 2);  // does nothing
         session.replace_family(shared(before), 3);
-        CHECK(session.loops() == loops);
+        CHECK((session.playback().repeat() == Repeat::loop) == loops);
     }
 }
 
@@ -372,4 +371,43 @@ TEST_CASE("a key shown alone is shown whether or not the domain has it, paused a
     bare.show_key(2, 0);
     CHECK(bare.weights() == Weights{{2, 1}});
     CHECK_FALSE(bare.point());
+}
+
+TEST_CASE("steps go from frame to frame, pause playback, and begin at the timeline's begin") {
+    Session session(std::make_shared<const Family>(sample_family()));
+    session.frame_rate = 4;
+    session.toggle_playing(0);
+    session.advance(0.3);
+    session.step_frame(1, 0.3);
+    CHECK_FALSE(session.is_playing());
+    CHECK(session.time() == 0.5);
+    session.step_frame(-1, 1);
+    CHECK(session.time() == 0.25);
+    session.frame_rate = 30;
+    session.seek(0, 1);
+    for (int frame = 1; frame <= 90; ++frame) {
+        session.step_frame(1, 1);
+        CHECK(session.time() == doctest::Approx(frame / 30.0));
+    }
+    for (int frame = 89; frame >= 0; --frame) {
+        session.step_frame(-1, 1);
+        CHECK(session.time() == doctest::Approx(frame / 30.0));
+    }
+    session.step_frame(-1, 1);
+    CHECK(session.time() == 0);
+}
+
+TEST_CASE("backward playback follows the timeline backward, and its button pauses it") {
+    Session session(std::make_shared<const Family>(sample_family()));
+    session.seek(3, 0);
+    session.toggle_playing(0, true);
+    session.advance(1);
+    CHECK(session.plays_back());
+    CHECK(session.time() == 2);
+    session.toggle_playing(1);  // forward, at once
+    session.advance(2);
+    CHECK(session.time() == 3);
+    CHECK_FALSE(session.plays_back());
+    session.toggle_playing(2);
+    CHECK_FALSE(session.is_playing());
 }

@@ -55,6 +55,7 @@ class Panels {
                             .title = "sample",
                             .portraits = portraits_,
                             .fields = {},
+                            .curves = {},
                             .figures = {},
                             .pictures = {},
                             .frame_milliseconds = 0,

@@ -1,5 +1,5 @@
 // Tests of the timeline: what dragging names and scrubbing come to, at times that a float cannot hold.
-#include "ui/panels/timeline_panel.h"
+#include "ui/timeline/timeline_panel.h"
 
 #include <cmath>
 
@@ -12,7 +12,7 @@ using namespace interleaf;
 
 namespace {
 
-constexpr Rect panel{0, 700, 1280, 82};
+constexpr Rect panel{0, 640, 1280, 148};
 
 /// Seconds. Around there, neighboring floats are 8 apart.
 constexpr double begin = 123456789.5;
@@ -28,9 +28,20 @@ Family late_family() {
 TimelineResult show(HeadlessGui& gui, const Family& family, const std::optional<TimeDrag>& drag,
                     glm::vec2 pointer, bool is_down) {
     gui.begin_frame(pointer, is_down);
-    const TimelineResult result = timeline_panel(
-        panel, family,
-        {.time = begin, .playing = false, .loops = false, .drives = true, .remark = "", .drag = drag});
+    const Weights weights = family.timeline->at(begin);
+    const TimelineResult result = timeline_panel(panel, family,
+                                                 {.transport = {.time = begin,
+                                                                .end = family.timeline->end(),
+                                                                .playing = false,
+                                                                .plays_back = false,
+                                                                .repeat = Repeat::loop,
+                                                                .speed = 1,
+                                                                .frame_rate = 30,
+                                                                .interpolation = {}},
+                                                  .drives = true,
+                                                  .remark = "",
+                                                  .drag = drag,
+                                                  .weights = weights});
     gui.end_frame();
     return result;
 }
@@ -45,38 +56,38 @@ glm::vec2 name_at(const Rect& track, double part) {
 TEST_CASE("a name is dragged to the time under the pointer, however large times are") {
     HeadlessGui gui({1280, 800});
     Family family = late_family();
-    const Rect track = show(gui, family, {}, {0, 0}, false).track;
+    const Rect track = show(gui, family, {}, {0, 0}, false).area;
     show(gui, family, {}, name_at(track, 0.4), false);
-    std::optional<TimeDrag> drag = show(gui, family, {}, name_at(track, 0.4), true).drag;
+    std::optional<TimeDrag> drag = show(gui, family, {}, name_at(track, 0.4), true).track.drag;
     REQUIRE(drag);
     CHECK(drag->place == 1);
     for (const double part : {0.45, 0.7, 0.25}) {
         CAPTURE(part);
         const TimelineResult result = show(gui, family, drag, name_at(track, part), true);
-        REQUIRE(result.moved);
-        CHECK(result.moved->place == 1);
-        CHECK(std::abs(result.moved->to - (begin + 10 * part)) <= 0.1);
-        family = with_time_moved(family, result.moved->place, result.moved->to);
-        drag = result.drag;
+        REQUIRE(result.track.moved);
+        CHECK(result.track.moved->place == 1);
+        CHECK(std::abs(result.track.moved->to - (begin + 10 * part)) <= 0.1);
+        family = with_time_moved(family, result.track.moved->place, result.track.moved->to);
+        drag = result.track.drag;
         REQUIRE(drag);
     }
-    CHECK_FALSE(show(gui, family, drag, name_at(track, 0.25), false).drag);
+    CHECK_FALSE(show(gui, family, drag, name_at(track, 0.25), false).track.drag);
 }
 
 TEST_CASE("dragging the last name does not move the scale under the pointer") {
     HeadlessGui gui({1280, 800});
     Family family = late_family();
-    const Rect track = show(gui, family, {}, {0, 0}, false).track;
+    const Rect track = show(gui, family, {}, {0, 0}, false).area;
     show(gui, family, {}, name_at(track, 1), false);
-    std::optional<TimeDrag> drag = show(gui, family, {}, name_at(track, 1), true).drag;
+    std::optional<TimeDrag> drag = show(gui, family, {}, name_at(track, 1), true).track.drag;
     for (int frame = 0; frame < 4; ++frame) {
         CAPTURE(frame);
         const TimelineResult result = show(gui, family, drag, name_at(track, 0.8), true);
-        REQUIRE(result.moved);
-        CHECK(result.moved->place == 2);
-        CHECK(std::abs(result.moved->to - (begin + 8)) <= 0.1);
-        family = with_time_moved(family, result.moved->place, result.moved->to);
-        drag = result.drag;
+        REQUIRE(result.track.moved);
+        CHECK(result.track.moved->place == 2);
+        CHECK(std::abs(result.track.moved->to - (begin + 8)) <= 0.1);
+        family = with_time_moved(family, result.track.moved->place, result.track.moved->to);
+        drag = result.track.drag;
     }
     CHECK(std::abs(family.timeline->end() - (begin + 8)) <= 0.1);
 }
@@ -84,13 +95,13 @@ TEST_CASE("dragging the last name does not move the scale under the pointer") {
 TEST_CASE("scrubbing goes to the time under the pointer, and to a key's own time near a key") {
     HeadlessGui gui({1280, 800});
     const Family family = late_family();
-    const Rect track = show(gui, family, {}, {0, 0}, false).track;
+    const Rect track = show(gui, family, {}, {0, 0}, false).area;
     const glm::vec2 middle{track.x + track.width / 2, track.y + track.height / 2};
     show(gui, family, {}, middle, false);
     const TimelineResult pressed = show(gui, family, {}, middle, true);
-    REQUIRE(pressed.seek_to);
-    CHECK(std::abs(*pressed.seek_to - (begin + 5)) < 0.01);
+    REQUIRE(pressed.track.seek_to);
+    CHECK(std::abs(*pressed.track.seek_to - (begin + 5)) < 0.01);
     const TimelineResult dragged = show(gui, family, {}, {track.x + 0.4F * track.width + 2, middle.y}, true);
-    CHECK(dragged.seek_to == begin + 4);
-    CHECK_FALSE(show(gui, family, {}, middle, false).seek_to);
+    CHECK(dragged.track.seek_to == begin + 4);
+    CHECK_FALSE(show(gui, family, {}, middle, false).track.seek_to);
 }

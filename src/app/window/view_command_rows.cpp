@@ -1,0 +1,138 @@
+// The commands of the menus View and Help.
+#include "app/window/command_rows.h"
+
+// GLFW must not include OpenGL headers of its own.
+#define GLFW_INCLUDE_NONE
+
+#include <GLFW/glfw3.h>
+
+#include "app/document/fit_comparison.h"
+
+namespace interleaf {
+
+namespace {
+
+void cycle_coloring(ViewerState& state, double) {
+    if (state.is_comparing) {
+        state.compares_colors = !state.compares_colors;
+        return;
+    }
+    Display& display = state.session.display;
+    display.coloring = next_coloring(display.coloring, !display.field.empty());
+}
+
+void toggle_shading(ViewerState& state, double) {
+    Shading& shading = state.session.display.shading;
+    shading = shading == Shading::smooth ? Shading::flat : Shading::smooth;
+}
+
+template <bool Display::*line>
+void toggle(ViewerState& state, double) {
+    state.session.display.*line = !(state.session.display.*line);
+}
+
+template <bool Display::*line>
+bool is_on(const ViewerState& state) {
+    return state.session.display.*line;
+}
+
+bool can_compare(const ViewerState& state) {
+    return !compared_keys(state.document.family(), state.comparisons).empty();
+}
+
+/// Shows or hides the comparison. It begins with the selected key, if that key has a comparison.
+void toggle_comparison(ViewerState& state, double) {
+    state.is_comparing = !state.is_comparing;
+    if (!state.is_comparing) return;
+    state.message.clear();  // the message would cover the comparison
+    if (!state.selected_key) return;
+    for (const ComparedKey& each : compared_keys(state.document.family(), state.comparisons))
+        if (each.key == *state.selected_key) state.compared = each.comparison;
+}
+
+constexpr Command view_table[] = {
+    {.id = CommandId::frame_model,
+     .menu = "View",
+     .name = "Frame model",
+     .shortcuts = {{{GLFW_KEY_F}}},
+     .description = "See the whole surface that is shown (or double-click it)",
+     .run = [](ViewerState& state, double) { state.view_target = ViewTarget::surface; }},
+    {.id = CommandId::smooth_shading,
+     .menu = "View",
+     .name = "Smooth shading",
+     .shortcuts = {{{GLFW_KEY_S}}},
+     .description = "Shade smoothly, or each triangle flat",
+     .run = toggle_shading,
+     .is_on = [](const ViewerState& state) { return state.session.display.shading == Shading::smooth; }},
+    {.id = CommandId::wireframe,
+     .menu = "View",
+     .name = "Wireframe",
+     .shortcuts = {{{GLFW_KEY_W}, {GLFW_KEY_1}}},
+     .description = "Show the edges of the leaves",
+     .run = toggle<&Display::wireframe>,
+     .is_on = is_on<&Display::wireframe>},
+    {.id = CommandId::refinement_edges,
+     .menu = "View",
+     .name = "Refinement edges",
+     .shortcuts = {{{GLFW_KEY_R}, {GLFW_KEY_2}}},
+     .description = "Show the edge that bisection would split next",
+     .run = toggle<&Display::refinement_edges>,
+     .is_on = is_on<&Display::refinement_edges>},
+    {.id = CommandId::root_edges,
+     .menu = "View",
+     .name = "Root edges",
+     .shortcuts = {{{GLFW_KEY_E}, {GLFW_KEY_3}}},
+     .description = "Show the edges of the root complex",
+     .run = toggle<&Display::root_edges>,
+     .is_on = is_on<&Display::root_edges>},
+    {.id = CommandId::next_coloring,
+     .menu = "View",
+     .name = "Next coloring",
+     .shortcuts = {{{GLFW_KEY_C}}},
+     .description = "Color plainly, by level, by origin, as a checkerboard, by field",
+     .run = cycle_coloring},
+    {.id = CommandId::compare_with_mesh,
+     .menu = "View",
+     .name = "Compare with mesh",
+     .shortcuts = {{{GLFW_KEY_M}}},
+     .description = "See fitted keys beside their meshes, with the distances",
+     .run = toggle_comparison,
+     .is_on = [](const ViewerState& state) { return state.is_comparing; },
+     .is_possible = can_compare},
+    {.id = CommandId::reload_shaders,
+     .menu = "View",
+     .name = "Reload shaders",
+     .shortcuts = {{{GLFW_KEY_F5}}},
+     .description = "Read the shader files again",
+     .run = [](ViewerState& state, double) { state.reload_wanted = true; }},
+
+    {.id = CommandId::help,
+     .menu = "Help",
+     .name = "Keys and mouse",
+     .shortcuts = {{{GLFW_KEY_F1}, {GLFW_KEY_H}}},
+     .description = "Show or hide this help",
+     .run = [](ViewerState& state, double) { state.help_shown = !state.help_shown; },
+     .is_on = [](const ViewerState& state) { return state.help_shown; }},
+    {.id = CommandId::dismiss,
+     .menu = "Help",
+     .name = "Dismiss",
+     .shortcuts = {{{GLFW_KEY_ESCAPE}}},
+     .description = "Close the message, the help or the comparison",
+     .run =
+         [](ViewerState& state, double) {
+             if (!state.message.empty())
+                 state.message.clear();
+             else if (state.help_shown)
+                 state.help_shown = false;
+             else
+                 state.is_comparing = false;
+         }},
+};
+
+}  // namespace
+
+std::span<const Command> view_commands() {
+    return view_table;
+}
+
+}  // namespace interleaf

@@ -1,0 +1,56 @@
+// The row of controls that play the timeline.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "family/interpolation.h"
+#include "family/playback.h"
+#include "ui/widgets/rect.h"
+
+namespace interleaf {
+
+/// The state of playback that the controls show.
+struct TransportState {
+    double time;  ///< seconds
+    double end;   ///< of the timeline, seconds
+    bool playing;
+    bool plays_back;  ///< whether playback runs backward
+    Repeat repeat;
+    double speed;       ///< seconds of the animation per second
+    double frame_rate;  ///< frames per second, for single steps
+    Interpolation interpolation;
+};
+
+/// A button of the row.
+enum class TransportButton {
+    first_key,
+    previous_key,
+    step_back,
+    play_backward,
+    play,
+    step_forward,
+    next_key,
+    last_key,
+    ask_for_time,   ///< the user wants to type the time
+    ask_for_speed,  ///< the user wants to type the speed
+    ask_for_rate,   ///< the user wants to type the frame rate
+    ask_for_degree  ///< the user wants to type the degree of Bernstein pieces
+};
+
+struct TransportResult {
+    std::optional<TransportButton> pressed;
+    std::optional<Repeat> repeat;                ///< chosen
+    std::optional<double> speed;                 ///< chosen
+    std::optional<double> frame_rate;            ///< chosen
+    std::optional<Interpolation> interpolation;  ///< chosen
+};
+
+/// Draws the row at the cursor.
+/// \param width  of the row; a narrow row shows fewer controls
+TransportResult show_transport(const TransportState& state, float width);
+
+/// "1/16", "2": as playback speeds are read.
+std::string speed_text(double speed);
+
+}  // namespace interleaf
