@@ -93,7 +93,8 @@ TEST_CASE("a family can be cut in its own folder") {
     for (const Key& key : read_family(folder / "family").keys) CHECK(key.hierarchy->leaf_count() <= 500);
 }
 
-TEST_CASE("several key files become a family, a compressed key is smaller, and the faces of a mesh are roots") {
+TEST_CASE(
+    "several key files become a family, a compressed key is smaller, and the faces of a mesh are roots") {
     const ScratchFolder folder;
     REQUIRE(lod(INTERLEAF_FIVE_KEYS "/s*.ilh", folder / "two", {"--leaves", "500"}).status == 0);
     CHECK(read_family(folder / "two").keys.size() == 2);
