@@ -8,7 +8,8 @@
 namespace interleaf {
 namespace {
 
-const std::vector<std::string> commands = {"view", "render", "export", "info", "check", "make", "family"};
+const std::vector<std::string> commands = {"view",  "render", "export", "info",
+                                           "check", "make",   "family", "lod"};
 
 TEST_CASE("--version names the program and its version") {
     const Outcome outcome = run_interleaf({"--version"});
@@ -103,6 +104,16 @@ TEST_CASE("a faulty command line exits with 2 and one message that names the wor
         {{"check"}, "FILE"},
         {{"family", "-o", "a"}, "KEY"},
         {{"family", "a.ilh"}, "--output"},
+        {{"lod", "-o", "a.ilh", "--leaves", "100"}, "FAMILY"},
+        {{"lod", "a.ilh", "--leaves", "100"}, "--output"},
+        {{"lod", "a.ilh", "-o", "b.ilh"}, "--tolerance"},
+        {{"lod", "a.ilh", "-o", "b.ilh", "--leaves", "100", "--tolerance", "0.1"}, "--tolerance"},
+        {{"lod", "a.ilh", "-o", "b.ilh", "--leaves", "few"}, "--leaves"},
+        {{"lod", "a.ilh", "-o", "b.ilh", "--tolerance", "-0.1"}, "--tolerance"},
+        {{"lod", "a.ilh", "-o", "b.ilh", "--tolerance", "nan"}, "--tolerance"},
+        {{"lod", INTERLEAF_FIVE_KEYS "/star.ilh", "-o", "a.obj", "--leaves", "100"}, "obj"},
+        {{"lod", INTERLEAF_FIVE_KEYS "/star.ilh", "-o", "a.ilh", "--leaves", "19"}, "20 roots"},
+        {{"lod", INTERLEAF_FIVE_KEYS, "-o", "-", "--leaves", "100"}, "folder"},
         {{"make", "-o", "a.ilh"}, "SHAPE"},
         {{"make", "star"}, "--output"},
         {{"make", "moon", "-o", "a.ilh"}, "moon"},

@@ -11,6 +11,7 @@
 #include "app/cli/family_command.h"
 #include "app/cli/fit_command.h"
 #include "app/cli/info_command.h"
+#include "app/cli/lod_command.h"
 #include "app/cli/make_command.h"
 #include "app/cli/option_text.h"
 #include "app/cli/render_command.h"
@@ -264,6 +265,38 @@ void add_fit(CLI::App& program) {
         "  interleaf fit bunny.ply cow.obj --rotate x,90 --rotate x,0 -o bunny-and-cow");
 }
 
+void add_lod(CLI::App& program) {
+    const auto options = std::make_shared<LodOptions>();
+    CLI::App* command = program.add_subcommand("lod", "Cut keys to a level of detail");
+    command
+        ->add_option_function<std::string>(
+            "FAMILY", [options](const std::string& path) { options->input = path; },
+            fmt::format(
+                "A family.json, its folder, an {} file, or for several files a pattern or their folder",
+                extensions_in_words(&Format::holds_key)))
+        ->required();
+    command
+        ->add_option("-o,--output", options->output,
+                     "The .ilh file to write, - for standard output; a folder for a family")
+        ->required()
+        ->type_name("FILE");
+    CLI::Option* leaves = add_text_option(
+        *command, "--leaves", "At most this many leaves per key, as near as one threshold allows",
+        [options](const std::string& text) { options->leaves = parse_count(text); });
+    leaves->type_name("N");
+    add_text_option(*command, "--tolerance",
+                    "Largest distance from each key, as a fraction of its box diagonal",
+                    [options](const std::string& text) { options->tolerance = parse_number(text); })
+        ->type_name("E")
+        ->excludes(leaves);
+    add_form(*command, options->form);
+    command->final_callback([options] { run_lod(*options); });
+    command->footer(
+        "Examples:\n"
+        "  interleaf lod star.ilh --tolerance 0.001 -o star-coarse.ilh\n"
+        "  interleaf lod assets/families/five-keys --leaves 2000 -o five-coarse-keys");
+}
+
 }  // namespace
 
 void add_subcommands(CLI::App& program, CheckResult& checked) {
@@ -275,6 +308,7 @@ void add_subcommands(CLI::App& program, CheckResult& checked) {
     add_make(program);
     add_family_command(program);
     add_fit(program);
+    add_lod(program);
 }
 
 }  // namespace interleaf
