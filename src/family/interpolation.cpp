@@ -96,7 +96,7 @@ void make_sum_one(Weights& weights) {
     const double grid = std::ldexp(1, exponent - 52);
     double sum = 0;
     for (Weight& weight : weights) {
-        weight.value = std::nearbyint(weight.value / grid) * grid;
+        weight.value = std::nearbyint(weight.value / grid) * grid + 0.0;  // no -0
         sum += weight.value;
     }
     std::ranges::max_element(weights, {}, &Weight::value)->value += 1 - sum;

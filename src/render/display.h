@@ -54,6 +54,9 @@ struct Display {
 
     bool root_edges = false;  ///< the edges of the root complex
     float line_width = 1.5F;  ///< in pixels
+
+    /// Level of detail, from 0 for the roots alone to 1 for the whole keys; the renderer draws what it is given.
+    float detail = 1;
     bool operator==(const Display&) const = default;
 };
 

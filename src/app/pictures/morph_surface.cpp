@@ -20,16 +20,22 @@ std::vector<std::string> names_of(const Family& family, const std::vector<std::s
 
 }  // namespace
 
-void MorphSurface::update(const Family& family, const Weights& weights, const FieldName* field) {
-    std::vector<std::size_t> keys = active_keys(weights);
+void MorphSurface::update(const Family& family, const Weights& weights, const FieldName* field,
+                          std::span<const std::size_t> sources) {
+    const std::vector<std::size_t> active = active_keys(weights);
     std::vector<SharedHierarchy> hierarchies;
-    hierarchies.reserve(keys.size());
-    for (const std::size_t key : keys) hierarchies.push_back(family.keys[key].hierarchy);
+    std::vector<std::size_t> keys;
+    hierarchies.reserve(active.size());
+    keys.reserve(active.size());
+    for (const std::size_t key : active) {
+        hierarchies.push_back(family.keys[key].hierarchy);
+        keys.push_back(sources.empty() ? key : sources[key]);
+    }
     const bool is_same = keys == figures_.keys &&
                          std::ranges::equal(hierarchies, hierarchies_,
                                             [](const auto& a, const auto& b) { return a.is_same(b); });
     if (is_same) {
-        figures_.key_names = names_of(family, keys);
+        figures_.key_names = names_of(family, active);
         return update_field(family, weights, field);
     }
 
@@ -40,7 +46,7 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
     const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
 
     hierarchies_ = std::move(hierarchies);
-    std::vector<std::string> names = names_of(family, keys);
+    std::vector<std::string> names = names_of(family, active);
     figures_ = {.keys = std::move(keys),
                 .key_names = std::move(names),
                 .leaves = mesh_.leaf_count(),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,8 @@ namespace interleaf {
 /// Figures of the union that is shown, all from one state of the family. They include the names of the keys,
 /// because the family may have changed when the figures are read.
 struct SurfaceFigures {
-    std::vector<std::size_t> keys;       ///< the active keys, as indices in the family
-    std::vector<std::string> key_names;  ///< names of the active keys, in the same order
+    std::vector<std::size_t> keys;       ///< the united keys; a key occurs twice if two levels of it do
+    std::vector<std::string> key_names;  ///< names of the united keys, in the same order
     std::size_t leaves = 0;
     std::size_t vertices = 0;
     LevelRange levels;
@@ -36,8 +37,11 @@ class MorphSurface {
 
     /// Rebuilds the union if \p weights have other active keys than before. Unites \p field if it has changed
     /// or the union is new.
-    /// \param field  the field to show; null for none
-    void update(const Family& family, const Weights& weights, const FieldName* field);
+    /// \param field   the field to show; null for none
+    /// \param sources  the index by which the figures and the colors by origin refer to each key of \p family;
+    ///     its own index if empty
+    void update(const Family& family, const Weights& weights, const FieldName* field,
+                std::span<const std::size_t> sources = {});
 
     /// The value of the field where \p ray first meets the surface with \p weights: one number, or the linear
     /// light of a color. None if the ray misses the surface, or without a field.

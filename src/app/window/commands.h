@@ -67,6 +67,8 @@ enum class CommandId : std::uint8_t {
     refinement_edges,
     root_edges,
     next_coloring,
+    less_detail,
+    more_detail,
     compare_with_mesh,
     reload_shaders,
     help,

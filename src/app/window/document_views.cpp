@@ -32,7 +32,7 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
     surface_.follow(session, shown_field(session.display, fields_));
     comparison_.follow(state, layout.content, surface_.camera());
     if (!comparison_.is_shown())
-        surface_.aim(std::exchange(state.view_target, ViewTarget::none), session, portraits_.extent(),
+        surface_.aim(std::exchange(state.view_target, ViewTarget::none), portraits_.extent(),
                      layout.panels.view);
     const glm::vec2 size = message_picture_size() * gui.density();
     mismatch_pictures_.update(state.message.mismatch, glm::max(glm::ivec2(glm::round(size)), 1));

@@ -21,13 +21,14 @@ void SurfaceView::apply_to_camera(const ViewInput& input, const Rect& view) {
 }
 
 void SurfaceView::follow(const Session& session, const FamilyField* field) {
-    surface_.update(session.family(), session.weights(), field != nullptr ? &field->label : nullptr);
+    detailed_.follow(session.family(), session.weights(), session.display.detail);
+    surface_.update(detailed_.family(), detailed_.weights(), field != nullptr ? &field->label : nullptr,
+                    detailed_.sources());
 }
 
-void SurfaceView::aim(ViewTarget view_target, const Session& session, const Extent& all_keys,
-                      const Rect& view) {
+void SurfaceView::aim(ViewTarget view_target, const Extent& all_keys, const Rect& view) {
     if (view_target == ViewTarget::surface)
-        camera_.view_all(surface_.extent(session.weights()), aspect_of(view));
+        camera_.view_all(surface_.extent(detailed_.weights()), aspect_of(view));
     else if (view_target == ViewTarget::all_keys)
         camera_.view_all(all_keys, aspect_of(view));
 }
@@ -37,7 +38,7 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
     Scene scene{.width = std::max(pixels(view.width), 1),
                 .height = std::max(pixels(view.height), 1),
                 .camera = camera_,
-                .weights = weight_values(session.weights()),
+                .weights = weight_values(detailed_.weights()),
                 .display = session.display,
                 .surface = surface_.figures().rebuilds};
     scene.display.line_width *= gui.scale() * gui.density();
@@ -51,7 +52,7 @@ void SurfaceView::show_value(const Session& session, const FamilyField& field, g
     const glm::vec2 at = device_coordinates(view, pointer);
     const float aspect = aspect_of(view);
     const Ray ray{camera_.point_at(at, 0, aspect), camera_.point_at(at, 1, aspect)};
-    const std::optional<glm::vec3> value = surface_.field_at(ray, session.weights());
+    const std::optional<glm::vec3> value = surface_.field_at(ray, detailed_.weights());
     if (!value) return;
     const bool is_scalar = field.label.kind == FieldKind::scalar;
     const glm::vec3 color =

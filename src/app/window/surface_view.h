@@ -7,6 +7,7 @@
 
 #include "app/document/session.h"
 #include "app/document/viewer_state.h"
+#include "app/pictures/detailed_family.h"
 #include "app/pictures/morph_surface.h"
 #include "app/pictures/scene_picture.h"
 #include "family/family_fields.h"
@@ -32,8 +33,8 @@ class SurfaceView {
 
     /// Frames \p view_target: points the camera at the target, which then fills \p view.
     /// \param all_keys  extent of all keys
-    /// \pre follow() has been called for \p session
-    void aim(ViewTarget view_target, const Session& session, const Extent& all_keys, const Rect& view);
+    /// \pre follow() has been called
+    void aim(ViewTarget view_target, const Extent& all_keys, const Rect& view);
 
     /// Draws the surface into the window at \p view, behind the panels.
     /// \param window_height  screen coordinates
@@ -50,6 +51,7 @@ class SurfaceView {
     const Camera& camera() const { return camera_; }
 
   private:
+    DetailedFamily detailed_;
     MorphSurface surface_;
     ScenePicture picture_;
     Camera camera_;

@@ -4,6 +4,8 @@
 // GLFW must not include OpenGL headers of its own.
 #define GLFW_INCLUDE_NONE
 
+#include <algorithm>
+
 #include <GLFW/glfw3.h>
 
 #include "app/document/fit_comparison.h"
@@ -19,6 +21,14 @@ void cycle_coloring(ViewerState& state, double) {
     }
     Display& display = state.session.display;
     display.coloring = next_coloring(display.coloring, !display.field.empty());
+}
+
+/// Step of the commands that change the detail.
+constexpr float detail_step = 0.02F;
+
+void change_detail(ViewerState& state, float step) {
+    float& detail = state.session.display.detail;
+    detail = std::clamp(detail + step, 0.0F, 1.0F);
 }
 
 void toggle_shading(ViewerState& state, double) {
@@ -91,6 +101,20 @@ constexpr Command view_table[] = {
      .shortcuts = {{{GLFW_KEY_C}}},
      .description = "Color plainly, by level, by origin, as a checkerboard, by field",
      .run = cycle_coloring},
+    {.id = CommandId::less_detail,
+     .menu = "View",
+     .name = "Less detail",
+     .shortcuts = {{{GLFW_KEY_MINUS}}},
+     .description = "Show coarser levels of the keys",
+     .run = [](ViewerState& state, double) { change_detail(state, -detail_step); },
+     .repeats = true},
+    {.id = CommandId::more_detail,
+     .menu = "View",
+     .name = "More detail",
+     .shortcuts = {{{GLFW_KEY_EQUAL}}},
+     .description = "Show finer levels of the keys",
+     .run = [](ViewerState& state, double) { change_detail(state, detail_step); },
+     .repeats = true},
     {.id = CommandId::compare_with_mesh,
      .menu = "View",
      .name = "Compare with mesh",

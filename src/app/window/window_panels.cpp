@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/panels/detail_panel.h"
 #include "ui/panels/display_panel.h"
 #include "ui/panels/help_overlay.h"
 #include "ui/panels/status_line.h"
@@ -77,6 +78,14 @@ void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
     result.legend_keys = figures.key_names;
 }
 
+void show_detail(const WindowShown& shown, ShownWindow& result) {
+    const Display& display = shown.state.session.display;
+    const float detail = detail_panel(display.detail, shown.figures.leaves);
+    if (detail == display.detail) return;
+    result.actions.display = display;
+    result.actions.display->detail = detail;
+}
+
 void show_domain(const WindowShown& shown, ShownWindow& result) {
     const ViewerState& state = shown.state;
     const std::vector<glm::dvec2> path = path_through_domain(state.document.family());
@@ -135,6 +144,8 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
         show_domain(shown, result);
         section_gap();
     }
+    show_detail(shown, result);
+    section_gap();
     weights_panel(family, weights);
     if (!panels.left) {
         section_gap();
@@ -142,7 +153,7 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
     }
     end_panel();
     if (family.timeline) show_timeline(shown, result);
-    status_line(panels.status, {.active_keys = shown.figures.keys.size(),
+    status_line(panels.status, {.active_keys = weights.size(),
                                 .leaves = shown.figures.leaves,
                                 .vertices = shown.figures.vertices,
                                 .rebuild_milliseconds = shown.figures.rebuild_milliseconds,
