@@ -193,6 +193,50 @@ TEST_CASE("Space starts and pauses: time runs, then stands still") {
     CHECK(viewer.state()["time"] == paused["time"]);
 }
 
+TEST_CASE(
+    "the timeline plays backward and slowly, zooms at the pointer, and its interpolation can be undone") {
+    const RunningViewer viewer;
+    const State start = viewer.state();
+    viewer.press(XK_bracketleft);
+    viewer.wait_for("half the speed", [](const State& s) { return s["speed"] == 0.5; });
+    viewer.press(XK_space, XK_Shift_L);
+    viewer.wait_for("time to run backward from the end", [](const State& s) {
+        return s["playing"] == true && s["backward"] == true && s["time"] > 8;
+    });
+    viewer.press(XK_space, XK_Shift_L);
+    viewer.wait_for("a pause", [](const State& s) { return s["playing"] == false; });
+
+    viewer.press(XK_b);
+    State state =
+        viewer.wait_for("hold", [](const State& s) { return s["document"]["interpolation"] == "hold"; });
+    CHECK(state["active"].size() == 1);
+    viewer.press(XK_z, XK_Control_L);
+    viewer.wait_for("linear again",
+                    [](const State& s) { return s["document"]["interpolation"] == "linear"; });
+
+    viewer.point_at(timeline_pixel(start, 0.25F));
+    viewer.turn_wheel(true);
+    state =
+        viewer.wait_for("a part of the times", [](const State& s) { return !s["shown_times"].is_null(); });
+    CHECK(state["shown_times"][0].get<double>() == doctest::Approx(0.5).epsilon(0.05));
+    CHECK(state["shown_times"][1].get<double>() == doctest::Approx(8.5).epsilon(0.05));
+    viewer.press(XK_Home, XK_Shift_L);
+    viewer.wait_for("all times", [](const State& s) { return s["shown_times"].is_null(); });
+}
+
+TEST_CASE("less detail shows fewer leaves, and more detail the whole keys again") {
+    const RunningViewer viewer;
+    const State start = viewer.state();
+    for (int i = 0; i < 10; ++i) viewer.press(XK_minus);
+    viewer.wait_for("fewer leaves", [&](const State& s) {
+        return s["display"]["detail"] < 0.85 && s["leaves"] < start["leaves"];
+    });
+    for (int i = 0; i < 10; ++i) viewer.press(XK_equal);
+    viewer.wait_for("the whole keys", [&](const State& s) {
+        return s["display"]["detail"] == 1 && s["leaves"] == start["leaves"];
+    });
+}
+
 TEST_CASE("dragging the point pauses playback, and Space continues from there") {
     const RunningViewer viewer;
     const State start = viewer.state();

@@ -51,6 +51,11 @@ void add_view(CLI::App& program) {
             "--trace", [options](const std::string& path) { options->viewer.trace = path; },
             "Write one JSON line per change of state to this file")
         ->type_name("FILE");
+    command
+        ->add_option_function<std::string>(
+            "--stats", [options](const std::string& path) { options->viewer.stats = path; },
+            "Write the duration of every frame to this file, a JSON line per frame")
+        ->type_name("FILE");
     command->final_callback([options] { run_view(*options); });
     command->footer(
         "Examples:\n"

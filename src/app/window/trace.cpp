@@ -29,7 +29,8 @@ Json json_of(const Display& display) {
             {"range", {display.scale.range.min, display.scale.range.max}},
             {"wireframe", display.wireframe},
             {"refinement_edges", display.refinement_edges},
-            {"root_edges", display.root_edges}};
+            {"root_edges", display.root_edges},
+            {"detail", display.detail}};
 }
 
 Json json_of(const Session& session) {
@@ -37,6 +38,9 @@ Json json_of(const Session& session) {
     json["time"] = session.time();
     json["playing"] = session.is_playing();
     json["repeat"] = name_of(session.playback().repeat());
+    json["backward"] = session.plays_back();
+    json["speed"] = session.playback().speed();
+    json["range"] = {session.playback().range().begin, session.playback().range().end};
     json["driver"] = name_of(session.driver());
     json["point"] = session.point() ? Json{session.point()->at.x, session.point()->at.y} : Json();
     json["weights"] = json_of(session.weights(), session.family());
@@ -62,6 +66,7 @@ Json json_of(const Document& document) {
     if (family.timeline)
         for (const TimelineKey& key : family.timeline->keys())
             json["times"].push_back({key.time, family.keys[key.key].name});
+    json["interpolation"] = family.timeline ? Json(name_of(family.timeline->interpolation().basis)) : Json();
     json["domain"] = Json::array();
     if (family.domain)
         for (const DomainVertex& vertex : family.domain->vertices())
@@ -108,6 +113,7 @@ void Trace::record(std::size_t frame, double seconds, const ViewerState& state, 
     json["selected"] = state.selected_key ? Json(*state.selected_key) : Json();
     json["edits_domain"] = state.edits_domain;
     json["help"] = state.help_shown;
+    json["shown_times"] = state.shown_times ? Json{state.shown_times->begin, state.shown_times->end} : Json();
     json["asking"] = record.is_asking;
     json["takes_text"] = record.takes_text;
     json["browsed"] = record.browsed ? Json(record.browsed->string()) : Json();

@@ -21,6 +21,7 @@
 #include "app/window/commands.h"
 #include "app/window/document_views.h"
 #include "app/window/frame_layout.h"
+#include "app/window/frame_stats.h"
 #include "app/window/redraw.h"
 #include "app/window/trace.h"
 #include "app/window/window_actions.h"
@@ -113,6 +114,7 @@ class Viewer {
     bool takes_keys_ = false;  ///< a question or the file browser is open for at least two frames
     std::optional<std::filesystem::path> picture_file_;
     std::optional<Trace> trace_;
+    std::optional<FrameStats> stats_;
 };
 
 Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
@@ -124,6 +126,7 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
       gui_(watch_input(window_.handle(), input_)),
       picture_file_(options.picture) {
     if (options.trace) trace_.emplace(*options.trace);
+    if (options.stats) stats_.emplace(*options.stats);
     if (const auto last = files_.window_size(); last && !options.size)
         glfwSetWindowSize(window_.handle(), last->x, last->y);
     state_.session.display = options.display;
@@ -190,6 +193,7 @@ void Viewer::frame() {
     if (picture_file_ && !redraw_.is_due() && !files_.is_working()) save_picture();
     glfwSwapBuffers(window_.handle());
     frame_milliseconds_ = 1000 * (glfwGetTime() - now_);
+    if (stats_) stats_->record(frame_, now_, frame_milliseconds_, views_.figures().rebuilds);
     ++frame_;
 }
 

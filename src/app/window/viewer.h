@@ -20,6 +20,7 @@ struct ViewerOptions {
     std::optional<std::filesystem::path>
         picture;  ///< PNG file that receives the resting window, which then closes
     std::optional<std::filesystem::path> trace;  ///< file that receives a JSON line per change (trace.h)
+    std::optional<std::filesystem::path> stats;  ///< file that receives a JSON line per frame (frame_stats.h)
 };
 
 /// Opens a window on \p family, and returns when the window is closed.
@@ -27,7 +28,7 @@ struct ViewerOptions {
 /// \param meshes   the window offers to fit these meshes, as if they had been dropped on it; may be empty
 /// \throw UsageError    if the family lacks the domain, the timeline or the field that the options need
 /// \throw DisplayError  if no window can be opened
-/// \throw MachineError  if the picture or the trace cannot be written
+/// \throw MachineError  if the picture, the trace or the stats cannot be written
 void run_viewer(Family family, std::vector<std::filesystem::path> sources,
                 std::vector<std::filesystem::path> meshes, const ViewerOptions& options);
 

@@ -1,0 +1,22 @@
+#include "app/window/frame_stats.h"
+
+#include <fmt/core.h>
+
+#include "hierarchy/error.h"
+
+namespace interleaf {
+
+FrameStats::FrameStats(const std::filesystem::path& path) : path_(path), file_(path) {
+    if (!file_) throw MachineError(fmt::format("{}: cannot be written", path_.string()));
+}
+
+void FrameStats::record(std::size_t frame, double time, double milliseconds, std::size_t rebuilds) {
+    const bool has_waited = rebuilds != rebuilds_;
+    rebuilds_ = rebuilds;
+    file_ << fmt::format("{{\"frame\":{},\"time\":{:.4f},\"milliseconds\":{:.3f},\"waited\":{}}}\n", frame,
+                         time, milliseconds, has_waited)
+          << std::flush;
+    if (!file_) throw MachineError(fmt::format("{}: cannot be written", path_.string()));
+}
+
+}  // namespace interleaf

@@ -1,0 +1,28 @@
+// The duration of every frame, for measurements of playback: a file that receives one JSON line per frame.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+
+namespace interleaf {
+
+class FrameStats {
+  public:
+    /// \throw MachineError if the file cannot be written
+    explicit FrameStats(const std::filesystem::path& path);
+
+    /// Writes {"frame", "time", "milliseconds", "waited"}.
+    /// \param time          begin of the frame, seconds since the program was ready
+    /// \param milliseconds  duration of the frame
+    /// \param rebuilds      number of unions that the frames so far have waited for
+    /// \throw MachineError if the file cannot be written
+    void record(std::size_t frame, double time, double milliseconds, std::size_t rebuilds);
+
+  private:
+    std::filesystem::path path_;
+    std::ofstream file_;
+    std::size_t rebuilds_ = 0;  ///< at the last record
+};
+
+}  // namespace interleaf
