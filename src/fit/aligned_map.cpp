@@ -9,16 +9,17 @@
 namespace interleaf {
 namespace {
 
-/// Maximum number of vertices, per leaf, that may look for better places where smoothing is limited. On a body
-/// so long that most leaves stay needles, further rounds take time and improve little.
+/// Maximum number of vertices, per leaf, that may look for better places on a refined mesh. On a body so long
+/// that most leaves stay needles, further rounds take time and improve little.
 constexpr double tries_per_leaf = 0.5;
 
-/// Smoothing is limited on refined meshes, and on meshes of large triangles where more than this fraction of
-/// the leaves needs smoothing.
-constexpr double mostly_faulty = 0.3;
+/// The same on a mesh of large triangles that is not refined, if more than this fraction of the leaves needs
+/// smoothing.
+constexpr double faulty_part_of_many = 0.3;
+constexpr double tries_per_leaf_if_many = 2;
 
-/// On such a mesh, further rounds go through the worst leaves only, with at most this many vertices per leaf of
-/// the key: the leaves with the least angles and those turned over still improve.
+/// There, further rounds go through the worst leaves only, with at most this many vertices per leaf of the key.
+/// The leaves with the least angles and those turned over still improve.
 constexpr double tries_of_worst_per_leaf = 0.1;
 
 }  // namespace
@@ -49,8 +50,8 @@ void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& sur
     if (map.is_refined()) {
         limits.tries = static_cast<std::size_t>(tries_per_leaf * leaves);
     } else if (map.has_large_triangles &&
-               double(count_faulty_leaves(map.mapped, surface)) > mostly_faulty * leaves) {
-        limits.tries = static_cast<std::size_t>(tries_per_leaf * leaves);
+               double(count_faulty_leaves(map.mapped, surface)) > faulty_part_of_many * leaves) {
+        limits.tries = static_cast<std::size_t>(tries_per_leaf_if_many * leaves);
         limits.tries_of_worst = static_cast<std::size_t>(tries_of_worst_per_leaf * leaves);
     }
     smooth_leaves(map.mapped, roots.complex.vertex_count(), surface, progress, limits);
