@@ -1,7 +1,6 @@
 #include "fit/aligned_map.h"
 
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "fit/sampling/leaf_smoothing.h"
@@ -14,11 +13,21 @@ namespace {
 /// that most leaves stay needles, further rounds take time and improve little.
 constexpr double tries_per_leaf = 0.5;
 
+/// The same on a mesh of large triangles that is not refined, if more than this fraction of the leaves needs
+/// smoothing.
+constexpr double faulty_part_of_many = 0.3;
+constexpr double tries_per_leaf_if_many = 2;
+
+/// There, further rounds go through the worst leaves only, with at most this many vertices per leaf of the key.
+/// The leaves with the least angles and those turned over still improve.
+constexpr double tries_of_worst_per_leaf = 0.1;
+
 }  // namespace
 
 AlignedMap::AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
-                       const glm::dmat3& rotation)
+                       const glm::dmat3& rotation, bool is_of_large_triangles)
     : original(original_mesh),
+      has_large_triangles(is_of_large_triangles),
       fine(std::move(fine_mesh)),
       points(std::move(map)),
       mean_cosine(align()),
@@ -36,9 +45,16 @@ std::span<const glm::dvec3> AlignedMap::rotated(const glm::dmat3& rotation) {
 
 void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& surface,
             const Progress& progress) {
-    smooth_leaves(map.mapped, roots.complex.vertex_count(), surface, progress,
-                  map.is_refined() ? static_cast<std::size_t>(tries_per_leaf * double(surface.leaves.size()))
-                                   : std::numeric_limits<std::size_t>::max());
+    const double leaves = double(surface.leaves.size());
+    SmoothingLimits limits;
+    if (map.is_refined()) {
+        limits.tries = static_cast<std::size_t>(tries_per_leaf * leaves);
+    } else if (map.has_large_triangles &&
+               double(count_faulty_leaves(map.mapped, surface)) > faulty_part_of_many * leaves) {
+        limits.tries = static_cast<std::size_t>(tries_per_leaf_if_many * leaves);
+        limits.tries_of_worst = static_cast<std::size_t>(tries_of_worst_per_leaf * leaves);
+    }
+    smooth_leaves(map.mapped, roots.complex.vertex_count(), surface, progress, limits);
 }
 
 FitQuality quality_of(const AlignedMap& map, const SampledSurface& surface, const Progress& progress) {

@@ -23,8 +23,9 @@ struct AlignedMap {
     ///                       belongs; without triangles if \p map belongs to \p original_mesh
     /// \param map            points of the unit sphere, one per vertex, one to one
     /// \param rotation       applied after the alignment
+    /// \param is_of_large_triangles  whether \p original_mesh is one for which a finer mesh is tried
     AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
-               const glm::dmat3& rotation);
+               const glm::dmat3& rotation, bool is_of_large_triangles);
     AlignedMap(const AlignedMap&) = delete;
     AlignedMap& operator=(const AlignedMap&) = delete;
 
@@ -32,6 +33,7 @@ struct AlignedMap {
     const SurfaceMesh& mesh() const { return is_refined() ? fine : original; }
 
     const SurfaceMesh& original;
+    const bool has_large_triangles;
     const SurfaceMesh fine;
     std::vector<glm::dvec3> points;
     const double mean_cosine;  ///< of the aligned map, before the rotation
@@ -42,7 +44,8 @@ struct AlignedMap {
     std::span<const glm::dvec3> rotated(const glm::dmat3& rotation);
 };
 
-/// Calls smooth_leaves(), and limits its work on a refined mesh.
+/// Calls smooth_leaves(). Limits its work on a refined mesh, and on a mesh of large triangles if most of its
+/// leaves are faulty.
 void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& surface,
             const Progress& progress);
 

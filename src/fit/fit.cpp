@@ -147,7 +147,7 @@ FittedKey fit_mapped(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, co
     check_options(options);
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
-    auto map = std::make_unique<AlignedMap>(mesh, SurfaceMesh{}, std::move(points), options.rotation);
+    auto map = std::make_unique<AlignedMap>(mesh, SurfaceMesh{}, std::move(points), options.rotation, false);
     stopwatch.lap("alignment");
     JudgedMap judged = judge(std::move(map), options.roots, stopwatch, part_of(progress, 0, 0.5));
     return key_of(std::move(judged), options, std::move(times), part_of(progress, 0.5, 1));

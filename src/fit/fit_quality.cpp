@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "fit/mesh/progress_meter.h"
+#include "fit/mesh/space_triangle.h"
 #include "fit/mesh/surface_distance.h"
 #include "hierarchy/measure.h"
 
@@ -21,9 +22,46 @@ constexpr double places = 100000;
 /// Maximum number of parts per edge in the grid over one triangle.
 constexpr double max_parts = 64;
 
-glm::dvec3 doubled_area(const MeshView& flat, const Triangle& triangle) {
-    const glm::dvec3& a = flat.positions[triangle[0]];
-    return glm::cross(flat.positions[triangle[1]] - a, flat.positions[triangle[2]] - a);
+/// A triangle more than this many times as long as high is a needle. A grid over a needle would be as fine
+/// across as along. So there are strips across a needle that would have at least this many parts: as many
+/// strips, and more as long as all needles together have about as many strips as there are places.
+constexpr double needle = 10;
+constexpr double min_parts_of_needle = 8;
+
+TriangleCorners corners_of(const MeshView& flat, const Triangle& triangle) {
+    const auto& [a, b, c] = triangle;
+    return {flat.positions[a], flat.positions[b], flat.positions[c]};
+}
+
+double parts_of(const LongTriangle& along, double spacing) {
+    return spacing > 0 ? std::clamp(std::ceil(along.length() / spacing), 1.0, max_parts) : 1;
+}
+
+bool is_needle(const LongTriangle& along, double doubled_area, double spacing) {
+    return along.length() * along.length() > needle * doubled_area &&
+           parts_of(along, spacing) >= min_parts_of_needle;
+}
+
+/// The mean over a triangle of the squares that \p measure(const glm::dvec3& place) returns.
+/// \param strips   across the longest side
+/// \param spacing  of the places in a strip
+template <typename Measure>
+double mean_over_strips(const LongTriangle& along, double strips, double spacing, Measure measure) {
+    double sum = 0;
+    double widths = 0;
+    for (double strip = 0; strip < strips; ++strip) {
+        const double part = (strip + 0.5) / strips;
+        const glm::dvec3 begin = along.on_side(part);
+        const glm::dvec3 across = along.on_other_sides(part) - begin;
+        const double width = glm::length(across);
+        const double places_across = std::max(std::ceil(width / spacing), 1.0);
+        double sum_across = 0;
+        for (double place = 0; place < places_across; ++place)
+            sum_across += measure(begin + (place + 0.5) / places_across * across);
+        sum += width * sum_across / places_across;
+        widths += width;
+    }
+    return widths > 0 ? sum / widths : 0;
 }
 
 struct Distances {
@@ -35,9 +73,16 @@ struct Distances {
 Distances distances(const MeshView& from, const SurfaceDistance& distance, const Progress& progress,
                     double begin) {
     double area = 0;
-    for (const Triangle& triangle : from.triangles) area += glm::length(doubled_area(from, triangle)) / 2;
+    for (const Triangle& triangle : from.triangles) area += doubled_area(corners_of(from, triangle)) / 2;
     // A grid of right triangles with this side has about that many places.
     const double spacing = std::sqrt(area / places);
+    double length_of_needles = 0;
+    for (const Triangle& triangle : from.triangles) {
+        const TriangleCorners corners = corners_of(from, triangle);
+        const LongTriangle along(corners);
+        if (is_needle(along, doubled_area(corners), spacing)) length_of_needles += along.length();
+    }
+    const double strip_length = std::max(spacing, length_of_needles / places);
 
     Distances found;
     ProgressMeter meter(progress);
@@ -52,12 +97,18 @@ Distances distances(const MeshView& from, const SurfaceDistance& distance, const
         return here * here;
     };
     for (const Triangle& triangle : from.triangles) {
-        const glm::dvec3& a = from.positions[triangle[0]];
-        const glm::dvec3 along_b = from.positions[triangle[1]] - a;
-        const glm::dvec3 along_c = from.positions[triangle[2]] - a;
-        const double longest =
-            std::max({glm::length(along_b), glm::length(along_c), glm::length(along_c - along_b)});
-        const double parts = spacing > 0 ? std::clamp(std::ceil(longest / spacing), 1.0, max_parts) : 1;
+        const TriangleCorners corners = corners_of(from, triangle);
+        const LongTriangle along(corners);
+        const double parts = parts_of(along, spacing);
+        const double doubled = doubled_area(corners);
+        if (is_needle(along, doubled, spacing)) {
+            const double strips = std::max(parts, std::ceil(along.length() / strip_length));
+            found.mean_square += mean_over_strips(along, strips, spacing, measure) * doubled / 2 / area;
+            continue;
+        }
+        const glm::dvec3& a = corners[0];
+        const glm::dvec3 along_b = corners[1] - a;
+        const glm::dvec3 along_c = corners[2] - a;
         // The centers of those grid triangles that are oriented like the whole: each represents an equal part
         // of it.
         double sum = 0;
@@ -65,7 +116,7 @@ Distances distances(const MeshView& from, const SurfaceDistance& distance, const
         for (double row = 0; row < parts; ++row)
             for (double column = 0; column + row < parts; ++column, ++terms)
                 sum += measure(a + (row + 1.0 / 3) / parts * along_b + (column + 1.0 / 3) / parts * along_c);
-        if (area > 0) found.mean_square += sum / terms * glm::length(doubled_area(from, triangle)) / 2 / area;
+        if (area > 0) found.mean_square += sum / terms * doubled / 2 / area;
     }
     for (const glm::dvec3& vertex : from.positions) measure(vertex);
     return found;

@@ -35,6 +35,10 @@ constexpr double many_faulty = 0.3;
 constexpr double max_faulty = 0.4;
 constexpr double max_flipped_part = 3;
 
+/// A key that is this many times as far from the surface as an accepted one stays refused, however it is
+/// smoothed.
+constexpr double far_from_accepted = 2;
+
 /// The refined mesh is as fine as this many equilateral triangles. A finer mesh gives better leaves. But on a
 /// long thin body, the map of the finer mesh may shrink a limb; then a coarser mesh is tried.
 constexpr double fine_triangles = 2000;
@@ -75,11 +79,19 @@ SampledSurface sampled(const AlignedMap& map, const SphereRoots& roots, const Pr
     return sample_surface(map.mapped, roots, {.leaves = judged_leaves(roots)}, progress);
 }
 
-JudgedMap judged(Candidate candidate, const SphereRoots& roots, Stopwatch& stopwatch,
+/// Smooths and measures. A key that is certainly refused is not smoothed: the key of a bad map that is so far
+/// from the surface that smoothing, which moves vertices along the surface, cannot bring it near.
+JudgedMap judged(Candidate candidate, const SphereRoots& roots, const FitLimits& limits, Stopwatch& stopwatch,
                  const Progress& progress) {
-    smooth(*candidate.map, roots, candidate.surface, part_of(progress, 0, 0.3));
+    if (candidate.map->has_large_triangles && candidate.is_bad(limits)) {
+        const FitQuality quality = quality_of(*candidate.map, candidate.surface, part_of(progress, 0, 0.2));
+        stopwatch.lap("measuring");
+        if (quality.hausdorff > far_from_accepted * limits.hausdorff)
+            return {std::move(candidate.map), std::move(candidate.surface), quality, candidate.method};
+    }
+    smooth(*candidate.map, roots, candidate.surface, part_of(progress, 0.2, 0.4));
     stopwatch.lap("smoothing");
-    const FitQuality quality = quality_of(*candidate.map, candidate.surface, part_of(progress, 0.3, 1));
+    const FitQuality quality = quality_of(*candidate.map, candidate.surface, part_of(progress, 0.4, 1));
     stopwatch.lap("measuring");
     return {std::move(candidate.map), std::move(candidate.surface), quality, candidate.method};
 }
@@ -90,6 +102,7 @@ Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, const MapChoi
                     Stopwatch& stopwatch, const Progress& progress) {
     const bool is_refined = !fine.triangles.empty();
     const SurfaceMesh& mesh = is_refined ? fine : original;
+    const bool has_large_triangles = triangle_shapes(original).large >= large_part;
     constexpr double crowded = 0.01;
     SphericalMap map =
         map_to_sphere(mesh, part_of(progress, 0, 0.9), options.keeps, is_refined ? crowded : 0);
@@ -100,8 +113,8 @@ Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, const MapChoi
     stopwatch.lap("centering");
     Candidate made;
     made.method = map.method;
-    made.map =
-        std::make_unique<AlignedMap>(original, std::move(fine), std::move(map.points), options.rotation);
+    made.map = std::make_unique<AlignedMap>(original, std::move(fine), std::move(map.points),
+                                            options.rotation, has_large_triangles);
     stopwatch.lap("alignment");
     made.surface = sampled(*made.map, options.roots, part_of(progress, 0.9, 1));
     made.faulty = count_faulty_leaves(made.map->mapped, made.surface);
@@ -161,13 +174,14 @@ JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots,
     made.surface = sampled(*map, roots, part_of(progress, 0, 0.15));
     stopwatch.lap("sampling");
     made.map = std::move(map);
-    return judged(std::move(made), roots, stopwatch, part_of(progress, 0.15, 1));
+    return judged(std::move(made), roots, {}, stopwatch, part_of(progress, 0.15, 1));
 }
 
 JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, Stopwatch& stopwatch,
                      const Progress& progress) {
     const auto judged_in = [&](Candidate made, double begin, double end) {
-        return judged(std::move(made), options.roots, stopwatch, part_of(progress, begin, end));
+        return judged(std::move(made), options.roots, options.limits, stopwatch,
+                      part_of(progress, begin, end));
     };
     const TriangleShapes shapes = triangle_shapes(mesh);
     if (shapes.large < large_part)

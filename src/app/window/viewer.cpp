@@ -20,6 +20,7 @@
 #include "app/storage/document_files.h"
 #include "app/window/commands.h"
 #include "app/window/document_views.h"
+#include "app/window/frame_failures.h"
 #include "app/window/frame_layout.h"
 #include "app/window/frame_stats.h"
 #include "app/window/redraw.h"
@@ -137,14 +138,14 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
 }
 
 void Viewer::run() {
-    bool has_failed = false;  // whether the last frame failed
+    FrameFailures failures(!picture_file_);
     while (!state_.quit_wanted) {
         wait();
         try {
             frame();
-            has_failed = false;
+            failures.note_success();
         } catch (const std::exception& error) {
-            if (std::exchange(has_failed, true) || picture_file_) throw;
+            if (!failures.outlives_failure()) throw;
             outlive(error);
         }
         record();

@@ -18,6 +18,31 @@ double squared_distance_to_segment(const glm::dvec3& a, const glm::dvec3& edge) 
 
 }  // namespace
 
+double doubled_area(const TriangleCorners& corners) {
+    return glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+}
+
+LongTriangle::LongTriangle(const TriangleCorners& corners) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3& from = corners[(i + 1) % 3];
+        const glm::dvec3& to = corners[(i + 2) % 3];
+        const double length = glm::distance(from, to);
+        if (i > 0 && length <= length_) continue;
+        begin_ = from;
+        end_ = to;
+        apex_ = corners[i];
+        length_ = length;
+    }
+    if (length_ > 0)
+        apex_part_ = glm::clamp(glm::dot(apex_ - begin_, end_ - begin_) / (length_ * length_), 0.0, 1.0);
+}
+
+glm::dvec3 LongTriangle::on_other_sides(double part) const {
+    if (part < apex_part_) return begin_ + part / apex_part_ * (apex_ - begin_);
+    if (apex_part_ < 1) return end_ + (1 - part) / (1 - apex_part_) * (apex_ - end_);
+    return apex_;
+}
+
 glm::dvec3 unit_normal(const TriangleCorners& corners) {
     const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double length = glm::length(normal);

@@ -14,6 +14,32 @@ using TriangleCorners = std::array<glm::dvec3, 3>;
 /// The unit normal; zero for a triangle without area.
 glm::dvec3 unit_normal(const TriangleCorners& corners);
 
+/// Twice the area.
+double doubled_area(const TriangleCorners& corners);
+
+/// A triangle as two chains from one end of its longest side to the other: the side itself, and the two other
+/// sides. Long thin triangles are cut into strips between them.
+class LongTriangle {
+  public:
+    explicit LongTriangle(const TriangleCorners& corners);
+
+    double length() const { return length_; }  ///< of the longest side
+
+    /// Places of the two chains at the fraction \p part, 0 to 1, of the way along the longest side.
+    glm::dvec3 on_side(double part) const { return begin_ + part * (end_ - begin_); }
+    glm::dvec3 on_other_sides(double part) const;
+
+    double apex_part() const { return apex_part_; }  ///< the fraction at which the other sides meet
+    const glm::dvec3& apex() const { return apex_; }
+
+  private:
+    glm::dvec3 begin_;
+    glm::dvec3 end_;
+    glm::dvec3 apex_;
+    double length_ = 0;
+    double apex_part_ = 0;
+};
+
 /// Barycentric coordinates of places on a triangle: the points of the grid that divides each edge into
 /// \p parts, without the corners.
 template <int parts>

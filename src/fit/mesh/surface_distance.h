@@ -1,11 +1,17 @@
 // The distance of points from a triangle mesh.
+//
+// A box around a long thin triangle is mostly empty unless the triangle lies along an axis. So the search tree
+// has several boxes per long triangle, one for each strip of it (compare the early split clipping of Ernst and
+// Greiner 2007). Distances are measured to whole triangles, so the strips do not change them.
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "fit/mesh/box_tree.h"
+#include "fit/mesh/space_triangle.h"
 #include "hierarchy/triangle.h"
 
 namespace interleaf {
@@ -23,10 +29,12 @@ class SurfaceDistance {
     double operator()(const glm::dvec3& point, Index& nearest, double enough = 0) const;
 
   private:
-    double squared_distance(const glm::dvec3& point, Index triangle) const;
+    TriangleCorners corners(Index triangle) const;
+    std::vector<SpaceBox> boxes_of_strips();
 
     std::span<const Triangle> triangles_;
     std::span<const glm::dvec3> positions_;
+    std::vector<Index> triangle_of_box_;
     BoxTree tree_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -17,6 +18,8 @@ namespace interleaf {
 namespace {
 
 constexpr int max_rounds = 6;
+
+constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
 /// Fractions of the way to a neighbor that are tried, towards it and away from it.
 constexpr std::array<double, 10> way_parts = {0.4, -0.4, 0.2, -0.2, 0.1, -0.1, 0.05, -0.05, 0.025, -0.025};
@@ -87,14 +90,17 @@ class Smoothing {
         allowed_distance_ = near_enough * max_distance(meter);
     }
 
-    void run(std::size_t fixed_vertices, std::size_t max_tries, ProgressMeter& meter) {
+    void run(std::size_t fixed_vertices, const SmoothingLimits& limits, ProgressMeter& meter) {
         bool moved = true;
         std::size_t tries = 0;
-        for (int round = 0; round < max_rounds && moved && tries < max_tries; ++round) {
+        for (int round = 0; round < max_rounds && moved; ++round) {
+            const std::size_t end = tries < limits.tries ? no_limit : tries + limits.tries_of_worst;
+            if (tries == end) break;
             moved = false;
             meter.set_part(double(round) / max_rounds);
             for (const Index leaf : faulty_leaves(meter))
                 for (const Index vertex : leaves_[leaf]) {
+                    if (tries >= end) break;
                     if (vertex < fixed_vertices || at_rest_[vertex] || !is_faulty(leaf)) continue;
                     moved = improve(vertex) || moved;
                     ++tries;
@@ -320,10 +326,10 @@ bool Smoothing::improve(Index vertex) {
 }  // namespace
 
 void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, SampledSurface& surface,
-                   const Progress& progress, std::size_t max_tries) {
+                   const Progress& progress, const SmoothingLimits& limits) {
     ProgressMeter meter(progress);
     meter.enter("smoothing", 0);
-    Smoothing(mapped, surface, meter).run(fixed_vertices, max_tries, meter);
+    Smoothing(mapped, surface, meter).run(fixed_vertices, limits, meter);
 }
 
 std::size_t count_faulty_leaves(const MappedSurface& mapped, const SampledSurface& surface) {

@@ -19,16 +19,23 @@ namespace interleaf {
 /// Leaves with an angle below this one, in degrees, are smoothed.
 inline constexpr double smoothed_angle = 18;
 
+/// Limits of the work, in vertices that look for better places.
+struct SmoothingLimits {
+    /// After this many, no round goes through all faulty leaves any more.
+    std::size_t tries = std::numeric_limits<std::size_t>::max();
+    /// Maximum per further round, which goes through the worst leaves only. 0 for no further round.
+    std::size_t tries_of_worst = 0;
+};
+
 /// Moves vertices of \p surface so that its least angle does not fall and no more leaves are turned over
 /// (surface_sampling.h). The mesh over a changed star is nearer to the star than the farthest place of the
 /// mesh was before. This is measured at the vertices of the mesh and on a grid over the leaves; between these
 /// places the mesh may be a little farther away.
 /// \param surface         sampled from \p mapped
 /// \param fixed_vertices  number of vertices at the beginning that do not move: the root vertices
-/// \param max_tries       no further round begins after this many vertices have looked for better places
 /// \throw Cancelled
 void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, SampledSurface& surface,
-                   const Progress& progress, std::size_t max_tries = std::numeric_limits<std::size_t>::max());
+                   const Progress& progress, const SmoothingLimits& limits = {});
 
 /// Number of leaves that smooth_leaves() tries to improve: leaves with a small angle, or turned over.
 std::size_t count_faulty_leaves(const MappedSurface& mapped, const SampledSurface& surface);

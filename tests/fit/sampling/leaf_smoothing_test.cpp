@@ -114,3 +114,29 @@ TEST_CASE("a surface without bad leaves is left as it is") {
     const std::size_t bytes = smoothed.before.positions.size() * sizeof(glm::vec3);
     CHECK(std::memcmp(smoothed.before.positions.data(), smoothed.after.positions.data(), bytes) == 0);
 }
+
+TEST_CASE("beyond its limit, smoothing goes on with the worst leaves only, or ends") {
+    const MappedMesh mapped = six_arms(5);
+    const SphereRoots roots = project_to_sphere(cube());
+    const MappedSurface located(mapped.mesh, mapped.points);
+    const SampledSurface before = sample_surface(located, roots, {.leaves = 3000}, {});
+    const auto smoothed = [&](const SmoothingLimits& limits) {
+        SampledSurface surface = before;
+        smooth_leaves(located, roots.complex.vertex_count(), surface, {}, limits);
+        return surface;
+    };
+    const auto moved = [&](const SampledSurface& surface) {
+        std::size_t count = 0;
+        for (std::size_t v = 0; v < before.positions.size(); ++v)
+            count += before.positions[v] != surface.positions[v];
+        return count;
+    };
+    CHECK(moved(smoothed({.tries = 0})) == 0);
+    const SampledSurface one_round = smoothed({.tries = 1});
+    const SampledSurface worst_go_on = smoothed({.tries = 1, .tries_of_worst = 20});
+    CHECK(moved(one_round) > 0);
+    CHECK(measure_shapes(located, worst_go_on).min_angle >= measure_shapes(located, one_round).min_angle);
+    const SampledSurface few = smoothed({.tries = 0, .tries_of_worst = 3});
+    CHECK(moved(few) > 0);
+    CHECK(moved(few) <= 18);  // in six rounds
+}
