@@ -94,8 +94,8 @@ class Film {
         return neck_ <= narrowest_neck || speed_of_neck_ < standstill;
     }
 
-    /// Flows on by a part of a step that is short enough for the present neck, and ends at \p time at the
-    /// latest. Then adapts the mesh to the film before the next part.
+    /// Adapts the mesh, then flows on by a part of a step: as long as the present neck allows, and not beyond
+    /// \p time.
     void flow_until(double time) {
         constexpr double max_part = 0.02;
         // The neck r of a thin film shrinks at the speed 1/r.
