@@ -16,25 +16,32 @@
 namespace interleaf {
 namespace {
 
-/// Number of root squares around the axis. It is even, so that the diagonals can alternate.
-constexpr Index columns = 8;
+/// A cylinder of root rectangles. Vertex (row, column) has the number row * columns + column.
+struct CylinderGrid {
+    Index rows;     ///< between the rings
+    Index columns;  ///< around the axis; even, so that the diagonals can alternate
+};
 
-/// Number of root squares between the rings: as many as make them as high as they are wide.
-Index row_count(double distance) {
-    return std::max<Index>(1, static_cast<Index>(std::lround(distance * columns / (2 * std::numbers::pi))));
+/// The grid whose rectangles are closest to squares, so that triangles stay close to right isosceles ones,
+/// with the least number of rows that allows six columns.
+CylinderGrid grid_for(double distance) {
+    for (Index rows = 1;; ++rows) {
+        const auto columns = static_cast<Index>(2 * std::lround(std::numbers::pi * rows / distance));
+        if (columns >= 6) return {rows, columns};
+    }
 }
 
-/// A cylinder of squares, each halved by a diagonal, which is the refinement edge of both halves. Four or
-/// eight triangles meet at each vertex between the rings. Vertex (row, column) is row * columns + column.
-RootComplex cylinder_roots(Index rows) {
+/// The rectangles, each halved by a diagonal, which is the refinement edge of both halves. Four or eight
+/// triangles meet at each vertex between the rings.
+RootComplex roots_of(const CylinderGrid& grid) {
     std::vector<Triangle> triangles;
-    for (Index row = 0; row < rows; ++row) {
-        for (Index column = 0; column < columns; ++column) {
-            const Index next = (column + 1) % columns;
-            const Index low = row * columns + column;
-            const Index low_next = row * columns + next;
-            const Index high = low + columns;
-            const Index high_next = low_next + columns;
+    for (Index row = 0; row < grid.rows; ++row) {
+        for (Index column = 0; column < grid.columns; ++column) {
+            const Index next = (column + 1) % grid.columns;
+            const Index low = row * grid.columns + column;
+            const Index low_next = row * grid.columns + next;
+            const Index high = low + grid.columns;
+            const Index high_next = low_next + grid.columns;
             if ((row + column) % 2 == 0) {
                 triangles.push_back({high, low, high_next});
                 triangles.push_back({low_next, high_next, low});
@@ -44,15 +51,15 @@ RootComplex cylinder_roots(Index rows) {
             }
         }
     }
-    return {(rows + 1) * columns, std::move(triangles)};
+    return {(grid.rows + 1) * grid.columns, std::move(triangles)};
 }
 
-std::vector<glm::dvec3> cylinder_positions(Index rows, double distance) {
+std::vector<glm::dvec3> positions_of(const CylinderGrid& grid, double distance) {
     std::vector<glm::dvec3> positions;
-    for (Index row = 0; row <= rows; ++row) {
-        for (Index column = 0; column < columns; ++column) {
-            const double angle = 2 * std::numbers::pi * column / columns;
-            positions.emplace_back(std::sin(angle), distance * (static_cast<double>(row) / rows - 0.5),
+    for (Index row = 0; row <= grid.rows; ++row) {
+        for (Index column = 0; column < grid.columns; ++column) {
+            const double angle = 2 * std::numbers::pi * column / grid.columns;
+            positions.emplace_back(std::sin(angle), distance * (static_cast<double>(row) / grid.rows - 0.5),
                                    std::cos(angle));
         }
     }
@@ -73,13 +80,14 @@ glm::dvec3 on_cylinder(const glm::dvec3& position) {
 class Film {
   public:
     Film(double distance, double tolerance)
-        : surface_(cylinder_roots(row_count(distance)), cylinder_positions(row_count(distance), distance),
+        : grid_(grid_for(distance)),
+          surface_(roots_of(grid_), positions_of(grid_, distance),
                    [this](Index a, Index b, Index midpoint) { return place(a, b, midpoint); }),
           is_on_ring_(surface_.positions().size()),
           normals_(surface_.positions().size()),
           tolerance_(tolerance * std::sqrt(8 + distance * distance)) {
-        std::fill_n(is_on_ring_.begin(), columns, true);
-        std::fill_n(is_on_ring_.rbegin(), columns, true);
+        std::fill_n(is_on_ring_.begin(), grid_.columns, true);
+        std::fill_n(is_on_ring_.rbegin(), grid_.columns, true);
         adapt();
         is_cylinder_ = false;
         neck_ = neck_radius();
@@ -164,6 +172,7 @@ class Film {
         return radius;
     }
 
+    CylinderGrid grid_;
     EvolvingMesh surface_;
     Pinned is_on_ring_;                ///< by vertex
     std::vector<glm::dvec3> normals_;  ///< by vertex, unit; when the mesh was adapted last

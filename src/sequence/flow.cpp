@@ -33,6 +33,7 @@ RootComplex cube_roots() {
 /// set.
 std::vector<glm::dvec3> cube_directions() {
     std::vector<glm::dvec3> directions;
+    directions.reserve(8);
     for (unsigned v = 0; v < 8; ++v)
         directions.push_back(
             glm::normalize(glm::dvec3((v & 1) != 0 ? 1 : -1, (v & 2) != 0 ? 1 : -1, (v & 4) != 0 ? 1 : -1)));
@@ -65,6 +66,7 @@ class FlowingBall {
 
     Hierarchy state() const {
         std::vector<glm::dvec3> before;
+        before.reserve(directions_.size());
         for (const glm::dvec3& direction : directions_) before.push_back(flow_ball_radius * direction);
         const std::vector<float> stretches =
             vertex_stretches(surface_.triangles(), before, surface_.positions());
@@ -77,6 +79,7 @@ class FlowingBall {
 
     std::vector<glm::dvec3> traced(std::span<const glm::dvec3> directions) {
         std::vector<glm::dvec3> positions;
+        positions.reserve(directions.size());
         for (const glm::dvec3& direction : directions) positions.push_back(sphere_.at(direction));
         return positions;
     }

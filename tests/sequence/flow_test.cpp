@@ -46,7 +46,7 @@ TEST_CASE("the flow's ball is far from a ball in the middle, where a length has 
     REQUIRE(middle.fields.size() == 1);
     CHECK(middle.fields[0].name == "stretch");
     CHECK(*std::max_element(middle.fields[0].values.begin(), middle.fields[0].values.end()) > 10);
-    for (const std::size_t end : {0, 8})
+    for (const std::size_t end : {0U, 8U})
         for (const float stretch : short_flow().keys[end].hierarchy->fields.at(0).values)
             CHECK(stretch == doctest::Approx(1).epsilon(0.001));
 }
