@@ -183,6 +183,30 @@ class Film {
     double speed_of_neck_ = std::numeric_limits<double>::infinity();  ///< in the last part of a step
 };
 
+constexpr double max_duration = 50;
+
+/// The states of a film that comes to its end after \p duration, in equal steps. A film that collapses comes
+/// to its end in the last step, even if that takes a little longer. If it ends in an earlier step, because
+/// other parts of steps led to it than in the run that found the duration, \p duration becomes the time of
+/// that end, and there are too few states.
+std::vector<Hierarchy> states_of(Film& film, bool collapses, unsigned steps, double& duration,
+                                 const SequenceProgress& report) {
+    std::vector<Hierarchy> states = {film.state()};
+    const auto is_torn = [&] { return film.neck() <= narrowest_neck; };
+    for (unsigned step = 1; step <= steps; ++step) {
+        const double time = duration * step / steps;
+        while (film.time() < time && !is_torn()) film.flow_until(time);
+        if (step < steps && is_torn()) {
+            duration = film.time();
+            break;
+        }
+        while (step == steps && collapses && !is_torn()) film.flow_until(max_duration);
+        states.push_back(film.state());
+        report(0.5 + 0.5 * step / steps);
+    }
+    return states;
+}
+
 }  // namespace
 
 Family make_catenoid(const CatenoidOptions& options, const SequenceProgress& progress) {
@@ -192,27 +216,22 @@ Family make_catenoid(const CatenoidOptions& options, const SequenceProgress& pro
     if (!(options.distance >= min_distance && options.distance <= max_distance))
         throw UsageError(
             fmt::format("the distance between the rings must be from {} to {}", min_distance, max_distance));
-    const unsigned steps = options.steps.steps;
-    const auto report = [&](double part) {
-        if (progress) progress(part);
+    double done = 0;
+    const SequenceProgress report = [&](double part) {
+        done = std::max(done, part);
+        if (progress) progress(done);
     };
 
     Film first(options.distance, options.steps.tolerance);
-    constexpr double max_duration = 50;
     while (!first.is_at_end() && first.time() < max_duration) {
         first.flow_until(max_duration);
         report(0);
     }
-    const double duration = first.time();
-
-    Film film(options.distance, options.steps.tolerance);
-    std::vector<Hierarchy> states = {film.state()};
-    for (unsigned step = 1; step <= steps; ++step) {
-        const double time = duration * step / steps;
-        // The parts of the steps differ from the first run, and so does the neck at the end, a little.
-        while (film.time() < time && film.neck() > narrowest_neck) film.flow_until(time);
-        states.push_back(film.state());
-        report(0.5 + 0.5 * step / steps);
+    double duration = first.time();
+    std::vector<Hierarchy> states;
+    while (states.size() <= options.steps.steps) {
+        Film film(options.distance, options.steps.tolerance);
+        states = states_of(film, first.neck() <= narrowest_neck, options.steps.steps, duration, report);
     }
     return family_of_states("Film between two rings", std::move(states), duration);
 }

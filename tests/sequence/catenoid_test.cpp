@@ -73,6 +73,20 @@ TEST_CASE("the neck of a collapsing film narrows from key to key, to a tenth of 
     CHECK(counts.back() < 20 * counts.front());
 }
 
+TEST_CASE("the neck narrows in every step, also in many steps and at other distances") {
+    for (const double distance : {1.6, 2.0, 2.7}) {
+        CAPTURE(distance);
+        const Family family =
+            make_catenoid({.steps = {.steps = 60, .tolerance = 0.01}, .distance = distance});
+        CHECK(family.keys.size() == 61);
+        for (std::size_t i = 1; i < family.keys.size(); ++i) {
+            CAPTURE(i);
+            CHECK(neck_radius(*family.keys[i].hierarchy) < neck_radius(*family.keys[i - 1].hierarchy));
+        }
+        CHECK(neck_radius(*family.keys.back().hierarchy) <= narrowest_neck);
+    }
+}
+
 TEST_CASE("rings of all distances that are allowed give sound films, also with the coarsest tolerance") {
     for (const double distance : {0.2, 1.0, 3.0}) {
         CAPTURE(distance);
