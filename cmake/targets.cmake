@@ -75,7 +75,7 @@ function(interleaf_library name)
   # Under the sanitizers only the layers that compute are optimized, and only a little. For the other layers,
   # optimizing takes longer than it saves.
   set(optimization)
-  if(INTERLEAF_SANITIZE AND name MATCHES "^(text|hierarchy|family|shapes|fit|io)$")
+  if(INTERLEAF_SANITIZE AND name MATCHES "^(text|hierarchy|family|shapes|fit|sequence|io)$")
     set(optimization -O1)
   elseif(INTERLEAF_SANITIZE)
     set(optimization -O0)

@@ -1,11 +1,13 @@
-// `interleaf make`: keys from formulas, and the built-in family of such keys.
+// `interleaf make`: keys from formulas, the built-in family of such keys, and sequences.
 #include <algorithm>
+#include <utility>
 
 #include "cli/process.h"
 #include "scratch_folder.h"
 #include <doctest/doctest.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "hierarchy/measure.h"
 #include "io/family/family_file.h"
@@ -114,6 +116,66 @@ TEST_CASE("the shipped family is what `make five-keys` writes") {
             farthest = std::max(farthest, glm::distance(ours.positions[v], theirs.positions[v]));
         }
         CHECK(farthest < 1e-6F);  // mathematical libraries may round differently
+    }
+}
+
+TEST_CASE("--list names the sequences, and each is a sound family with one key more than steps") {
+    const ScratchFolder folder;
+    const Outcome list = run_interleaf({"make", "--list"});
+    for (const std::string name : {"flow", "catenoid"}) {
+        CAPTURE(name);
+        CHECK(contains(list.output, "\n" + name + " "));
+        const Outcome outcome =
+            run_interleaf({"make", name, "--steps", "3", "--tolerance", "0.01", "-o", folder / name});
+        REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+        CHECK(outcome.output.empty());
+        CHECK(outcome.errors.empty());
+        CHECK(read_family(folder / name).keys.size() == 4);
+        CHECK(run_interleaf({"check", folder / name}).status == 0);
+    }
+}
+
+TEST_CASE("rings farther apart than 1.3255 radii make a film that collapses") {
+    const ScratchFolder folder;
+    const Outcome outcome = run_interleaf({"make", "catenoid", "--distance", "1.45", "--steps", "2",
+                                           "--tolerance", "0.005", "-o", folder / "collapse", "--compress"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    const Family family = read_family(folder / "collapse");
+    CHECK(is_compressed_hierarchy(folder / "collapse/step-02.ilh"));
+    const Box box = bounding_box(family.keys[0].hierarchy->positions);
+    CHECK(box.max.y - box.min.y == doctest::Approx(1.45));
+    float neck = 1;
+    for (const glm::vec3& position : family.keys[2].hierarchy->positions)
+        neck = std::min(neck, glm::length(glm::vec2(position.x, position.z)));
+    CHECK(neck < 0.15F);
+}
+
+TEST_CASE("the shipped sequences are what make writes, but for the rounding of mathematical libraries") {
+    const ScratchFolder folder;
+    const std::filesystem::path families = std::filesystem::path(INTERLEAF_FIVE_KEYS).parent_path();
+    for (const auto& [name, tolerance] : {std::pair{"flow", "0.001"}, std::pair{"catenoid", "0.0005"}}) {
+        CAPTURE(name);
+        const Outcome outcome = run_interleaf({"make", name, "--steps", "30", "--tolerance", tolerance, "-o",
+                                               folder / name, "--compress", "--bits", "16"});
+        REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+        const Family made = read_family(folder / name);
+        const Family shipped = read_family(families / name);
+        CHECK(made.name == shipped.name);
+        REQUIRE(made.timeline.has_value());
+        CHECK(made.timeline->end() == doctest::Approx(shipped.timeline->end()).epsilon(0.05));
+        REQUIRE(made.keys.size() == shipped.keys.size());
+        for (std::size_t i = 0; i < made.keys.size(); ++i) {
+            CAPTURE(i);
+            const Hierarchy& ours = *made.keys[i].hierarchy;
+            const Hierarchy& theirs = *shipped.keys[i].hierarchy;
+            CHECK(made.keys[i].name == shipped.keys[i].name);
+            CHECK(ours.roots == theirs.roots);
+            const auto leaves = static_cast<double>(theirs.leaf_count());
+            CHECK(static_cast<double>(ours.leaf_count()) == doctest::Approx(leaves).epsilon(0.05));
+            const Box box = bounding_box(ours.positions);
+            CHECK(glm::distance(box.min, bounding_box(theirs.positions).min) < 0.01F * box.diagonal());
+            CHECK(glm::distance(box.max, bounding_box(theirs.positions).max) < 0.01F * box.diagonal());
+        }
     }
 }
 

@@ -227,14 +227,20 @@ TEST_CASE(
 TEST_CASE("less detail shows fewer leaves, and more detail the whole keys again") {
     const RunningViewer viewer;
     const State start = viewer.state();
-    for (int i = 0; i < 10; ++i) viewer.press(XK_minus);
-    viewer.wait_for("fewer leaves", [&](const State& s) {
-        return s["display"]["detail"] < 0.85 && s["leaves"] < start["leaves"];
-    });
-    for (int i = 0; i < 10; ++i) viewer.press(XK_equal);
-    viewer.wait_for("the whole keys", [&](const State& s) {
-        return s["display"]["detail"] == 1 && s["leaves"] == start["leaves"];
-    });
+    const auto change_detail = [&](KeyName key) {
+        const auto before = viewer.state()["display"]["detail"].get<double>();
+        viewer.press(key);
+        return viewer.wait_for("another detail",
+                               [&](const State& s) { return s["display"]["detail"] != before; });
+    };
+    constexpr int steps = 8;
+    State state;
+    for (int i = 0; i < steps; ++i) state = change_detail(XK_minus);
+    CHECK(state["display"]["detail"].get<double>() == doctest::Approx(1 - 0.02 * steps));
+    CHECK(state["leaves"] < start["leaves"]);
+    for (int i = 0; i < steps; ++i) state = change_detail(XK_equal);
+    CHECK(state["display"]["detail"] == 1);
+    CHECK(state["leaves"] == start["leaves"]);
 }
 
 TEST_CASE("dragging the point pauses playback, and Space continues from there") {

@@ -22,9 +22,9 @@ GIVES = {
         adjacent_find all_of any_of binary_search clamp copy copy_backward copy_if copy_n count count_if equal
         equal_range fill fill_n find find_end find_first_of find_if find_if_not for_each generate includes
         inplace_merge is_permutation is_sorted iter_swap lexicographical_compare lower_bound max max_element
-        merge min minmax minmax_element mismatch move_backward next_permutation none_of nth_element partial_sort
-        partition partition_point ranges remove remove_if replace replace_if reverse rotate sample search
-        set_difference set_intersection set_union shuffle sort stable_partition stable_sort swap_ranges
+        merge min min_element minmax minmax_element mismatch move_backward next_permutation none_of nth_element
+        partial_sort partition partition_point ranges remove remove_if replace replace_if reverse rotate sample
+        search set_difference set_intersection set_union shuffle sort stable_partition stable_sort swap_ranges
         transform unique unique_copy upper_bound""",
     "array": "array",
     "atomic": "atomic",
@@ -148,7 +148,7 @@ GIVES = {
     "unistd.h": """
         ::close() ::faccessat() ::fchown() ::fsync() ::geteuid() ::getpid() ::isatty() ::read() ::unlink()
         ::write()""",
-    "unordered_map": "unordered_map unordered_multimap",
+    "unordered_map": "erase_if unordered_map unordered_multimap",
     "unordered_set": "unordered_set",
     "utility": """
         as_const cmp_equal cmp_greater cmp_less cmp_less_equal declval exchange forward get in_place in_range

@@ -135,23 +135,33 @@ void add_check(CLI::App& program, CheckResult& result) {
 
 void add_make(CLI::App& program) {
     const auto options = std::make_shared<MakeOptions>();
-    CLI::App* command = program.add_subcommand("make", "Make a key from a formula");
+    CLI::App* command = program.add_subcommand("make", "Make a key from a formula, or a sequence");
     CLI::Option* name = command->add_option("SHAPE", options->name, "What to make; see --list");
     CLI::Option* output =
         command->add_option("-o,--output", options->output,
-                            "The .ilh file to write, or - for standard output; for five-keys, a folder");
+                            "The .ilh file to write, or - for standard output; for families, a folder");
     output->type_name("FILE");
     CLI::Option* leaves =
         add_text_option(*command, "--leaves", "At most N leaves, and as close to N as closure allows",
                         [options](const std::string& text) { options->budget.leaves = parse_count(text); });
     leaves->type_name("N")->default_str("20000");
     add_text_option(*command, "--tolerance",
-                    "Largest distance from the surface, as a fraction of the box diagonal",
+                    "Largest distance from the surface, as a fraction of the box diagonal; of a sequence, of "
+                    "its first key's, by default 0.0005",
                     [options](const std::string& text) { options->budget.tolerance = parse_number(text); })
         ->type_name("E")
         ->excludes(leaves);
+    add_text_option(*command, "--steps", "Of flow and catenoid: the number of time steps, keys less one",
+                    [options](const std::string& text) { options->steps = parse_count(text); })
+        ->type_name("N")
+        ->default_str("30");
+    add_text_option(*command, "--distance",
+                    "Of catenoid: between the rings, in radii; over 1.3255 the film collapses",
+                    [options](const std::string& text) { options->distance = parse_number(text); })
+        ->type_name("D")
+        ->default_str("1");
     add_form(*command, options->form);
-    CLI::Option* list = command->add_flag("--list")->description("List the shapes");
+    CLI::Option* list = command->add_flag("--list")->description("List the shapes and sequences");
     name->excludes(list);
     command->final_callback([options, name, output, list] {
         if (*list) return list_shapes();
@@ -163,7 +173,9 @@ void add_make(CLI::App& program) {
         "Examples:\n"
         "  interleaf make star --leaves 5000 -o star.ilh\n"
         "  interleaf make bone --tolerance 0.001 -o bone.ilh --compress --bits 16\n"
-        "  interleaf make five-keys -o assets/families/five-keys");
+        "  interleaf make five-keys -o assets/families/five-keys\n"
+        "  interleaf make flow --steps 40 -o flow --compress\n"
+        "  interleaf make catenoid --distance 1.45 -o collapse");
 }
 
 void add_family_command(CLI::App& program) {
