@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "family/family.h"
 #include "family/playback.h"
@@ -46,6 +47,10 @@ class Session {
 
     Driver driver() const { return driver_; }
     const Weights& weights() const { return weights_; }
+
+    /// The sets of active keys that the next borders lead to, the likeliest first: the neighboring intervals of
+    /// the timeline, or the neighboring triangles of the point.
+    std::vector<std::vector<std::size_t>> next_key_sets() const;
 
     /// The point with the present weights; none without a domain, or if no point has these weights.
     const std::optional<DomainPoint>& point() const { return point_; }

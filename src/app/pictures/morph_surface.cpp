@@ -40,20 +40,21 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
     }
 
     const auto start = std::chrono::steady_clock::now();
-    unite(family, weights, mesh_);
-    if (keys.size() <= max_gpu_keys) normal_form(mesh_, form_);
-    renderer_.upload(mesh_, form_, keys);
+    UnionCache::Result result = unions_.get(hierarchies);
+    union_ = std::move(result.united);
+    renderer_.upload(union_->mesh, union_->form, keys);
     const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
 
     hierarchies_ = std::move(hierarchies);
     std::vector<std::string> names = names_of(family, active);
     figures_ = {.keys = std::move(keys),
                 .key_names = std::move(names),
-                .leaves = mesh_.leaf_count(),
-                .vertices = mesh_.vertex_count(),
+                .leaves = union_->mesh.leaf_count(),
+                .vertices = union_->mesh.vertex_count(),
                 .levels = renderer_.levels(),
                 .origins = {renderer_.origins().begin(), renderer_.origins().end()},
                 .rebuilds = figures_.rebuilds + 1,
+                .waits = figures_.waits + (result.is_ready ? 0 : 1),
                 .rebuild_milliseconds = taken.count(),
                 .key_without_field = {}};
     wanted_field_.reset();
@@ -66,31 +67,42 @@ void MorphSurface::update_field(const Family& family, const Weights& weights, co
         if (const auto key = key_without(family, weights, *field))
             figures_.key_without_field = family.keys[*key].name;
     if (field == nullptr ? !wanted_field_ : wanted_field_ == *field) return;
-    mesh_.fields.clear();
+    field_.reset();
     wanted_field_.reset();
     if (field != nullptr) {
         wanted_field_ = *field;
-        if (!figures_.key_without_field) mesh_.fields.push_back(united_field(family, weights, mesh_, *field));
+        if (!figures_.key_without_field) field_ = united_field(family, weights, union_->mesh, *field);
     }
-    renderer_.set_field(mesh_.fields.empty() ? nullptr : &mesh_.fields.front());
+    renderer_.set_field(field_ ? &*field_ : nullptr);
+}
+
+void MorphSurface::expect(const Family& family, std::span<const std::vector<std::size_t>> key_sets) {
+    std::vector<UnionCache::Keys> wanted;
+    wanted.reserve(key_sets.size());
+    for (const std::vector<std::size_t>& keys : key_sets) {
+        UnionCache::Keys& hierarchies = wanted.emplace_back();
+        for (const std::size_t key : keys) hierarchies.push_back(family.keys[key].hierarchy);
+    }
+    unions_.prepare(std::move(wanted));
 }
 
 Extent MorphSurface::extent(const Weights& weights) const {
-    return extent_of(morph(mesh_, weight_values(weights)));
+    return extent_of(morph(union_->mesh, weight_values(weights)));
 }
 
 std::optional<glm::vec3> MorphSurface::field_at(const Ray& ray, const Weights& weights) {
-    if (mesh_.fields.empty()) return std::nullopt;
+    if (!field_) return std::nullopt;
     const std::vector<float> factors = weight_values(weights);
-    const std::optional<Hit> hit = first_hit(mesh_.triangles, morph(mesh_, factors), ray);
+    const std::optional<Hit> hit = first_hit(union_->mesh.triangles, morph(union_->mesh, factors), ray);
     if (!hit) return std::nullopt;
-    const UnionField& field = mesh_.fields.front();
+    const UnionField& field = *field_;
     const std::size_t width = component_count(field.label.kind);
     glm::vec3 value(0);
     for (std::size_t key = 0; key < factors.size(); ++key)
         for (int corner = 0; corner < 3; ++corner) {
             const float* const at =
-                &field.values[key][width * mesh_.triangles[hit->triangle][static_cast<std::size_t>(corner)]];
+                &field.values[key][width *
+                                   union_->mesh.triangles[hit->triangle][static_cast<std::size_t>(corner)]];
             for (std::size_t c = 0; c < width; ++c)
                 value[static_cast<int>(c)] += factors[key] * hit->barycentric[corner] * at[c];
         }

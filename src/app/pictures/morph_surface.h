@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "app/pictures/union_cache.h"
 #include "family/family.h"
 #include "hierarchy/measure.h"
 #include "render/palette.h"
@@ -24,9 +25,10 @@ struct SurfaceFigures {
     std::size_t leaves = 0;
     std::size_t vertices = 0;
     LevelRange levels;
-    std::vector<KeySet> origins;  ///< the sets of active keys that occur in the union
-    std::size_t rebuilds = 0;
-    double rebuild_milliseconds = 0;               ///< of the last rebuild: union, normal products, upload
+    std::vector<KeySet> origins;      ///< the sets of active keys that occur in the union
+    std::size_t rebuilds = 0;         ///< number of unions that were shown
+    std::size_t waits = 0;            ///< how many of them were not made ahead
+    double rebuild_milliseconds = 0;  ///< of the last rebuild: the wait for the union, and its upload
     std::optional<std::string> key_without_field;  ///< an active key without the shown field
 };
 
@@ -43,6 +45,10 @@ class MorphSurface {
     void update(const Family& family, const Weights& weights, const FieldName* field,
                 std::span<const std::size_t> sources = {});
 
+    /// Lets a worker make the unions of \p key_sets ahead, in this order.
+    /// \param key_sets  the active keys of blends that will soon be shown, as indices in \p family
+    void expect(const Family& family, std::span<const std::vector<std::size_t>> key_sets);
+
     /// The value of the field where \p ray first meets the surface with \p weights: one number, or the linear
     /// light of a color. None if the ray misses the surface, or without a field.
     std::optional<glm::vec3> field_at(const Ray& ray, const Weights& weights);
@@ -57,8 +63,9 @@ class MorphSurface {
   private:
     void update_field(const Family& family, const Weights& weights, const FieldName* field);
 
-    UnionMesh mesh_;  ///< has the shown field as its only field
-    NormalForm form_;
+    UnionCache unions_;
+    UnionCache::Prepared union_;                ///< the shown one; null before the first update()
+    std::optional<UnionField> field_;           ///< of the union; none if no field is shown
     std::vector<SharedHierarchy> hierarchies_;  ///< of the active keys
     SurfaceFigures figures_;
     std::optional<FieldName> wanted_field_;

@@ -10,9 +10,9 @@ FrameStats::FrameStats(const std::filesystem::path& path) : path_(path), file_(p
     if (!file_) throw MachineError(fmt::format("{}: cannot be written", path_.string()));
 }
 
-void FrameStats::record(std::size_t frame, double time, double milliseconds, std::size_t rebuilds) {
-    const bool has_waited = rebuilds != rebuilds_;
-    rebuilds_ = rebuilds;
+void FrameStats::record(std::size_t frame, double time, double milliseconds, std::size_t waits) {
+    const bool has_waited = waits != waits_;
+    waits_ = waits;
     file_ << fmt::format("{{\"frame\":{},\"time\":{:.4f},\"milliseconds\":{:.3f},\"waited\":{}}}\n", frame,
                          time, milliseconds, has_waited)
           << std::flush;

@@ -15,14 +15,14 @@ class FrameStats {
     /// Writes {"frame", "time", "milliseconds", "waited"}.
     /// \param time          begin of the frame, seconds since the program was ready
     /// \param milliseconds  duration of the frame
-    /// \param rebuilds      number of unions that the frames so far have waited for
+    /// \param waits         number of unions that the frames so far have waited for
     /// \throw MachineError if the file cannot be written
-    void record(std::size_t frame, double time, double milliseconds, std::size_t rebuilds);
+    void record(std::size_t frame, double time, double milliseconds, std::size_t waits);
 
   private:
     std::filesystem::path path_;
     std::ofstream file_;
-    std::size_t rebuilds_ = 0;  ///< at the last record
+    std::size_t waits_ = 0;  ///< at the last record
 };
 
 }  // namespace interleaf

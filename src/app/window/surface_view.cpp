@@ -24,6 +24,7 @@ void SurfaceView::follow(const Session& session, const FamilyField* field) {
     detailed_.follow(session.family(), session.weights(), session.display.detail);
     surface_.update(detailed_.family(), detailed_.weights(), field != nullptr ? &field->label : nullptr,
                     detailed_.sources());
+    if (session.display.detail >= 1) surface_.expect(session.family(), session.next_key_sets());
 }
 
 void SurfaceView::aim(ViewTarget view_target, const Extent& all_keys, const Rect& view) {

@@ -194,7 +194,7 @@ void Viewer::frame() {
     if (picture_file_ && !redraw_.is_due() && !files_.is_working()) save_picture();
     glfwSwapBuffers(window_.handle());
     frame_milliseconds_ = 1000 * (glfwGetTime() - now_);
-    if (stats_) stats_->record(frame_, now_, frame_milliseconds_, views_.figures().rebuilds);
+    if (stats_) stats_->record(frame_, now_, frame_milliseconds_, views_.figures().waits);
     ++frame_;
 }
 

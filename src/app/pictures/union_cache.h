@@ -1,0 +1,79 @@
+// The unions of the last sets of keys, and those that will be needed soon, which a worker thread makes ahead.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "family/shared_hierarchy.h"
+#include "hierarchy/union_mesh.h"
+#include "hierarchy/vertex_normals.h"
+
+namespace interleaf {
+
+/// A union, and the normal products that the GPU needs of it (Renderer::upload()).
+struct PreparedUnion {
+    UnionMesh mesh;
+    NormalForm form;
+
+    /// Memory of the large arrays, in bytes.
+    std::size_t byte_count() const;
+};
+
+class UnionCache {
+  public:
+    using Keys = std::vector<SharedHierarchy>;
+    using Prepared = std::shared_ptr<const PreparedUnion>;
+
+    struct Result {
+        Prepared united;
+        bool is_ready;  ///< whether the union was there already; otherwise the caller has waited for it
+    };
+
+    /// \param max_bytes  memory of all unions together; the least recently used ones go first. The last
+    ///     returned union stays in any case.
+    explicit UnionCache(std::size_t max_bytes = std::size_t{512} << 20);
+
+    /// The union of \p keys. Waits for the worker if it is making this union, and makes it otherwise.
+    /// \throw what unite() throws
+    Result get(const Keys& keys);
+
+    /// Lets the worker make the unions of \p wanted that are missing, in this order, instead of those wanted
+    /// before. A union that cannot be made is left out; get() then throws.
+    void prepare(std::vector<Keys> wanted);
+
+    /// Waits until the worker has nothing to do.
+    void wait();
+
+    std::size_t byte_count() const;
+
+  private:
+    struct Entry {
+        Keys keys;
+        Prepared united;
+        std::size_t bytes;
+    };
+    using Entries = std::list<Entry>;  ///< the most recently used first
+    static bool are_same(const Keys& a, const Keys& b);
+    Prepared find(const Keys& keys);
+    bool has(const Keys& keys) const;
+    void insert(const Keys& keys, Prepared united, bool is_used);
+    void work(const std::stop_token& stop);
+
+    std::size_t max_bytes_;
+    UnionMesh scratch_;  ///< of get()
+    mutable std::mutex mutex_;
+    std::condition_variable_any changed_;
+    Entries entries_;
+    std::size_t bytes_ = 0;
+    std::vector<Keys> wanted_;
+    Keys in_progress_;     ///< what the worker makes now; empty for nothing
+    std::jthread worker_;  ///< last member: must end before the members it uses
+};
+
+}  // namespace interleaf

@@ -1,0 +1,102 @@
+// Tests of the cache of unions: it gives what unite() gives, makes unions ahead, and stays within its memory.
+#include "app/pictures/union_cache.h"
+
+#include <random>
+
+#include <doctest/doctest.h>
+
+#include "hierarchy/error.h"
+#include "shapes/shapes.h"
+
+using namespace interleaf;
+
+namespace {
+
+std::vector<SharedHierarchy> some_keys() {
+    std::vector<SharedHierarchy> keys;
+    for (const char* const name : {"star", "sphere", "bone", "cushion"})
+        keys.emplace_back(make_key(*find_shape(name), {.leaves = 400, .tolerance = {}}));
+    return keys;
+}
+
+bool are_equal(const UnionMesh& a, const UnionMesh& b) {
+    return std::ranges::equal(a.triangles, b.triangles) && a.positions.size() == b.positions.size() &&
+           std::ranges::equal(a.positions.back(), b.positions.back());
+}
+
+UnionMesh united(const UnionCache::Keys& keys) {
+    std::vector<const Hierarchy*> pointers;
+    for (const SharedHierarchy& key : keys) pointers.push_back(&*key);
+    return unite(pointers);
+}
+
+}  // namespace
+
+TEST_CASE("the cache gives the union, waits for it once, and then has it") {
+    const auto keys = some_keys();
+    UnionCache cache;
+    const UnionCache::Keys pair{keys[0], keys[1]};
+    const auto first = cache.get(pair);
+    CHECK_FALSE(first.is_ready);
+    CHECK(are_equal(first.united->mesh, united(pair)));
+    CHECK(first.united->form.product_count == 3);
+    const auto second = cache.get(pair);
+    CHECK(second.is_ready);
+    CHECK(second.united == first.united);
+    CHECK(cache.byte_count() == first.united->byte_count());
+}
+
+TEST_CASE("a union that was made ahead is ready, and a replaced wish is not made") {
+    const auto keys = some_keys();
+    UnionCache cache;
+    cache.prepare({{keys[0], keys[1]}, {keys[1], keys[2]}});
+    cache.wait();
+    CHECK(cache.get({keys[0], keys[1]}).is_ready);
+    CHECK(cache.get({keys[1], keys[2]}).is_ready);
+    CHECK_FALSE(cache.get({keys[2], keys[1]}).is_ready);  // another order, other streams
+}
+
+TEST_CASE("the least recently used unions go where memory is short, but never the one in use") {
+    const auto keys = some_keys();
+    const std::size_t bytes = UnionCache().get({keys[0], keys[1]}).united->byte_count();
+    UnionCache cache(bytes * 5 / 2);
+    CHECK_FALSE(cache.get({keys[0], keys[1]}).is_ready);
+    CHECK_FALSE(cache.get({keys[0], keys[2]}).is_ready);
+    CHECK(cache.get({keys[0], keys[1]}).is_ready);
+    CHECK_FALSE(cache.get({keys[0], keys[3]}).is_ready);
+    CHECK(cache.byte_count() <= bytes * 5 / 2);
+    CHECK(cache.get({keys[0], keys[1]}).is_ready);
+    CHECK_FALSE(cache.get({keys[0], keys[2]}).is_ready);
+
+    UnionCache tiny(1);
+    const auto only = tiny.get({keys[0], keys[1]});
+    tiny.prepare({{keys[2], keys[3]}});
+    tiny.wait();
+    CHECK(tiny.get({keys[0], keys[1]}).is_ready);
+}
+
+TEST_CASE("keys without common roots fail when they are asked for, not when they are made ahead") {
+    const auto keys = some_keys();
+    const SharedHierarchy other(make_key(*find_shape("brezel"), {.leaves = 200, .tolerance = {}}));
+    UnionCache cache;
+    cache.prepare({{keys[0], other}, {keys[0], keys[1]}});
+    cache.wait();
+    CHECK_THROWS_AS(cache.get({keys[0], other}), InputError);
+    CHECK(cache.get({keys[0], keys[1]}).is_ready);
+}
+
+TEST_CASE("random requests, with and without the worker, always give the right union") {
+    const auto keys = some_keys();
+    std::mt19937 random(1);
+    UnionCache cache(std::size_t{200} << 10);
+    const auto some = [&] {
+        UnionCache::Keys chosen;
+        for (std::size_t count = 1 + random() % 3; count > 0; --count) chosen.push_back(keys[random() % 4]);
+        return chosen;
+    };
+    for (int step = 0; step < 300; ++step) {
+        if (random() % 3 == 0) cache.prepare({some(), some()});
+        const UnionCache::Keys wanted = some();
+        REQUIRE(are_equal(cache.get(wanted).united->mesh, united(wanted)));
+    }
+}
