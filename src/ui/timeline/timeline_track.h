@@ -32,7 +32,7 @@ struct KeyTime {
 struct RangeEdit {
     std::optional<double> in{};   ///< seconds
     std::optional<double> out{};  ///< seconds
-    bool clears = false;        ///< plays the whole timeline again
+    bool clears = false;          ///< plays the whole timeline again
 };
 
 struct TrackResult {
