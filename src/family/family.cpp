@@ -54,6 +54,13 @@ void check_references(const Family& family, std::vector<std::string>& violations
     }
 }
 
+void check_path(const Family& family, std::vector<std::string>& violations) {
+    if (family.path && !family.domain)
+        violations.emplace_back("the family has a path, but no parameter domain for it");
+    if (!family.path && family.time_source == TimeSource::path)
+        violations.emplace_back("the path drives the blend over time, but the family has no path");
+}
+
 }  // namespace
 
 std::optional<std::size_t> find_key(const Family& family, std::string_view name) {
@@ -69,6 +76,7 @@ std::vector<std::string> check(const Family& family) {
     check_names(family, violations);
     check_roots(family, violations);
     check_references(family, violations);
+    check_path(family, violations);
     return violations;
 }
 

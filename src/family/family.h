@@ -2,6 +2,7 @@
 // 4).
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "family/domain_path.h"
 #include "family/parameter_domain.h"
 #include "family/shared_hierarchy.h"
 #include "family/timeline.h"
@@ -22,11 +24,23 @@ struct Key {
     SharedHierarchy hierarchy;
 };
 
+/// What drives the blend over time.
+enum class TimeSource : std::uint8_t {
+    keys,  ///< the keys of the timeline
+    path,  ///< the path through the parameter domain
+};
+
 struct Family {
     std::string name;
     std::vector<Key> keys;
     std::optional<Timeline> timeline;
     std::optional<ParameterDomain> domain;
+    std::optional<DomainPath> path{};  ///< through the domain
+
+    /// The choice between a timeline and a path; source_of_time() (family_time.h) also knows families that
+    /// have only one of them.
+    TimeSource time_source = TimeSource::keys;
+
     glm::dvec3 origin{0};  ///< the point that was subtracted from all positions (origin.h)
 };
 
@@ -35,7 +49,7 @@ std::optional<std::size_t> find_key(const Family& family, std::string_view name)
 
 /// Every violation of a family's invariants, one sentence per violation. There is at least one key. Names are
 /// unique and not empty. All keys have the same root complex (constraints (B); the violation names the keys).
-/// Timeline and domain refer to existing keys.
+/// Timeline and domain refer to existing keys. A path goes through a domain, and drives only where there is one.
 std::vector<std::string> check(const Family& family);
 
 /// The union of the active keys of \p weights, with one position stream per weight, in their order.

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "family/domain_edits.h"
+#include "family/family_time.h"
 #include "family/names.h"
 #include "hierarchy/checker.h"
 #include "hierarchy/error.h"
@@ -43,7 +44,10 @@ void remove_from_domain(Family& family, std::size_t key) {
         if (found == vertices.end()) return std::nullopt;
         return static_cast<Index>(found - vertices.begin());
     };
-    while (const auto vertex = vertex_of_key()) family.domain = without_vertex(*family.domain, *vertex);
+    while (const auto vertex = vertex_of_key()) {
+        std::optional<ParameterDomain> domain = without_vertex(*family.domain, *vertex);
+        family = with_domain(std::move(family), std::move(domain));
+    }
 }
 
 }  // namespace

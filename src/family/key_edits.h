@@ -24,7 +24,7 @@ Family with_key_added(Family family, Key key);
 Family with_key_duplicated(Family family, std::size_t key);
 
 /// The family without \p key, its times and its domain vertices. The timeline is removed with its last entry,
-/// the domain with its last triangle.
+/// the domain and its path with the last triangle.
 /// \throw InputError if it is the only key, or as without_vertex() does
 Family with_key_removed(Family family, std::size_t key);
 

@@ -16,6 +16,7 @@
 #include "app/cli/mesh_figures.h"
 #include "app/document/opening.h"
 #include "family/family_fields.h"
+#include "family/family_time.h"
 #include "hierarchy/error.h"
 #include "io/family/family_file.h"
 #include "io/formats.h"
@@ -141,6 +142,13 @@ Json json_of(const ParameterDomain& domain, const Family& family) {
     return {{"vertices", vertices}, {"triangles", domain.triangles()}};
 }
 
+Json path_json(const Family& family) {
+    return {{"points", family.path->points().size()},
+            {"begin", family.path->begin()},
+            {"end", family.path->end()},
+            {"drives", source_of_time(family) == TimeSource::path}};
+}
+
 void print(const Json& document) {
     fmt::print("{}\n", document.dump(2, ' ', false, Json::error_handler_t::replace));
 }
@@ -164,6 +172,7 @@ void print_json(Kind kind, const Family& family, std::span<const Figures> keys, 
         document.update(json_of(census_as_it_is(surface_of(*family.keys.front().hierarchy))));
     if (family.timeline) document["timeline"] = json_of(*family.timeline, family);
     if (family.domain) document["domain"] = json_of(*family.domain, family);
+    if (family.path) document["path"] = path_json(family);
     print(document);
 }
 
@@ -249,6 +258,14 @@ void print_domain(const ParameterDomain& domain, const Family& family) {
     }
 }
 
+void print_path(const Family& family) {
+    const DomainPath& path = *family.path;
+    const bool drives = source_of_time(family) == TimeSource::path;
+    fmt::print("\npath through the domain, {} points, {:.4g} to {:.4g} seconds, {}\n",
+               grouped(path.points().size()), path.begin(), path.end(),
+               drives ? "drives the blend over time" : "the timeline drives");
+}
+
 void print_text(Kind kind, const Family& family, std::span<const Figures> keys, const Figures& whole) {
     print_whole(kind, family, whole);
     if (kind == Kind::hierarchy) print_census(census_as_it_is(surface_of(*family.keys.front().hierarchy)));
@@ -257,6 +274,7 @@ void print_text(Kind kind, const Family& family, std::span<const Figures> keys, 
     if (kind == Kind::family) print_keys(family, keys);
     if (family.timeline) print_timeline(*family.timeline, family);
     if (family.domain) print_domain(*family.domain, family);
+    if (family.path) print_path(family);
 }
 
 /// The figures of a mesh as a key. A mesh is also a key if its faces can be roots; otherwise there are none.

@@ -28,15 +28,23 @@ Weights named_weights(const std::vector<NamedWeight>& named, const Family& famil
 
 }  // namespace
 
+void require_source(const Family& family, TimeSource along) {
+    if (has_source(family, along)) return;
+    throw UsageError(along == TimeSource::path ? "--along: the family has no path through a parameter domain"
+                                               : "--along: the family has no timeline");
+}
+
 std::optional<Weights> chosen_weights(const MorphSelection& selection, const Family& family) {
     if (selection.weights) return named_weights(*selection.weights, family);
     if (selection.at) {
         if (!family.domain) throw UsageError("--at: the family has no parameter domain");
         return family.domain->weights(family.domain->locate(*selection.at));
     }
-    if (!selection.time && family.keys.size() == 1) return Weights{{0, 1.0}};
-    if (family.timeline) return family.timeline->at(selection.time.value_or(0));
-    if (selection.time) throw UsageError("--time: the family has no timeline");
+    if (selection.along) require_source(family, *selection.along);
+    if (!selection.time && !selection.along && family.keys.size() == 1) return Weights{{0, 1.0}};
+    const auto source = selection.along ? selection.along : source_of_time(family);
+    if (source) return weights_at(family, selection.time.value_or(0), *source);
+    if (selection.time) throw UsageError("--time: the family has no timeline and no path");
     return std::nullopt;
 }
 

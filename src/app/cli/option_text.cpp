@@ -154,6 +154,11 @@ Basis parse_basis(std::string_view text) {
     expected(bases_in_words(), text);
 }
 
+TimeSource parse_time_source(std::string_view text) {
+    if (const std::optional<TimeSource> source = time_source_named(text)) return *source;
+    expected("keys or path", text);
+}
+
 std::string bases_in_words() {
     std::vector<std::string> names;
     for (const Basis basis : bases()) names.emplace_back(name_of(basis));

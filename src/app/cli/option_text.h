@@ -60,6 +60,9 @@ std::string color_maps_in_words();
 /// The name of an interpolation basis.
 Basis parse_basis(std::string_view text);
 
+/// What drives the blend over time: "keys" or "path".
+TimeSource parse_time_source(std::string_view text);
+
 /// The names of all interpolation bases: "linear, hold or bernstein".
 std::string bases_in_words();
 

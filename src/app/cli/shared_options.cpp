@@ -60,15 +60,26 @@ void add_morph_selection(CLI::App& command, MorphSelection& morph) {
         command, "--at", "A point of the parameter domain; a point outside moves to the nearest inside",
         [&morph](const std::string& text) { morph.at = parse_point(text); });
     CLI::Option* time = add_text_option(
-        command, "--time", "A time on the timeline, in seconds; a time outside moves to the nearest end",
+        command, "--time",
+        "A time on the timeline or the path, in seconds; a time outside moves to the nearest end",
         [&morph](const std::string& text) { morph.time = parse_number(text); });
     CLI::Option* weights =
         add_text_option(command, "--weights", "Weights of keys, used as given",
                         [&morph](const std::string& text) { morph.weights = parse_weights(text); });
+    CLI::Option* along = add_along(command, morph.along);
     const std::string group = "Which blend (one of these; by default time 0, or the only key)";
     at->type_name("U,V")->group(group)->excludes(time)->excludes(weights);
     time->type_name("T")->group(group)->excludes(weights);
+    along->group(group)->excludes(at)->excludes(weights);
     weights->type_name("KEY=W,...")->group(group);
+}
+
+CLI::Option* add_along(CLI::App& command, std::optional<TimeSource>& along) {
+    return add_text_option(command, "--along",
+                           "What the time belongs to: the keys of the timeline, or the path through the "
+                           "parameter domain; by default what the family says",
+                           [&along](const std::string& text) { along = parse_time_source(text); })
+        ->type_name("keys|path");
 }
 
 void add_output(CLI::App& command, Output& output, const std::vector<std::string>& formats) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,8 +29,11 @@ std::string viewed_help();
 CLI::Option* add_family_or_keys(CLI::App& command, const std::string& name, const std::string& help,
                                 std::vector<std::filesystem::path>& family);
 
-/// Adds FAMILY, --at, --time and --weights.
+/// Adds FAMILY, --at, --time, --along and --weights.
 void add_morph_selection(CLI::App& command, MorphSelection& morph);
+
+/// Adds --along.
+CLI::Option* add_along(CLI::App& command, std::optional<TimeSource>& along);
 
 /// Adds --output and --format, whose value is one of \p formats.
 void add_output(CLI::App& command, Output& output, const std::vector<std::string>& formats);

@@ -36,10 +36,11 @@ void add_view(CLI::App& program) {
         add_text_option(*command, "--at", "Begin at this point of the parameter domain",
                         [options](const std::string& text) { options->viewer.at = parse_point(text); });
     at->type_name("U,V");
-    add_text_option(*command, "--time", "Begin at this time of the timeline, seconds",
+    add_text_option(*command, "--time", "Begin at this time of the timeline or the path, seconds",
                     [options](const std::string& text) { options->viewer.time = parse_number(text); })
         ->type_name("T")
         ->excludes(at);
+    add_along(*command, options->along)->excludes(at);
     add_display(*command, options->viewer.display);
     command
         ->add_option_function<std::string>(

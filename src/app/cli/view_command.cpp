@@ -6,7 +6,9 @@
 
 #include <fmt/core.h>
 
+#include "app/cli/morph_selection.h"
 #include "app/document/opening.h"
+#include "family/family_time.h"
 #include "hierarchy/error.h"
 #include "render/context.h"
 
@@ -14,14 +16,23 @@ namespace interleaf {
 
 namespace {
 
+/// The family with \p along as its choice of what drives the blend over time.
+Family along_source(Family family, std::optional<TimeSource> along) {
+    if (!along) return family;
+    require_source(family, *along);
+    return with_time_source(std::move(family), *along);
+}
+
 /// Opens the window. For meshes, the window shows the built-in family and offers to fit the meshes.
-void show(Opening opened, const std::vector<std::filesystem::path>& sources, const ViewerOptions& options) {
-    std::visit(
-        Cases{
-            [&](OpenedFamily& family) { run_viewer(std::move(family.family), sources, {}, options); },
-            [&](OpenedKeys& keys) { run_viewer(std::move(keys.family), sources, {}, options); },
-            [&](MeshesToFit& meshes) { run_viewer(open_family({}), {}, std::move(meshes.files), options); }},
-        opened);
+void show(Opening opened, const std::vector<std::filesystem::path>& sources, const ViewOptions& view) {
+    const auto run = [&view](Family family, const std::vector<std::filesystem::path>& from,
+                             std::vector<std::filesystem::path> meshes) {
+        run_viewer(along_source(std::move(family), view.along), from, std::move(meshes), view.viewer);
+    };
+    std::visit(Cases{[&](OpenedFamily& family) { run(std::move(family.family), sources, {}); },
+                     [&](OpenedKeys& keys) { run(std::move(keys.family), sources, {}); },
+                     [&](MeshesToFit& meshes) { run(open_family({}), {}, std::move(meshes.files)); }},
+               opened);
 }
 
 }  // namespace
@@ -30,7 +41,7 @@ void run_view(const ViewOptions& options) {
     const std::vector<std::filesystem::path> files = files_of(options.family);
     Opening opened = open_files(files);
     try {
-        show(std::move(opened), files, options.viewer);
+        show(std::move(opened), files, options);
     } catch (const DisplayError& error) {
         const bool has_display =
             std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;

@@ -2,19 +2,22 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "app/window/viewer.h"
+#include "family/family.h"
 
 namespace interleaf {
 
 struct ViewOptions {
     std::vector<std::filesystem::path>
-        family;  ///< paths that open_files() takes; empty for the built-in family
+        family;                       ///< paths that open_files() takes; empty for the built-in family
+    std::optional<TimeSource> along;  ///< what drives the blend over time; by default the family's choice
     ViewerOptions viewer;
 };
 
-/// \throw InputError, MachineError
+/// \throw UsageError, InputError, MachineError
 void run_view(const ViewOptions& options);
 
 }  // namespace interleaf

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "family/domain_edits.h"
+#include "family/family_time.h"
 #include "family/key_edits.h"
 #include "family/names.h"
 #include "family/new_family.h"
@@ -253,11 +254,9 @@ void make_domain(ViewerState& state, double now) {
     edit(
         state, "New domain",
         [](const Family& family) {
-            Family result = family;
-            result.domain = family_of_keys(family.name, family.keys).domain;
-            if (!result.domain)
-                throw InputError("a domain is made of three to nine keys; put others in it then");
-            return result;
+            std::optional<ParameterDomain> domain = family_of_keys(family.name, family.keys).domain;
+            if (!domain) throw InputError("a domain is made of three to nine keys; put others in it then");
+            return with_domain(family, std::move(domain));
         },
         now);
 }
@@ -266,9 +265,7 @@ void add_domain_vertex(ViewerState& state, glm::dvec2 at, std::size_t key, doubl
     edit(
         state, fmt::format("Put {} in the domain", name_of(state, key)),
         [&](const Family& family) {
-            Family result = family;
-            result.domain = with_vertex_added(*family.domain, at, key, snap);
-            return result;
+            return with_domain(family, with_vertex_added(*family.domain, at, key, snap));
         },
         now);
 }
@@ -276,11 +273,7 @@ void add_domain_vertex(ViewerState& state, glm::dvec2 at, std::size_t key, doubl
 void remove_domain_vertex(ViewerState& state, Index vertex, double now) {
     edit(
         state, "Remove a domain vertex",
-        [&](const Family& family) {
-            Family result = family;
-            result.domain = without_vertex(*family.domain, vertex);
-            return result;
-        },
+        [&](const Family& family) { return with_domain(family, without_vertex(*family.domain, vertex)); },
         now);
 }
 
@@ -289,9 +282,7 @@ void set_domain_vertex_key(ViewerState& state, Index vertex, std::size_t key, do
     edit(
         state, fmt::format("Put {} on a domain vertex", name_of(state, key)),
         [&](const Family& family) {
-            Family result = family;
-            result.domain = with_vertex_key(*family.domain, vertex, key);
-            return result;
+            return with_domain(family, with_vertex_key(*family.domain, vertex, key));
         },
         now);
 }

@@ -53,16 +53,17 @@ std::optional<std::size_t> present_place(const ViewerState& state) {
 }  // namespace
 
 void ask_for_present_time(ViewerState& state) {
-    if (!state.session.has_timeline()) return;
-    const Timeline& timeline = *state.document.family().timeline;
+    if (!state.session.has_time()) return;
+    const double begin = state.session.playback().begin();
+    const double end = state.session.playback().end();
     state.question = number_question(
-        "Go to which time, in seconds?", state.session.time(), timeline.begin(), timeline.end(),
-        fmt::format("a time from {:.10g} to {:.10g} seconds", timeline.begin(), timeline.end()),
+        "Go to which time, in seconds?", state.session.time(), begin, end,
+        fmt::format("a time from {:.10g} to {:.10g} seconds", begin, end),
         [](ViewerState& changed, double time, double now) { changed.session.seek(time, now); });
 }
 
 void ask_for_speed(ViewerState& state) {
-    if (!state.session.has_timeline()) return;
+    if (!state.session.has_time()) return;
     state.question = number_question(
         "Play at which speed? 1 is real time.", state.session.playback().speed(), min_speed, max_speed,
         "a speed from 1/64 to 8, such as 1/16 or 0.3",
@@ -70,7 +71,7 @@ void ask_for_speed(ViewerState& state) {
 }
 
 void ask_for_frame_rate(ViewerState& state) {
-    if (!state.session.has_timeline()) return;
+    if (!state.session.has_time()) return;
     state.question =
         number_question("How many frames per second do single steps have?", state.session.frame_rate, 0.001,
                         1000, "a number of frames per second, 0.001 to 1000",

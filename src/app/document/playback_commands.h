@@ -1,5 +1,5 @@
 // The commands of the Playback menu that need more than the session: questions, the in and out points, and
-// the interpolation of the timeline. Without a timeline they do nothing.
+// the interpolation of the timeline. Without a timeline or a path they do nothing.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ void change_speed(ViewerState& state, int direction, double now);
 /// Goes on to the next way to repeat.
 void cycle_repeat(ViewerState& state, double now);
 
-/// Sets the in or the out point. A point beyond the other one takes that one along to the end of the timeline.
+/// Sets the in or the out point. A point beyond the other one takes that one along to the end of the interval.
 /// \param time  seconds
 void set_in_point(ViewerState& state, double time, double now);
 void set_out_point(ViewerState& state, double time, double now);

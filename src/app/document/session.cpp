@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
+
+#include "family/family_time.h"
 
 namespace interleaf {
 
@@ -19,13 +22,23 @@ std::string_view name_of(Driver driver) {
 }
 
 Session::Session(std::shared_ptr<const Family> family) : family_(std::move(family)) {
-    if (family_->timeline) playback_.set_interval(family_->timeline->begin(), family_->timeline->end(), 0);
+    follow_interval(0);
     drive_with_what_there_is();
     advance(0);
 }
 
+bool Session::has_time() const {
+    return source_of_time(*family_).has_value();
+}
+
+void Session::follow_interval(double now) {
+    const auto source = source_of_time(*family_);
+    const TimeRange interval = source ? interval_of(*family_, *source) : TimeRange{0, 0};
+    playback_.set_interval(interval.begin, interval.end, now);
+}
+
 void Session::drive_with_what_there_is() {
-    if (family_->timeline) {
+    if (has_time()) {
         driver_ = Driver::timeline;
     } else if (family_->domain) {
         driver_ = Driver::point;
@@ -45,11 +58,10 @@ void Session::replace_family(std::shared_ptr<const Family> family, double now) {
         std::ranges::find_if(family_->keys, [&](const Key& key) { return key.hierarchy.is_same(single); });
     key_ = same == family_->keys.end() ? 0 : static_cast<std::size_t>(same - family_->keys.begin());
 
-    const auto& timeline = family_->timeline;
-    playback_.set_interval(timeline ? timeline->begin() : 0, timeline ? timeline->end() : 0, now);
+    follow_interval(now);
     if (point_ && family_->domain) point_ = family_->domain->locate(point_->at, point_->triangle);
     const bool has_lost_driver =
-        (driver_ == Driver::timeline && !family_->timeline) || (driver_ == Driver::point && !family_->domain);
+        (driver_ == Driver::timeline && !has_time()) || (driver_ == Driver::point && !family_->domain);
     if (has_lost_driver) drive_with_what_there_is();
     advance(now);
 }
@@ -58,6 +70,11 @@ void Session::advance(double now) {
     now_ = now;
     switch (driver_) {
         case Driver::timeline:
+            if (source_of_time(*family_) == TimeSource::path) {
+                point_ = place_on_path(*family_, time());
+                weights_ = family_->domain->weights(*point_);
+                return;
+            }
             weights_ = family_->timeline->at(time());
             break;
         case Driver::point:
@@ -117,7 +134,7 @@ void Session::show_key(std::size_t key, double now) {
 }
 
 void Session::toggle_playing(double now, bool backward) {
-    if (!has_timeline()) return;
+    if (!has_time()) return;
     // Back and forth changes the direction by itself, so there any direction can be paused.
     const bool same_direction =
         playback_.goes_back(now) == backward || playback_.repeat() == Repeat::back_and_forth;
@@ -131,27 +148,36 @@ void Session::toggle_playing(double now, bool backward) {
 }
 
 void Session::seek(double time, double now) {
-    if (!has_timeline()) return;
+    if (!has_time()) return;
     playback_.seek(time, now);
     driver_ = Driver::timeline;
     advance(now);
 }
 
 void Session::seek_key(int direction, double now) {
-    if (!has_timeline()) return;
-    const auto keys = family_->timeline->keys();
-    const auto time_of = [](const TimelineKey& key) { return key.time; };
+    if (!has_time()) return;
+    const std::vector<double> times = marked_times();
     if (direction > 0) {
-        const auto next = std::ranges::upper_bound(keys, time(), {}, time_of);
-        seek(next == keys.end() ? playback_.end() : next->time, now);
+        const auto next = std::ranges::upper_bound(times, time());
+        seek(next == times.end() ? playback_.end() : *next, now);
     } else {
-        const auto here = std::ranges::lower_bound(keys, time(), {}, time_of);
-        seek(here == keys.begin() ? playback_.begin() : (here - 1)->time, now);
+        const auto here = std::ranges::lower_bound(times, time());
+        seek(here == times.begin() ? playback_.begin() : *(here - 1), now);
     }
 }
 
+std::vector<double> Session::marked_times() const {
+    std::vector<double> times;
+    if (source_of_time(*family_) == TimeSource::path) {
+        for (const PathPoint& point : family_->path->points()) times.push_back(point.time);
+    } else {
+        for (const TimelineKey& key : family_->timeline->keys()) times.push_back(key.time);
+    }
+    return times;
+}
+
 void Session::step_frame(int direction, double now) {
-    if (!has_timeline()) return;
+    if (!has_time()) return;
     playback_.pause(now);
     const double begin = playback_.begin();
     // A time that is a frame's own but for rounding counts as that frame.
@@ -162,19 +188,19 @@ void Session::step_frame(int direction, double now) {
 }
 
 void Session::set_repeat(Repeat repeat, double now) {
-    if (!has_timeline()) return;
+    if (!has_time()) return;
     playback_.set_repeat(repeat, now);
     advance(now);
 }
 
 void Session::set_speed(double speed, double now) {
-    if (!has_timeline()) return;
+    if (!has_time()) return;
     playback_.set_speed(speed, now);
     advance(now);
 }
 
 void Session::set_range(std::optional<TimeRange> range, double now) {
-    if (!has_timeline()) return;
+    if (!has_time()) return;
     playback_.set_range(range, now);
     advance(now);
 }

@@ -1,8 +1,8 @@
 // The session: the open family with its present time and its point in the parameter domain. No window, no GL.
 //
-// The timeline, the point or a single key drives the morph. While the timeline drives, the point follows
-// along its path; there is no point while the timeline's weights are not those of a point of the domain.
-// Moving the point does not change the time.
+// The time, the point or a single key drives the morph. The time is that of the timeline's keys or of the path
+// through the domain, whichever the family chooses. While the keys drive, the point follows them; there is no
+// point while their weights are not those of a point of the domain. Moving the point does not change the time.
 #pragma once
 
 #include <memory>
@@ -18,9 +18,9 @@ namespace interleaf {
 
 /// The source of the weights.
 enum class Driver {
-    timeline,
-    point,  ///< the point of the parameter domain
-    key,    ///< a single key
+    timeline,  ///< the time: keys or path, by source_of_time() (family_time.h)
+    point,     ///< the point of the parameter domain
+    key,       ///< a single key
 };
 
 /// The name of \p driver, such as "timeline".
@@ -28,8 +28,8 @@ std::string_view name_of(Driver driver);
 
 class Session {
   public:
-    /// Starts paused at the begin of the timeline; without a timeline, at the first vertex of the domain;
-    /// without either, at the first key.
+    /// Starts paused at the begin of the timeline or the path that drives; without either, at the first vertex
+    /// of the domain; without a domain, too, at the first key.
     /// \pre check(*family) finds nothing
     explicit Session(std::shared_ptr<const Family> family);
 
@@ -37,7 +37,7 @@ class Session {
 
     /// Continues with \p family, an edited version, at the same or the nearest time and point. A single key
     /// remains the key with the same hierarchy, or becomes the first key. If the family has lost what drove
-    /// the morph, the timeline drives; without a timeline the point; without either the first key.
+    /// the morph, the time drives; without a timeline and a path the point; without a domain the first key.
     /// \pre check(*family) finds nothing
     void replace_family(std::shared_ptr<const Family> family, double now);
 
@@ -65,45 +65,56 @@ class Session {
 
     bool has_timeline() const { return family_->timeline.has_value(); }
 
-    /// Time on the timeline at the last advance(), seconds; 0 without a timeline.
+    /// Whether the family has a timeline or a path.
+    bool has_time() const;
+
+    /// Time on the timeline or the path that drives at the last advance(), seconds; 0 without either.
     double time() const { return playback_.time(now_); }
     bool is_playing() const { return playback_.is_playing(now_); }
     bool plays_back() const { return playback_.goes_back(now_); }
     const Playback& playback() const { return playback_; }
 
-    /// The functions below do nothing without a timeline. Those that play or change the time let the timeline
+    /// The functions below do nothing without has_time(). Those that play or change the time let the time
     /// drive.
 
     /// Pauses playback in the given direction, or plays in it.
     void toggle_playing(double now, bool backward = false);
     void seek(double time, double now);
 
-    /// Goes to the next frame (\p direction 1) or to the previous one (-1). Frames begin at the timeline's
+    /// Goes to the next frame (\p direction 1) or to the previous one (-1). Frames begin at playback's
     /// begin and last 1 / frame_rate seconds.
     void step_frame(int direction, double now);
 
-    /// Goes to the next key of the timeline (\p direction 1) or to the previous one (-1).
+    /// Goes to the next key of the timeline (\p direction 1) or to the previous one (-1); while the path drives
+    /// the time, to its points.
     void seek_key(int direction, double now);
 
     void set_repeat(Repeat repeat, double now);
 
-    /// \param speed  seconds of the timeline per second
+    /// \param speed  seconds of the time per second of wall time
     void set_speed(double speed, double now);
 
-    /// The in and out points; none for the whole timeline.
+    /// The in and out points; none for the whole interval.
     void set_range(std::optional<TimeRange> range, double now);
 
     Display display;
     double frame_rate = 30;  ///< frames per second, for step_frame(); above 0
 
   private:
-    /// Lets the timeline drive; without a timeline the point, which starts at the first vertex if there was
+    /// Lets the time drive; without one the point, which starts at the first vertex if there was
     /// none; without either the first key.
     void drive_with_what_there_is();
 
+    /// Gives playback the interval of the family's time.
+    void follow_interval(double now);
+
+    /// The times of the keys or of the path's points, ascending.
+    /// \pre has_time()
+    std::vector<double> marked_times() const;
+
     std::shared_ptr<const Family> family_;
     double now_ = 0;           ///< wall time of the last advance(), seconds
-    Playback playback_{0, 0};  ///< of the timeline; without one it rests at 0 and keeps repeat and speed
+    Playback playback_{0, 0};  ///< of the family's time; without one it rests at 0 and keeps repeat and speed
     Driver driver_ = Driver::key;
     std::size_t key_ = 0;  ///< the key that drives under Driver::key
     std::optional<DomainPoint> point_;

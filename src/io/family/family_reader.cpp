@@ -223,6 +223,29 @@ ParameterDomain domain_at(const JsonPlace& place, const KeyNames& names) {
     }
 }
 
+DomainPath path_at(const JsonPlace& place) {
+    std::vector<PathPoint> points;
+    points.reserve(place.size());
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        const JsonPlace point = place.element(i);
+        points.push_back({point.member("time").number(), point_at(point.member("at"))});
+    }
+    try {
+        return DomainPath(std::move(points));
+    } catch (const InputError& error) {
+        place.fail(error.what());
+    }
+}
+
+/// Reads the members `path` and `path_drives` of the domain at \p place into \p family.
+void read_path(const JsonPlace& place, Family& family) {
+    if (const auto path = place.optional_member("path")) family.path = path_at(*path);
+    const auto drives = place.optional_member("path_drives");
+    if (!drives || !drives->boolean()) return;
+    if (!family.path) drives->fail_expecting("false: the domain has no path");
+    family.time_source = TimeSource::path;
+}
+
 nlohmann::json parse_family_json(const fs::path& file) {
     return parse_json(read_text(file, family_format::max_file_size), file.string());
 }
@@ -257,7 +280,10 @@ Family read_family_json(const fs::path& file, std::vector<std::string>* changes)
     const KeyNames names(family.keys);
     if (const auto timeline = root.optional_member("timeline"))
         family.timeline = timeline_at(*timeline, names, version.number());
-    if (const auto domain = root.optional_member("domain")) family.domain = domain_at(*domain, names);
+    if (const auto domain = root.optional_member("domain")) {
+        family.domain = domain_at(*domain, names);
+        if (version.number() > 1) read_path(*domain, family);
+    }
     if (const auto origin = root.optional_member("origin"); origin && version.number() > 1)
         family.origin = origin_at(*origin);
     return family;

@@ -117,7 +117,7 @@ std::string interpolation_text(const Interpolation& interpolation) {
 
 /// Whether readers of version 1 would not understand \p family, or would lose a part of it.
 bool needs_version_2(const Family& family) {
-    return family.origin != glm::dvec3(0) ||
+    return family.origin != glm::dvec3(0) || family.path ||
            (family.timeline && family.timeline->interpolation().basis != Basis::linear);
 }
 
@@ -130,6 +130,14 @@ std::string timeline_text(const Timeline& timeline, const Family& family) {
                        array_text("    ", "keys", keys));
 }
 
+std::vector<ordered_json> points_json(const DomainPath& path) {
+    std::vector<ordered_json> points;
+    points.reserve(path.points().size());
+    for (const PathPoint& point : path.points())
+        points.push_back({{"time", point.time}, {"at", {point.at.x, point.at.y}}});
+    return points;
+}
+
 std::string domain_text(const ParameterDomain& domain, const Family& family) {
     std::vector<ordered_json> vertices;
     vertices.reserve(domain.vertices().size());
@@ -138,8 +146,11 @@ std::string domain_text(const ParameterDomain& domain, const Family& family) {
     std::vector<ordered_json> triangles;
     triangles.reserve(domain.triangles().size());
     for (const Triangle& triangle : domain.triangles()) triangles.emplace_back(triangle);
-    return fmt::format("  \"domain\": {{\n{},\n{}\n  }}", array_text("    ", "vertices", vertices),
-                       array_text("    ", "triangles", triangles));
+    std::vector<std::string> members{array_text("    ", "vertices", vertices),
+                                     array_text("    ", "triangles", triangles)};
+    if (family.path) members.push_back(array_text("    ", "path", points_json(*family.path)));
+    if (family.time_source == TimeSource::path) members.emplace_back("    \"path_drives\": true");
+    return fmt::format("  \"domain\": {{\n{}\n  }}", joined(members, ",\n"));
 }
 
 /// The text of family.json.

@@ -82,6 +82,11 @@ double JsonPlace::number() const {
     return value_->get<double>();
 }
 
+bool JsonPlace::boolean() const {
+    if (!value_->is_boolean()) fail_expecting("true or false");
+    return value_->get<bool>();
+}
+
 std::uint32_t JsonPlace::index_below(std::size_t limit) const {
     if (!value_->is_number_unsigned() || value_->get<std::uint64_t>() >= limit)
         fail_expecting(fmt::format("a whole number from 0, below {}", limit));

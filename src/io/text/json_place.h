@@ -37,6 +37,9 @@ class JsonPlace {
     /// This number. Every number in a document is finite.
     double number() const;
 
+    /// This value, true or false.
+    bool boolean() const;
+
     /// This number, which must be whole and in [0, \p limit).
     std::uint32_t index_below(std::size_t limit) const;
 

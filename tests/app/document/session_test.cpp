@@ -10,6 +10,7 @@
 
 #include "app/sample_family.h"
 #include "family/domain_edits.h"
+#include "family/family_time.h"
 #include "family/key_edits.h"
 
 using namespace interleaf;
@@ -410,4 +411,118 @@ TEST_CASE("backward playback follows the timeline backward, and its button pause
     CHECK_FALSE(session.plays_back());
     session.toggle_playing(2);
     CHECK_FALSE(session.is_playing());
+}
+
+namespace {
+
+/// The sample family with a path from 10 to 14 that drives.
+Family family_along_path() {
+    const DomainPath path({{10, {-1, -1}}, {12, {0.5, -0.75}}, {14, {0, 3}}});
+    return with_time_source(with_path(sample_family(), path), TimeSource::path);
+}
+
+}  // namespace
+
+TEST_CASE("a session whose family the path drives begins at the path's begin and follows its point") {
+    const Family family = family_along_path();
+    Session session(shared(family));
+    CHECK(session.driver() == Driver::timeline);
+    CHECK(session.time() == 10);
+    CHECK_FALSE(session.is_playing());
+    CHECK(point_of(session) == glm::dvec2(-1, -1));
+    for (double time = 10; time <= 14; time += 0.0625) {
+        CAPTURE(time);
+        session.seek(time, 1);
+        CHECK(session.time() == time);
+        CHECK(point_of(session) == place_on_path(family, time).at);
+        CHECK(session.weights() == weights_at(family, time, TimeSource::path));
+    }
+    // Where the path leaves the domain, the point is the nearest one.
+    CHECK(point_of(session) == glm::dvec2(0, 1));
+}
+
+TEST_CASE("playing goes through the path's times, and going from key to key visits the path's points") {
+    Session session(shared(family_along_path()));
+    session.toggle_playing(100);
+    session.advance(103);
+    CHECK(session.time() == 13);
+    session.advance(105);
+    CHECK(session.time() == 11);
+    for (const double time : {12.0, 14.0, 14.0}) {
+        session.seek_key(1, 105);
+        CHECK(session.time() == time);
+    }
+    for (const double time : {12.0, 10.0, 10.0}) {
+        session.seek_key(-1, 105);
+        CHECK(session.time() == time);
+    }
+}
+
+TEST_CASE("a path without a timeline plays, too") {
+    Family family = family_along_path();
+    family.timeline.reset();
+    family.time_source = TimeSource::keys;
+    Session session(shared(family));
+    CHECK(session.has_time());
+    CHECK_FALSE(session.has_timeline());
+    CHECK(session.driver() == Driver::timeline);
+    session.toggle_playing(0);
+    session.advance(2);
+    CHECK(session.time() == 12);
+    CHECK(point_of(session) == glm::dvec2(0.5, -0.75));
+}
+
+TEST_CASE("after the point has left the path, playing and scrubbing follow the path again") {
+    Session session(shared(family_along_path()));
+    session.seek(12, 0);
+    session.move_point({-0.5, 0.75}, 1);
+    CHECK(session.driver() == Driver::point);
+    session.advance(2);
+    CHECK(point_of(session) == glm::dvec2(-0.5, 0.75));
+    session.toggle_playing(5);
+    CHECK(session.driver() == Driver::timeline);
+    CHECK(point_of(session) == glm::dvec2(0.5, -0.75));
+}
+
+TEST_CASE("the other choice of what drives takes the nearest time of its interval, and back") {
+    const Family by_path = family_along_path();
+    const Family by_keys = with_time_source(by_path, TimeSource::keys);
+    Session session(shared(by_keys));
+    session.seek(2, 0);
+    session.replace_family(shared(by_path), 1);
+    CHECK(session.time() == 10);
+    CHECK(session.weights() == weights_at(by_path, 10, TimeSource::path));
+    CHECK(session.playback().end() == 14);
+    session.replace_family(shared(by_keys), 2);
+    CHECK(session.time() == 5);
+    CHECK(session.weights() == by_keys.timeline->at(5));
+}
+
+TEST_CASE("where the path goes, the timeline drives, and without it the point from where it had come to") {
+    Family family = family_along_path();
+    Session session(shared(family));
+    session.seek(12, 0);
+    session.replace_family(shared(with_path(family, std::nullopt)), 0);
+    CHECK(session.driver() == Driver::timeline);
+    CHECK(session.weights() == family.timeline->at(5));
+
+    family.timeline.reset();
+    Session lost(shared(family));
+    lost.seek(12, 0);
+    lost.replace_family(shared(with_path(family, std::nullopt)), 0);
+    CHECK(lost.driver() == Driver::point);
+    CHECK_FALSE(lost.has_time());
+    CHECK(point_of(lost) == glm::dvec2(0.5, -0.75));
+}
+
+TEST_CASE("an edited path continues at the same time") {
+    const Family before = family_along_path();
+    Session session(shared(before));
+    session.seek(11, 0);
+    const Family after = with_path(before, before.path->with_point_moved(1, {12, {1, 1}}));
+    session.replace_family(shared(after), 0);
+    CHECK(session.time() == 11);
+    CHECK(point_of(session) == glm::dvec2(0, 0));
+    session.replace_family(shared(before), 0);
+    CHECK(point_of(session) == glm::dvec2(-0.25, -0.875));
 }

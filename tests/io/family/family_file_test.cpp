@@ -28,6 +28,8 @@ void check_same(const Family& a, const Family& b) {
     }
     CHECK(a.timeline == b.timeline);
     CHECK(a.domain == b.domain);
+    CHECK(a.path == b.path);
+    CHECK(a.time_source == b.time_source);
     CHECK(a.origin == b.origin);
 }
 
@@ -99,6 +101,12 @@ std::string with_domain(std::string_view triangles) {
             .append("}"));
 }
 
+/// \param members  further members of a domain of one triangle
+std::string with_path(int version, std::string_view members) {
+    std::string json = with_domain(std::string("[[0, 1, 2]], ").append(members));
+    return json.replace(json.find("\"version\": 1"), 12, "\"version\": " + std::to_string(version));
+}
+
 }  // namespace
 
 TEST_CASE("a family file holds what was written") {
@@ -129,6 +137,54 @@ TEST_CASE("every interpolation is written and read again, in version 2 where ver
             CHECK(contains(content(folder / "f/family.json"),
                            basis == Basis::linear ? "\"version\": 1," : "\"version\": 2,"));
         }
+}
+
+TEST_CASE("a path and whether it drives are written and read again, in version 2") {
+    for (unsigned seed = 0; seed < 6; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> coordinate(-1e3, 1e3);
+        const ScratchFolder folder;
+        Family family = sample_family(random);
+        REQUIRE(family.domain);
+        std::vector<PathPoint> points{{-1.0 / 3, {coordinate(random), coordinate(random)}}};
+        for (unsigned i = 0; i < 10 * seed; ++i)
+            points.push_back({points.back().time + 0.1, {coordinate(random), coordinate(random)}});
+        family.path = DomainPath(std::move(points));
+        if (seed % 2 == 1) family.time_source = TimeSource::path;
+        if (seed % 3 == 1) family.timeline.reset();
+        write_family(family, folder / "f");
+        check_same(read_family(folder / "f"), family);
+        const std::string text = content(folder / "f/family.json");
+        CHECK(contains(text, "\"version\": 2,"));
+        CHECK(contains(text, "\"path_drives\": true") == (seed % 2 == 1));
+    }
+}
+
+TEST_CASE("a path is read from version 2 on") {
+    const KeyFolder keys;
+    const std::string_view path = R"("path": [{"time": 0, "at": [0, 0]}, {"time": 1.5, "at": [0.5, 2]}])";
+    const Family family = keys.family(with_path(2, path));
+    CHECK(family.path == DomainPath({{0, {0, 0}}, {1.5, {0.5, 2}}}));
+    CHECK(family.time_source == TimeSource::keys);
+    const std::string driving = std::string(path) + R"(, "path_drives": true)";
+    CHECK(keys.family(with_path(2, driving)).time_source == TimeSource::path);
+    CHECK(keys.family(with_path(2, R"("path_drives": false)")).time_source == TimeSource::keys);
+    const Family old = keys.family(with_path(1, driving));
+    CHECK_FALSE(old.path);
+    CHECK(old.time_source == TimeSource::keys);
+}
+
+TEST_CASE("a path of the largest number of points is written and read again") {
+    std::mt19937 random(1);
+    const ScratchFolder folder;
+    Family family = sample_family(random);
+    std::vector<PathPoint> points;
+    for (std::size_t i = 0; i < DomainPath::max_points; ++i)
+        points.push_back({static_cast<double>(i) / 60, {0.1 / static_cast<double>(i + 1), 1.0 / 3}});
+    family.path = DomainPath(std::move(points));
+    write_family(family, folder / "f");
+    CHECK(read_family(folder / "f").path == family.path);
 }
 
 TEST_CASE("an origin is read from version 2 on, and no version 2 is written for the origin 0") {
@@ -333,6 +389,20 @@ TEST_CASE("a hostile family file is rejected with the place and what was expecte
          "domain.vertices[0].at: is an array, expected two numbers"},
         {with_members(R"("domain": {"vertices": [{"at": [0, 0], "key": "z"}], "triangles": []})"),
          "domain.vertices[0].key: is \"z\", expected the name of a key"},
+        {with_path(2, R"("path": 7)"), "domain.path: is 7, expected an array"},
+        {with_path(2, R"("path": [])"), "domain.path: the path has no point; it needs at least one"},
+        {with_path(2, R"("path": [3])"), "domain.path[0]: is 3, expected an object"},
+        {with_path(2, R"("path": [{"at": [0, 0]}])"), "domain.path[0]: has no \"time\""},
+        {with_path(2, R"("path": [{"time": 0}])"), "domain.path[0]: has no \"at\""},
+        {with_path(2, R"("path": [{"time": "0", "at": [0, 0]}])"),
+         "domain.path[0].time: is \"0\", expected a number"},
+        {with_path(2, R"("path": [{"time": 0, "at": [0, 0, 0]}])"),
+         "domain.path[0].at: is an array, expected two numbers"},
+        {with_path(2, R"("path": [{"time": 1, "at": [0, 0]}, {"time": 1, "at": [1, 0]}])"),
+         "domain.path: path point 1 is at time 1, but times must ascend"},
+        {with_path(2, R"("path_drives": true)"),
+         "domain.path_drives: is true, expected false: the domain has no path"},
+        {with_path(2, R"("path_drives": 1)"), "domain.path_drives: is 1, expected true or false"},
         {with_domain("[[0, 1]]"), "domain.triangles[0]: is an array, expected three vertices"},
         {with_domain("[[0, 1, 3]]"), "domain.triangles[0][2]: is 3, expected a whole number from 0, below 3"},
         {with_domain("[[0, 1, -1]]"), "domain.triangles[0][2]: is -1, expected"},
