@@ -90,32 +90,41 @@ void Session::advance(double now) {
 }
 
 std::vector<std::vector<std::size_t>> Session::next_key_sets() const {
+    const bool keys_drive = driver_ == Driver::timeline && source_of_time(*family_) == TimeSource::keys;
+    if (keys_drive) return next_intervals();
+    return driver_ == Driver::key || !point_ ? std::vector<std::vector<std::size_t>>{}
+                                             : neighboring_triangles();
+}
+
+std::vector<std::vector<std::size_t>> Session::next_intervals() const {
     std::vector<std::vector<std::size_t>> sets;
-    if (driver_ == Driver::timeline) {
-        const Timeline& timeline = *family_->timeline;
-        const auto keys = timeline.keys();
-        const auto count = static_cast<std::ptrdiff_t>(keys.size());
-        if (count < 2) return sets;
-        const auto after = std::ranges::upper_bound(keys, time(), {}, &TimelineKey::time);
-        const std::ptrdiff_t here = std::clamp<std::ptrdiff_t>(after - keys.begin() - 1, 0, count - 2);
-        const std::ptrdiff_t ahead = plays_back() ? -1 : 1;
-        // Two intervals ahead, for short ones, and the one behind. A loop goes around.
-        for (const std::ptrdiff_t step : {ahead, 2 * ahead, -ahead}) {
-            const std::ptrdiff_t intervals = count - 1;
-            const std::ptrdiff_t place = ((here + step) % intervals + intervals) % intervals;
-            sets.push_back(active_keys(timeline.at(keys[static_cast<std::size_t>(place)].time)));
-        }
-    } else if (driver_ == Driver::point) {
-        const auto triangles = family_->domain->triangles();
-        const auto shares_edge = [&](const Triangle& other) {
-            return std::ranges::count_if(triangles[point_->triangle], [&](Index vertex) {
-                       return std::ranges::find(other, vertex) != other.end();
-                   }) == 2;
-        };
-        for (Index t = 0; t < triangles.size(); ++t)
-            if (shares_edge(triangles[t]))
-                sets.push_back(active_keys(family_->domain->weights({{}, t, {1, 0, 0}})));
+    const Timeline& timeline = *family_->timeline;
+    const auto keys = timeline.keys();
+    const auto count = static_cast<std::ptrdiff_t>(keys.size());
+    if (count < 2) return sets;
+    const auto after = std::ranges::upper_bound(keys, time(), {}, &TimelineKey::time);
+    const std::ptrdiff_t here = std::clamp<std::ptrdiff_t>(after - keys.begin() - 1, 0, count - 2);
+    const std::ptrdiff_t ahead = plays_back() ? -1 : 1;
+    // Two intervals ahead, for short ones, and the one behind. A loop goes around.
+    for (const std::ptrdiff_t step : {ahead, 2 * ahead, -ahead}) {
+        const std::ptrdiff_t intervals = count - 1;
+        const std::ptrdiff_t place = ((here + step) % intervals + intervals) % intervals;
+        sets.push_back(active_keys(timeline.at(keys[static_cast<std::size_t>(place)].time)));
     }
+    return sets;
+}
+
+std::vector<std::vector<std::size_t>> Session::neighboring_triangles() const {
+    std::vector<std::vector<std::size_t>> sets;
+    const auto triangles = family_->domain->triangles();
+    const auto shares_edge = [&](const Triangle& other) {
+        return std::ranges::count_if(triangles[point_->triangle], [&](Index vertex) {
+                   return std::ranges::find(other, vertex) != other.end();
+               }) == 2;
+    };
+    for (Index t = 0; t < triangles.size(); ++t)
+        if (shares_edge(triangles[t]))
+            sets.push_back(active_keys(family_->domain->weights({{}, t, {1, 0, 0}})));
     return sets;
 }
 

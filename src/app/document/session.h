@@ -101,6 +101,10 @@ class Session {
     double frame_rate = 30;  ///< frames per second, for step_frame(); above 0
 
   private:
+    /// Parts of next_key_sets().
+    std::vector<std::vector<std::size_t>> next_intervals() const;
+    std::vector<std::vector<std::size_t>> neighboring_triangles() const;
+
     /// Lets the time drive; without one the point, which starts at the first vertex if there was
     /// none; without either the first key.
     void drive_with_what_there_is();

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/document/document.h"
 #include "app/document/fit_comparison.h"
@@ -38,6 +39,12 @@ struct TextQuestion {
     std::function<void(ViewerState& state, const std::string& entry, double now)> answer;
 };
 
+/// The points that the user has dragged through since the recording began.
+struct PathRecording {
+    std::optional<double> begin;    ///< wall time of the first point, seconds; none before it
+    std::vector<PathPoint> points;  ///< times since the first point
+};
+
 struct ViewerState {
     explicit ViewerState(Family family, std::optional<std::filesystem::path> folder = std::nullopt)
         : document(std::move(family), std::move(folder)), session(document.snapshot()) {}
@@ -45,9 +52,10 @@ struct ViewerState {
     Document document;
     Session session;  ///< of the document's present state
     std::optional<std::size_t> selected_key;
-    std::optional<TimeRange> shown_times;  ///< the part of the timeline that its panel shows; none for all
-    bool edits_domain = false;             ///< dragging in the domain moves its vertices
-    bool is_dragging = false;              ///< the document's present step is a drag in progress
+    std::optional<TimeRange> shown_times;    ///< the part of the timeline that its panel shows; none for all
+    std::optional<PathRecording> recording;  ///< of a path through the domain, while it goes on
+    bool edits_domain = false;               ///< dragging in the domain moves its vertices
+    bool is_dragging = false;                ///< the document's present step is a drag in progress
 
     Comparisons comparisons;      ///< of keys that were fitted to meshes since the document was opened
     bool is_comparing = false;    ///< the window shows a comparison, not the document

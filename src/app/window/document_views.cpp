@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "app/document/shown_field.h"
+#include "family/family_time.h"
 #include "ui/dialogs/message_panel.h"
 #include "ui/timeline/timeline_panel.h"
 
@@ -39,10 +40,12 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
 }
 
 void DocumentViews::follow_curves(const ViewerState& state, float width) {
-    if (!family_->timeline) return curves_.clear();
-    const CurvesOf wanted{shown_times(*family_->timeline, state.shown_times), curve_samples(width)};
+    const std::optional<TimeSource> source = source_of_time(*family_);
+    if (!source) return curves_.clear();
+    const CurvesOf wanted{shown_times(interval_of(*family_, *source), state.shown_times),
+                          curve_samples(width)};
     if (wanted == curves_of_) return;
-    curves_ = weight_curves(*family_->timeline, wanted.visible, wanted.samples);
+    curves_ = weight_curves(*family_, *source, wanted.visible, wanted.samples);
     curves_of_ = wanted;
 }
 

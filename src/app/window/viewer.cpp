@@ -307,7 +307,7 @@ FrameLayout Viewer::layout() const {
     FrameLayout frame;
     frame.window = size_;
     frame.content = {0, menu, frame.window.x, frame.window.y - menu};
-    frame.panels = lay_out(frame.window, menu, gui_.scale(), state_.session.has_timeline());
+    frame.panels = lay_out(frame.window, menu, gui_.scale(), state_.session.has_time());
     return frame;
 }
 

@@ -1,6 +1,7 @@
 #include "app/window/window_actions.h"
 
 #include "app/document/edit_commands.h"
+#include "app/document/path_commands.h"
 #include "app/document/playback_commands.h"
 #include "app/window/commands.h"
 #include "family/domain_edits.h"
@@ -42,6 +43,7 @@ CommandId command_of_button(TransportButton button) {
 
 void apply_to_domain(const ParameterDomainResult& done, ViewerState& state, double now) {
     if (done.moved_to) state.session.move_point(*done.moved_to, now);
+    if (done.moved_to) record_point(state, now);
     if (const auto& moved = done.moved_vertex) {
         drag_edit(
             state, "Move a domain vertex",
@@ -63,12 +65,13 @@ void apply_to_transport(const TransportResult& done, ViewerState& state, double 
     if (done.speed) state.session.set_speed(*done.speed, now);
     if (done.frame_rate) state.session.frame_rate = *done.frame_rate;
     if (done.interpolation) choose_interpolation(state, *done.interpolation, now);
+    if (done.source) choose_time_source(state, *done.source, now);
 }
 
 /// \param range  a part of the timeline, or all of it
 void show_times(ViewerState& state, TimeRange range) {
-    const Timeline& timeline = *state.document.family().timeline;
-    const bool is_whole = range.begin <= timeline.begin() && range.end >= timeline.end();
+    const Playback& playback = state.session.playback();
+    const bool is_whole = range.begin <= playback.begin() && range.end >= playback.end();
     state.shown_times = is_whole ? std::nullopt : std::optional(range);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "family/family_time.h"
 #include "ui/panels/detail_panel.h"
 #include "ui/panels/display_panel.h"
 #include "ui/panels/help_overlay.h"
@@ -27,11 +28,16 @@ Submenu recent_menu(std::span<const std::filesystem::path> files) {
     return menu;
 }
 
-/// The points of the domain through which a linear timeline passes; none for other interpolations, whose
-/// weights are hardly ever those of a point.
+/// The points of the path, if it drives; otherwise those through which a linear timeline passes. None for other
+/// interpolations, whose weights are hardly ever those of a point.
 std::vector<glm::dvec2> path_through_domain(const Family& family) {
     std::vector<glm::dvec2> path;
-    if (!family.timeline || !family.domain) return path;
+    if (!family.domain) return path;
+    if (source_of_time(family) == TimeSource::path) {
+        for (const PathPoint& point : family.path->points()) path.push_back(point.at);
+        return path;
+    }
+    if (!family.timeline) return path;
     if (family.timeline->interpolation().basis != Basis::linear) return path;
     for (const TimelineKey& key : family.timeline->keys()) {
         if (const auto at = family.domain->point_of(family.timeline->at(key.time))) path.push_back(*at);
@@ -92,6 +98,7 @@ void show_domain(const WindowShown& shown, ShownWindow& result) {
     result.actions.domain =
         parameter_domain_panel(state.document.family(), {.point = state.session.point(),
                                                          .path = path,
+                                                         .is_recording = state.recording.has_value(),
                                                          .edits = state.edits_domain,
                                                          .drag = shown.holds.domain,
                                                          .menu = shown.holds.domain_menu});
@@ -99,15 +106,17 @@ void show_domain(const WindowShown& shown, ShownWindow& result) {
 }
 
 TransportState transport_of(const Session& session) {
-    const Timeline& timeline = *session.family().timeline;
+    const Family& family = session.family();
     return {.time = session.time(),
-            .end = timeline.end(),
+            .end = session.playback().end(),
             .playing = session.is_playing(),
             .plays_back = session.plays_back(),
             .repeat = session.playback().repeat(),
             .speed = session.playback().speed(),
             .frame_rate = session.frame_rate,
-            .interpolation = timeline.interpolation()};
+            .interpolation = family.timeline ? family.timeline->interpolation() : Interpolation{},
+            .source = source_of_time(family).value_or(TimeSource::keys),
+            .has_both_sources = family.timeline && family.path};
 }
 
 std::optional<TimeRange> in_and_out_of(const Playback& playback) {
@@ -152,7 +161,7 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
         show_keys_and_display(shown, result);
     }
     end_panel();
-    if (family.timeline) show_timeline(shown, result);
+    if (shown.state.session.has_time()) show_timeline(shown, result);
     status_line(panels.status, {.active_keys = weights.size(),
                                 .leaves = shown.figures.leaves,
                                 .vertices = shown.figures.vertices,

@@ -210,7 +210,8 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const DomainP
 
     const ImVec2 after = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos(corner);
-    heading("Parameter domain", panel.edits ? "drag vertices (D)"
+    heading("Parameter domain", panel.edits          ? "drag vertices (D)"
+                                : panel.is_recording ? "recording: drag, then P"
                                 : panel.point
                                     ? fmt::format("{:.3f}, {:.3f}", panel.point->at.x, panel.point->at.y)
                                     : std::string());

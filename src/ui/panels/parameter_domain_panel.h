@@ -30,6 +30,7 @@ struct DomainPanel {
     const std::optional<DomainPoint>&
         point;                            ///< place of the blend in the domain; none if it has no place there
     std::span<const glm::dvec2> path;     ///< points that the timeline passes, in order
+    bool is_recording = false;            ///< whether a path is being recorded
     bool edits = false;                   ///< dragging moves vertices, not the point
     std::optional<DomainDrag> drag = {};  ///< from the last result
     std::optional<DomainMenu> menu = {};  ///< from the last result

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include "family/family_time.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -38,8 +39,7 @@ void show_remark(const Rect& area, std::string_view remark) {
 
 }  // namespace
 
-TimeRange shown_times(const Timeline& timeline, const std::optional<TimeRange>& wanted) {
-    const TimeRange whole{timeline.begin(), timeline.end()};
+TimeRange shown_times(TimeRange whole, const std::optional<TimeRange>& wanted) {
     if (!wanted || wanted->end <= whole.begin || wanted->begin >= whole.end) return whole;
     return {std::max(wanted->begin, whole.begin), std::min(wanted->end, whole.end)};
 }
@@ -50,7 +50,6 @@ std::size_t curve_samples(float width) {
 
 TimelineResult timeline_panel(const Rect& rect, const Family& family, const TimelineState& state) {
     TimelineResult result;
-    const Timeline& timeline = *family.timeline;
     begin_panel("timeline", rect);
     const float padding = ImGui::GetStyle().WindowPadding.x;
     result.transport = show_transport(state.transport, rect.width - 2 * padding);
@@ -67,12 +66,15 @@ TimelineResult timeline_panel(const Rect& rect, const Family& family, const Time
                       rect.bottom() - ImGui::GetStyle().WindowPadding.y - curves_top};
     const bool has_curves = curves.height >= scaled(min_curves_height);
 
-    const TimeRange whole{timeline.begin(), timeline.end()};
-    const TimeScale scale{shown_times(timeline, state.visible), layout.track};
+    const TimeRange whole = interval_of(family, state.transport.source);
+    const TimeScale scale{shown_times(whole, state.visible), layout.track};
     result.area = layout.track;
-    result.track = show_track(
-        layout, family, scale, whole,
-        {.time = state.transport.time, .drives = state.drives, .range = state.range, .drag = state.drag});
+    result.track = show_track(layout, family, scale, whole,
+                              {.time = state.transport.time,
+                               .drives = state.drives,
+                               .range = state.range,
+                               .drag = state.drag,
+                               .source = state.transport.source});
     if (has_curves) {
         ImGui::SetCursorScreenPos({curves.x, curves.y});
         ImGui::InvisibleButton("curves", {curves.width, curves.height});

@@ -16,7 +16,7 @@ namespace interleaf {
 
 struct TimelineState {
     TransportState transport;
-    bool drives;                            ///< whether the surface follows the timeline
+    bool drives;                            ///< whether the surface follows the time
     std::string_view remark;                ///< why it does not
     std::optional<TimeRange> range = {};    ///< the in and out points
     std::optional<TimeRange> visible = {};  ///< the times that are shown; none for all
@@ -31,12 +31,12 @@ struct TimelineResult {
     Rect area;  ///< of the track, from the first to the last visible time
 };
 
-/// \pre  the family has a timeline
+/// \pre has_source(family, state.transport.source)
 TimelineResult timeline_panel(const Rect& rect, const Family& family, const TimelineState& state);
 
-/// The times that the panel shows of \p timeline.
+/// The times that the panel shows of \p whole.
 /// \param wanted  none for all
-TimeRange shown_times(const Timeline& timeline, const std::optional<TimeRange>& wanted);
+TimeRange shown_times(TimeRange whole, const std::optional<TimeRange>& wanted);
 
 /// Number of samples of the curves in a panel that is \p width wide.
 std::size_t curve_samples(float width);

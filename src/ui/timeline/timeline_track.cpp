@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include "family/family_time.h"
 #include "render/palette.h"
 #include "ui/panels/keys_panel.h"
 #include "ui/widgets/number_text.h"
@@ -40,9 +41,11 @@ VisibleKeys visible_keys(const Timeline& timeline, TimeRange visible) {
 }
 
 /// The time under the pointer; a key's own when it is near one.
-double pointed_time(const Timeline& timeline, const TimeScale& scale, float pointer) {
-    for (const TimelineKey& key : visible_keys(timeline, scale.visible).keys)
-        if (std::abs(scale.pixel(key.time) - pointer) < scaled(snap_distance)) return key.time;
+/// \param timeline  null for none
+double pointed_time(const Timeline* timeline, const TimeScale& scale, float pointer) {
+    if (timeline != nullptr)
+        for (const TimelineKey& key : visible_keys(*timeline, scale.visible).keys)
+            if (std::abs(scale.pixel(key.time) - pointer) < scaled(snap_distance)) return key.time;
     return std::clamp(scale.time(pointer), scale.visible.begin, scale.visible.end);
 }
 
@@ -78,14 +81,29 @@ void draw_ruler(ImDrawList& list, const Rect& ruler, const TimeScale& scale,
         list.AddLine({x, ruler.y}, {x, ruler.bottom()}, colors::accent, scaled(2));
 }
 
-/// The track, each interval shaded from key to key.
-void draw_track(ImDrawList& list, const Timeline& timeline, const TimeScale& scale) {
+void draw_well(ImDrawList& list, const Rect& track) {
+    const float middle = track.y + track.height / 2;
+    const float half = scaled(3);
+    list.AddRectFilled({track.x - half, middle - half}, {track.right() + half, middle + half}, colors::well,
+                       half);
+}
+
+/// The points of a path as lines across the track.
+void draw_points(ImDrawList& list, const DomainPath& path, const TimeScale& scale) {
+    const float middle = scale.track.y + scale.track.height / 2;
+    for (const PathPoint& point : path.points()) {
+        const float x = scale.pixel(point.time);
+        if (x < scale.track.x - 1 || x > scale.track.right() + 1) continue;
+        list.AddLine({x, middle - scaled(4)}, {x, middle + scaled(4)}, colors::dim_text);
+    }
+}
+
+/// The keys of the track, each interval shaded from key to key.
+void draw_keys(ImDrawList& list, const Timeline& timeline, const TimeScale& scale) {
     const Rect& track = scale.track;
     const float middle = track.y + track.height / 2;
     const float half = scaled(3);
     const auto keys = visible_keys(timeline, scale.visible).keys;
-    list.AddRectFilled({track.x - half, middle - half}, {track.right() + half, middle + half}, colors::well,
-                       half);
     list.PushClipRect({track.x - half, track.y}, {track.right() + half, track.bottom()}, true);
     for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
         const ImU32 left = to_color(key_color(keys[i].key), 0.7F);
@@ -237,7 +255,7 @@ std::optional<TimeRange> moved_view(const TimeScale& scale, TimeRange whole) {
 TrackResult show_track(const TrackLayout& layout, const Family& family, const TimeScale& scale,
                        TimeRange whole, const TrackState& state) {
     TrackResult result;
-    const Timeline& timeline = *family.timeline;
+    const Timeline* const timeline = state.source == TimeSource::keys ? &*family.timeline : nullptr;
     const float margin = scaled(14);
     const float pointer = ImGui::GetIO().MousePos.x;
     ImGui::SetCursorScreenPos({layout.ruler.x - margin, layout.ruler.y});
@@ -246,18 +264,23 @@ TrackResult show_track(const TrackLayout& layout, const Family& family, const Ti
     if (ImGui::IsItemActive()) result.seek_to = pointed_time(timeline, scale, pointer);
     result.visible = moved_view(scale, whole);
     show_range_menu(scale, whole, state, result);
-    if (const auto key = dropped_key(family.keys.size()))
+    if (const auto key = dropped_key(family.keys.size()); key && timeline != nullptr)
         result.added = KeyTime{*key, scale.readable_time(pointer)};
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_ruler(list, layout.ruler, scale, state.range);
-    draw_track(list, timeline, scale);
+    draw_well(list, layout.track);
+    if (timeline != nullptr)
+        draw_keys(list, *timeline, scale);
+    else
+        draw_points(list, *family.path, scale);
     draw_playhead(list, layout, scale, state);
+    if (timeline == nullptr) return result;
     NameRow(layout, family, scale, state, result).show();
     if (result.drag && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
         const TimeScale drag_scale{result.drag->visible, scale.track};
         result.moved =
-            MovedTime{result.drag->place, dragged_time(timeline, result.drag->place, drag_scale, pointer)};
+            MovedTime{result.drag->place, dragged_time(*timeline, result.drag->place, drag_scale, pointer)};
     }
     return result;
 }

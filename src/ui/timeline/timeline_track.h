@@ -58,11 +58,12 @@ struct TrackState {
     bool drives;                     ///< whether the surface follows the timeline
     std::optional<TimeRange> range;  ///< the in and out points
     std::optional<TimeDrag> drag;    ///< the last result's
+    TimeSource source;               ///< keys, or the path, whose points are marks without names
 };
 
 /// Shows the track of \p family, and lets the user scrub, zoom with the wheel, and move keys.
 /// \param whole  the times that can be shown
-/// \pre the family has a timeline
+/// \pre has_source(family, state.source)
 TrackResult show_track(const TrackLayout& layout, const Family& family, const TimeScale& scale,
                        TimeRange whole, const TrackState& state);
 

@@ -186,6 +186,17 @@ void choose_interpolation(const TransportState& state, TransportResult& result) 
     });
 }
 
+void choose_source(const TransportState& state, TransportResult& result) {
+    const auto title_of_source = [](TimeSource source) {
+        return source == TimeSource::keys ? "Keys" : "Path";
+    };
+    combo("##source", title_of_source(state.source),
+          "Follow the keys, or the path through the domain (Shift+P)", scaled(76), [&] {
+              for (const TimeSource each : {TimeSource::keys, TimeSource::path})
+                  if (ImGui::Selectable(title_of_source(each), each == state.source)) result.source = each;
+          });
+}
+
 void choose_repeat(const TransportState& state, TransportResult& result) {
     combo("##repeat", title_of(state.repeat), "What happens at the end (L)", scaled(122), [&] {
         for (const Repeat each : repeats())
@@ -215,7 +226,7 @@ void choose_frame_rate(const TransportState& state, TransportResult& result) {
 
 /// The time at the right end of the row; a click asks for another time.
 void show_time(const TransportState& state, float right, float row_end, TransportResult& result) {
-    const std::string text = fmt::format("{:.3f} / {:.10g} s", state.time, state.end);
+    const std::string text = fmt::format("{:.3f} / {:.6g} s", state.time, state.end);
     const float width = text_size(text).x + 2 * ImGui::GetStyle().FramePadding.x;
     const ImVec2 cursor = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({std::max(right - width, row_end), cursor.y});
@@ -240,7 +251,8 @@ TransportResult show_transport(const TransportState& state, float width) {
     ImGui::SameLine(0, scaled(14));
     if (width > scaled(420)) choose_speed(state, result);
     if (width > scaled(700)) choose_repeat(state, result);
-    if (width > scaled(560)) choose_interpolation(state, result);
+    if (state.has_both_sources) choose_source(state, result);
+    if (width > scaled(560) && state.source == TimeSource::keys) choose_interpolation(state, result);
     if (width > scaled(860)) choose_frame_rate(state, result);
     show_time(state, left + width, ImGui::GetCursorScreenPos().x, result);
     return result;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "family/family.h"
 #include "family/interpolation.h"
 #include "family/playback.h"
 #include "ui/widgets/rect.h"
@@ -17,9 +18,11 @@ struct TransportState {
     bool playing;
     bool plays_back;  ///< whether playback runs backward
     Repeat repeat;
-    double speed;       ///< seconds of the animation per second
-    double frame_rate;  ///< frames per second, for single steps
-    Interpolation interpolation;
+    double speed;                 ///< seconds of the animation per second
+    double frame_rate;            ///< frames per second, for single steps
+    Interpolation interpolation;  ///< of the keys
+    TimeSource source;            ///< what drives the blend over time
+    bool has_both_sources;        ///< whether the user can choose the other source
 };
 
 /// A button of the row.
@@ -44,6 +47,7 @@ struct TransportResult {
     std::optional<double> speed;                 ///< chosen
     std::optional<double> frame_rate;            ///< chosen
     std::optional<Interpolation> interpolation;  ///< chosen
+    std::optional<TimeSource> source;            ///< chosen
 };
 
 /// Draws the row at the cursor.

@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "family/family_time.h"
 #include "render/palette.h"
 #include "ui/widgets/style.h"
 
@@ -13,17 +14,26 @@ namespace interleaf {
 
 namespace {
 
-/// The times of samples, ascending: equidistant, and those of the visible keys.
-std::vector<double> sample_times(const Timeline& timeline, TimeRange visible, std::size_t count) {
+/// The times of the keys or of the points that drive.
+std::vector<double> marked_times(const Family& family, TimeSource source) {
     std::vector<double> times;
-    times.reserve(count + 1 + timeline.keys().size());
+    if (source == TimeSource::keys)
+        for (const TimelineKey& key : family.timeline->keys()) times.push_back(key.time);
+    else
+        for (const PathPoint& point : family.path->points()) times.push_back(point.time);
+    return times;
+}
+
+/// The times of samples, ascending: equidistant, and those of the visible marks.
+std::vector<double> sample_times(const std::vector<double>& marks, TimeRange visible, std::size_t count) {
+    std::vector<double> times;
+    times.reserve(count + 1 + marks.size());
     for (std::size_t i = 0; i <= count; ++i)
         times.push_back(visible.begin +
                         (visible.end - visible.begin) * static_cast<double>(i) / static_cast<double>(count));
-    const auto keys = timeline.keys();
-    const auto first = std::ranges::lower_bound(keys, visible.begin, {}, &TimelineKey::time);
-    const auto last = std::ranges::upper_bound(keys, visible.end, {}, &TimelineKey::time);
-    for (auto key = first; key < last; ++key) times.push_back(key->time);
+    const auto first = std::ranges::lower_bound(marks, visible.begin);
+    const auto last = std::ranges::upper_bound(marks, visible.end);
+    if (first < last) times.insert(times.end(), first, last);
     std::ranges::sort(times);
     times.erase(std::ranges::unique(times).begin(), times.end());
     return times;
@@ -47,14 +57,15 @@ WeightRange range_of(std::span<const WeightCurve> curves) {
 
 }  // namespace
 
-std::vector<WeightCurve> weight_curves(const Timeline& timeline, TimeRange visible,
+std::vector<WeightCurve> weight_curves(const Family& family, TimeSource source, TimeRange visible,
                                        std::size_t sample_count) {
     std::vector<WeightCurve> curves;
     std::map<std::size_t, std::size_t> open;  // the curve of each key that was active at the last sample
-    const bool jumps = timeline.interpolation().basis == Basis::hold;
-    for (const double time : sample_times(timeline, visible, std::max<std::size_t>(sample_count, 1))) {
+    const bool jumps = source == TimeSource::keys && family.timeline->interpolation().basis == Basis::hold;
+    const std::vector<double> marks = marked_times(family, source);
+    for (const double time : sample_times(marks, visible, std::max<std::size_t>(sample_count, 1))) {
         std::map<std::size_t, std::size_t> still_open;
-        for (const auto& [key, value] : timeline.at(time)) {
+        for (const auto& [key, value] : weights_at(family, time, source)) {
             const auto found = open.find(key);
             const std::size_t curve = found == open.end() ? curves.size() : found->second;
             if (found == open.end()) curves.push_back({key, {}});

@@ -1,11 +1,11 @@
-// The weights of a timeline's keys as curves over time.
+// The weights of the keys as curves over the time of a timeline or of a path.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "family/timeline.h"
+#include "family/family.h"
 #include "family/weights.h"
 #include "ui/timeline/time_scale.h"
 #include "ui/widgets/rect.h"
@@ -22,8 +22,11 @@ struct WeightCurve {
     std::vector<Point> points;  ///< times ascending
 };
 
-/// The curves between the times of \p visible, sampled at about \p sample_count times and at all keys.
-std::vector<WeightCurve> weight_curves(const Timeline& timeline, TimeRange visible, std::size_t sample_count);
+/// The curves between the times of \p visible, sampled at about \p sample_count times and at all keys, or at all
+/// points of the path.
+/// \pre has_source(family, source)
+std::vector<WeightCurve> weight_curves(const Family& family, TimeSource source, TimeRange visible,
+                                       std::size_t sample_count);
 
 /// Draws \p curves into \p area in the colors of their keys, with 0 and 1 as lines, and a dot for each
 /// present weight.

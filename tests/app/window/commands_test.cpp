@@ -107,6 +107,7 @@ TEST_CASE("no command has a key that is not in the table, nor one with other mod
 TEST_CASE("what is on or off changes with its command and comes back with the second") {
     for (const Command& command : commands()) {
         if (command.is_on == nullptr) continue;
+        if (command.id == CommandId::follow_path) continue;  // needs a path: path_commands_test.cpp
         CAPTURE(command.name);
         ViewerState state = sample_state();
         const bool before = command.is_on(state);
