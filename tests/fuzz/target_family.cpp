@@ -7,6 +7,7 @@
 #include "fuzz/scratch_file.h"
 #include "fuzz/target.h"
 
+#include "family/family_time.h"
 #include "io/family/family_file.h"
 #include "io/hierarchy/hierarchy_file.h"
 
@@ -39,6 +40,12 @@ std::string inspected(const Family& family) {
         const double end = family.timeline->end();
         for (const double time : {begin, end, 0.5 * begin + 0.5 * end, 0.0})
             if (!are_finite(family.timeline->at(time))) return "the timeline's weights are not finite";
+    }
+    if (family.path) {
+        const auto [begin, end] = interval_of(family, TimeSource::path);
+        for (const double time : {begin, end, 0.5 * begin + 0.5 * end, 0.0})
+            if (!are_finite(weights_at(family, time, TimeSource::path)))
+                return "the path's weights are not finite";
     }
     if (family.domain)
         for (const glm::dvec2 point : {glm::dvec2(0), glm::dvec2(0.3, 0.4), glm::dvec2(-1e9, 1e30)})

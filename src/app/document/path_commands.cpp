@@ -1,5 +1,6 @@
 #include "app/document/path_commands.h"
 
+#include <cmath>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -14,7 +15,7 @@ namespace {
 /// Tolerance of a recorded path, as a fraction of the diagonal of the domain's box.
 constexpr double recording_tolerance = 0.004;
 
-/// The shortest time between two recorded points; seconds.
+/// The shortest time between two recorded points, whose times are multiples of it; seconds.
 constexpr double min_interval = 1e-3;
 
 }  // namespace
@@ -42,8 +43,9 @@ void record_point(ViewerState& state, double now) {
     if (!state.recording || !state.session.point()) return;
     PathRecording& recording = *state.recording;
     if (!recording.begin) recording.begin = now;
-    const double time = now - *recording.begin;
-    const bool is_too_soon = !recording.points.empty() && time < recording.points.back().time + min_interval;
+    const double time = std::round((now - *recording.begin) / min_interval) * min_interval;
+    const bool is_too_soon =
+        !recording.points.empty() && time < recording.points.back().time + min_interval / 2;
     if (is_too_soon || recording.points.size() == DomainPath::max_points) return;
     recording.points.push_back({time, state.session.point()->at});
 }

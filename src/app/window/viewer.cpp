@@ -28,6 +28,7 @@
 #include "app/window/window_actions.h"
 #include "app/window/window_input.h"
 #include "app/window/window_panels.h"
+#include "family/family_time.h"
 #include "hierarchy/error.h"
 #include "io/file/safe_write.h"
 #include "io/mesh/mesh_file.h"
@@ -341,7 +342,8 @@ void run_viewer(Family family, std::vector<std::filesystem::path> sources,
                 std::vector<std::filesystem::path> meshes, const ViewerOptions& options) {
     if (options.at && !family.domain) throw UsageError("--at: the family has no parameter domain");
     require_field(options.display, fields_of(family.keys));
-    if (options.time && !family.timeline) throw UsageError("--time: the family has no timeline");
+    if (options.time && !source_of_time(family))
+        throw UsageError("--time: the family has neither a timeline nor a path");
     // Otherwise a software renderer allocates and returns its memory in every frame, which costs most of its
     // speed.
     mallopt(M_TRIM_THRESHOLD, 256 << 20);
