@@ -224,6 +224,26 @@ TEST_CASE(
     viewer.wait_for("all times", [](const State& s) { return s["shown_times"].is_null(); });
 }
 
+TEST_CASE("a drag through the domain is recorded as a path that plays, and undo takes it back") {
+    const RunningViewer viewer;
+    const State start = viewer.state();
+    viewer.press(XK_p);
+    viewer.drag(domain_pixel(start, {0.5F, 0}), domain_pixel(start, {0.6F, -0.5F}));
+    viewer.press(XK_p);
+    const State recorded =
+        viewer.wait_for("a path", [](const State& s) { return s["document"]["path"] >= 2; });
+    CHECK(recorded["document"]["undo"] == "Record a path");
+    CHECK(recorded["range"][1] < start["range"][1]);
+    viewer.press(XK_space);
+    viewer.wait_for("the path to play", [](const State& s) {
+        return s["playing"] == true && s["driver"] == "timeline" && !s["point"].is_null();
+    });
+    viewer.press(XK_z, XK_Control_L);
+    const State undone =
+        viewer.wait_for("no path", [](const State& s) { return s["document"]["path"] == 0; });
+    CHECK(undone["range"] == start["range"]);
+}
+
 TEST_CASE("less detail shows fewer leaves, and more detail the whole keys again") {
     const RunningViewer viewer;
     const State start = viewer.state();

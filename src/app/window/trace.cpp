@@ -67,6 +67,7 @@ Json json_of(const Document& document) {
         for (const TimelineKey& key : family.timeline->keys())
             json["times"].push_back({key.time, family.keys[key.key].name});
     json["interpolation"] = family.timeline ? Json(name_of(family.timeline->interpolation().basis)) : Json();
+    json["path"] = family.path ? family.path->points().size() : 0;
     json["domain"] = Json::array();
     if (family.domain)
         for (const DomainVertex& vertex : family.domain->vertices())

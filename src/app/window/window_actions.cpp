@@ -44,6 +44,7 @@ CommandId command_of_button(TransportButton button) {
 void apply_to_domain(const ParameterDomainResult& done, ViewerState& state, double now) {
     if (done.moved_to) state.session.move_point(*done.moved_to, now);
     if (done.moved_to) record_point(state, now);
+    if (done.toggles_recording) toggle_recording(state, now);
     if (const auto& moved = done.moved_vertex) {
         drag_edit(
             state, "Move a domain vertex",

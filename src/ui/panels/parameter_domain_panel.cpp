@@ -157,6 +157,18 @@ void show_canvas_menu(const Family& family, const DomainPanel& panel, const Plot
     ImGui::EndPopup();
 }
 
+/// \return whether it was pressed
+bool recording_button(bool is_recording, float width) {
+    if (is_recording) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    const bool is_pressed =
+        ImGui::Button(is_recording ? "End recording##path" : "Record path##path", {width, 0});
+    if (is_recording) ImGui::PopStyleColor();
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", is_recording ? "The drag becomes the path (P)"
+                                             : "Then drag the point: its way becomes a path over time (P)");
+    return is_pressed;
+}
+
 }  // namespace
 
 ParameterDomainResult parameter_domain_panel(const Family& family, const DomainPanel& panel) {
@@ -211,11 +223,12 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const DomainP
     const ImVec2 after = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos(corner);
     heading("Parameter domain", panel.edits          ? "drag vertices (D)"
-                                : panel.is_recording ? "recording: drag, then P"
+                                : panel.is_recording ? "drag the point"
                                 : panel.point
                                     ? fmt::format("{:.3f}, {:.3f}", panel.point->at.x, panel.point->at.y)
                                     : std::string());
     ImGui::SetCursorScreenPos(after);
+    result.toggles_recording = recording_button(panel.is_recording, width);
     return result;
 }
 

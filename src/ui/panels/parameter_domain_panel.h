@@ -57,6 +57,7 @@ struct ParameterDomainResult {
     std::optional<AddedVertex> added;         ///< vertex that the user adds
     std::optional<VertexKey> assigned;        ///< key that the user gives to a vertex
     std::optional<Index> removed;             ///< vertex that the user removes
+    bool toggles_recording = false;           ///< the user begins or ends to record a path
     std::optional<DomainDrag> drag;           ///< current drag: pass it to the next call
     std::optional<DomainMenu> menu;           ///< open menu: pass it to the next call
     double snap = 0;                          ///< distance at which two places touch, in units of the domain
