@@ -65,7 +65,8 @@ class ContinuedDeviations {
         const std::ptrdiff_t half = std::ssize(deviations_) - 1;
         const std::ptrdiff_t phase = (place % (2 * half) + 2 * half) % (2 * half);
         const double duration = deviations_.back().time;
-        const double shift = duration * static_cast<double>((place - phase) / half);
+        const std::ptrdiff_t halves = (place - phase) / half;  // exact
+        const double shift = duration * static_cast<double>(halves);
         if (phase <= half) {
             const Deviation& own = deviations_[static_cast<std::size_t>(phase)];
             return {shift + own.time, own.at};

@@ -46,6 +46,7 @@ void change_document(ViewerState& state, double now, Change change) {
     if (state.selected_key) selected = state.document.family().keys[*state.selected_key];
     change();
     if (selected) follow_selection(state, *selected);
+    if (!state.document.family().domain) state.recording.reset();
     state.session.replace_family(state.document.snapshot(), now);
 }
 

@@ -18,16 +18,18 @@ constexpr double recording_tolerance = 0.004;
 /// The shortest time between two recorded points, whose times are multiples of it; seconds.
 constexpr double min_interval = 1e-3;
 
+/// A longer time between two recorded points is a rest; seconds.
+constexpr double longest_motion = 0.1;
+
 }  // namespace
 
 void toggle_recording(ViewerState& state, double now) {
-    if (!state.document.family().domain) return;
     if (!state.recording) {
-        state.recording.emplace();
+        if (state.document.family().domain) state.recording.emplace();
         return;
     }
     const PathRecording recording = *std::exchange(state.recording, std::nullopt);
-    if (recording.points.size() < 2) return;
+    if (recording.points.size() < 2 || !state.document.family().domain) return;
     const DomainBox box = box_of(state.document.family().domain->vertices());
     const double tolerance = recording_tolerance * glm::distance(box.low, box.high);
     edit(
@@ -37,16 +39,20 @@ void toggle_recording(ViewerState& state, double now) {
             return with_time_source(with_path(family, path), TimeSource::path);
         },
         now);
+    state.session.seek(0, now);
 }
 
 void record_point(ViewerState& state, double now) {
     if (!state.recording || !state.session.point()) return;
     PathRecording& recording = *state.recording;
     if (!recording.begin) recording.begin = now;
-    const double time = std::round((now - *recording.begin) / min_interval) * min_interval;
+    const double time = std::round((now - *recording.begin) * 1000) / 1000;
     const bool is_too_soon =
         !recording.points.empty() && time < recording.points.back().time + min_interval / 2;
-    if (is_too_soon || recording.points.size() == DomainPath::max_points) return;
+    if (is_too_soon || recording.points.size() + 2 > DomainPath::max_points) return;
+    // While the mouse rests, no points come. The path rests, too, until just before it moves again.
+    if (!recording.points.empty() && time > recording.points.back().time + longest_motion)
+        recording.points.push_back({time - min_interval, recording.points.back().at});
     recording.points.push_back({time, state.session.point()->at});
 }
 
@@ -55,6 +61,7 @@ void choose_time_source(ViewerState& state, TimeSource source, double now) {
     edit(
         state, source == TimeSource::path ? "Follow the path" : "Follow the keys",
         [&](const Family& family) { return with_time_source(family, source); }, now);
+    state.session.seek(state.session.time(), now);
 }
 
 void toggle_time_source(ViewerState& state, double now) {

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "app/document/edit_commands.h"
+#include "family/family_time.h"
 #include "family/key_edits.h"
 #include "hierarchy/triangle.h"
 
@@ -26,12 +27,12 @@ std::optional<double> number_in(const std::string& text) {
     return *first / *second;
 }
 
-/// Asks for a number from \p min to \p max.
+/// A question for a number from \p min to \p max.
 /// \param range  names the permitted numbers
 template <typename Apply>
-TextQuestion number_question(std::string text, double entry, double min, double max, std::string range,
+TextQuestion number_question(const char* text, double entry, double min, double max, const std::string& range,
                              Apply apply) {
-    return {.text = std::move(text),
+    return {.text = text,
             .entry = fmt::format("{:.10g}", entry),
             .button = "Set",
             .fault =
@@ -46,8 +47,9 @@ TextQuestion number_question(std::string text, double entry, double min, double 
 }
 
 std::optional<std::size_t> present_place(const ViewerState& state) {
-    const auto& timeline = state.document.family().timeline;
-    return timeline ? timeline->place_at(state.session.time()) : std::nullopt;
+    const Family& family = state.document.family();
+    if (source_of_time(family) != TimeSource::keys) return std::nullopt;
+    return family.timeline->place_at(state.session.time());
 }
 
 }  // namespace
@@ -133,6 +135,7 @@ void cycle_interpolation(ViewerState& state, double now) {
 }
 
 void add_present_time(ViewerState& state, double now) {
+    if (source_of_time(state.document.family()) == TimeSource::path) return;
     if (state.selected_key) add_time(state, *state.selected_key, state.session.time(), now);
 }
 

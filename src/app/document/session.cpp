@@ -102,13 +102,23 @@ std::vector<std::vector<std::size_t>> Session::next_intervals() const {
     const auto keys = timeline.keys();
     const auto count = static_cast<std::ptrdiff_t>(keys.size());
     if (count < 2) return sets;
-    const auto after = std::ranges::upper_bound(keys, time(), {}, &TimelineKey::time);
-    const std::ptrdiff_t here = std::clamp<std::ptrdiff_t>(after - keys.begin() - 1, 0, count - 2);
+    const auto interval_of_time = [&](double time, bool ends_there) {
+        const auto after = ends_there ? std::ranges::lower_bound(keys, time, {}, &TimelineKey::time)
+                                      : std::ranges::upper_bound(keys, time, {}, &TimelineKey::time);
+        return std::clamp<std::ptrdiff_t>(after - keys.begin() - 1, 0, count - 2);
+    };
+    const TimeRange range = playback_.range();
+    const std::ptrdiff_t first = interval_of_time(range.begin, false);
+    const std::ptrdiff_t intervals = interval_of_time(range.end, true) - first + 1;
+    const std::ptrdiff_t here = interval_of_time(time(), false) - first;
     const std::ptrdiff_t ahead = plays_back() ? -1 : 1;
     // Two intervals ahead, for short ones, and the one behind. A loop goes around.
     for (const std::ptrdiff_t step : {ahead, 2 * ahead, -ahead}) {
-        const std::ptrdiff_t intervals = count - 1;
-        const std::ptrdiff_t place = ((here + step) % intervals + intervals) % intervals;
+        const std::ptrdiff_t next = here + step;
+        const std::ptrdiff_t around = (next % intervals + intervals) % intervals;
+        const bool loops = playback_.repeat() == Repeat::loop;
+        const std::ptrdiff_t place =
+            first + (loops ? around : std::clamp<std::ptrdiff_t>(next, 0, intervals - 1));
         sets.push_back(active_keys(timeline.at(keys[static_cast<std::size_t>(place)].time)));
     }
     return sets;
@@ -153,6 +163,11 @@ void Session::toggle_playing(double now, bool backward) {
         playback_.play(now, backward);
     }
     driver_ = Driver::timeline;
+    advance(now);
+}
+
+void Session::pause(double now) {
+    playback_.pause(now);
     advance(now);
 }
 

@@ -79,6 +79,7 @@ class Session {
 
     /// Pauses playback in the given direction, or plays in it.
     void toggle_playing(double now, bool backward = false);
+    void pause(double now);
     void seek(double time, double now);
 
     /// Goes to the next frame (\p direction 1) or to the previous one (-1). Frames begin at playback's

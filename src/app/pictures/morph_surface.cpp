@@ -40,7 +40,9 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
     }
 
     const auto start = std::chrono::steady_clock::now();
-    UnionCache::Result result = unions_.get(hierarchies);
+    // Levels of detail get other hierarchies whenever they are cut again, so their unions are not kept.
+    UnionCache::Result result =
+        sources.empty() ? unions_.get(hierarchies) : UnionCache::Result{unions_.make(hierarchies), false};
     union_ = std::move(result.united);
     renderer_.upload(union_->mesh, union_->form, keys);
     const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;

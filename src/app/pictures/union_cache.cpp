@@ -1,6 +1,7 @@
 #include "app/pictures/union_cache.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "render/renderer.h"
@@ -52,16 +53,35 @@ bool UnionCache::has(const Keys& keys) const {
     return std::ranges::any_of(entries_, [&](const Entry& entry) { return are_same(entry.keys, keys); });
 }
 
-/// \param is_used  whether the union is wanted now; one made ahead does not push out the one in use
+/// \param is_used  whether the union is wanted now. One made ahead pushes out neither the one in use nor others
+///     that are wished for.
 void UnionCache::insert(const Keys& keys, Prepared united, bool is_used) {
     const std::size_t bytes = united->byte_count();
     const auto place = is_used || entries_.empty() ? entries_.begin() : ++entries_.begin();
-    entries_.insert(place, {keys, std::move(united), bytes});
+    const auto inserted = entries_.insert(place, {keys, std::move(united), bytes});
     bytes_ += bytes;
+    const auto erase = [&](Entries::iterator entry) {
+        bytes_ -= entry->bytes;
+        entries_.erase(entry);
+    };
     while (bytes_ > max_bytes_ && entries_.size() > 1) {
-        bytes_ -= entries_.back().bytes;
-        entries_.pop_back();
+        auto last = std::prev(entries_.end());
+        while (last != entries_.begin() && (last == inserted || is_wished(last->keys))) --last;
+        if (last != entries_.begin())
+            erase(last);
+        else if (!is_used)
+            return erase(inserted);
+        else
+            erase(std::prev(entries_.end()));
     }
+}
+
+bool UnionCache::is_wished(const Keys& keys) const {
+    return std::ranges::any_of(wished_, [&](const Keys& wish) { return are_same(wish, keys); });
+}
+
+UnionCache::Prepared UnionCache::make(const Keys& keys) {
+    return prepared_union(keys, scratch_);
 }
 
 UnionCache::Result UnionCache::get(const Keys& keys) {
@@ -70,7 +90,7 @@ UnionCache::Result UnionCache::get(const Keys& keys) {
     changed_.wait(lock, [&] { return in_progress_.empty() || !are_same(in_progress_, keys); });
     if (Prepared ready = find(keys)) return {std::move(ready), false};
     lock.unlock();
-    Prepared united = prepared_union(keys, scratch_);
+    Prepared united = make(keys);
     lock.lock();
     insert(keys, united, true);
     return {std::move(united), false};
@@ -78,7 +98,9 @@ UnionCache::Result UnionCache::get(const Keys& keys) {
 
 void UnionCache::prepare(std::vector<Keys> wanted) {
     const std::lock_guard lock(mutex_);
-    wanted_ = std::move(wanted);
+    if (std::ranges::equal(wished_, wanted, are_same)) return;
+    wished_ = std::move(wanted);
+    wanted_ = wished_;
     std::erase_if(wanted_, [&](const Keys& keys) { return keys.empty() || has(keys); });
     if (!wanted_.empty()) changed_.notify_all();
 }
@@ -96,7 +118,7 @@ std::size_t UnionCache::byte_count() const {
 void UnionCache::work(const std::stop_token& stop) {
     UnionMesh scratch;
     std::unique_lock lock(mutex_);
-    while (changed_.wait(lock, stop, [&] { return !wanted_.empty(); })) {
+    while (changed_.wait(lock, stop, [&] { return !wanted_.empty(); }) && !stop.stop_requested()) {
         in_progress_ = std::move(wanted_.front());
         wanted_.erase(wanted_.begin());
         if (!has(in_progress_)) {

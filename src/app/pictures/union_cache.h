@@ -43,8 +43,13 @@ class UnionCache {
     /// \throw what unite() throws
     Result get(const Keys& keys);
 
+    /// The union of \p keys, which is not kept: for keys that will not come again.
+    /// \throw what unite() throws
+    Prepared make(const Keys& keys);
+
     /// Lets the worker make the unions of \p wanted that are missing, in this order, instead of those wanted
-    /// before. A union that cannot be made is left out; get() then throws.
+    /// before. A union that cannot be made, or for which there is no room beside earlier ones of the list, is
+    /// left out. The same list again changes nothing.
     void prepare(std::vector<Keys> wanted);
 
     /// Waits until the worker has nothing to do.
@@ -62,6 +67,7 @@ class UnionCache {
     static bool are_same(const Keys& a, const Keys& b);
     Prepared find(const Keys& keys);
     bool has(const Keys& keys) const;
+    bool is_wished(const Keys& keys) const;
     void insert(const Keys& keys, Prepared united, bool is_used);
     void work(const std::stop_token& stop);
 
@@ -71,9 +77,10 @@ class UnionCache {
     std::condition_variable_any changed_;
     Entries entries_;
     std::size_t bytes_ = 0;
-    std::vector<Keys> wanted_;
-    Keys in_progress_;     ///< what the worker makes now; empty for nothing
-    std::jthread worker_;  ///< last member: must end before the members it uses
+    std::vector<Keys> wished_;  ///< of the last prepare()
+    std::vector<Keys> wanted_;  ///< those of them that the worker has not begun
+    Keys in_progress_;          ///< what the worker makes now; empty for nothing
+    std::jthread worker_;       ///< last member: must end before the members it uses
 };
 
 }  // namespace interleaf

@@ -20,8 +20,8 @@ bool has_time(const ViewerState& state) {
     return state.session.has_time();
 }
 
-bool has_timeline(const ViewerState& state) {
-    return state.session.has_timeline();
+bool keys_drive(const ViewerState& state) {
+    return state.session.has_timeline() && !path_drives(state);
 }
 
 bool has_domain_of_points(const ViewerState& state) {
@@ -207,7 +207,7 @@ constexpr Command playback_table[] = {
      .shortcuts = {{{GLFW_KEY_B}}},
      .description = "Blend keys by the next kind of interpolation",
      .run = cycle_interpolation,
-     .is_possible = has_timeline,
+     .is_possible = keys_drive,
      .label = interpolation_label},
     {.id = CommandId::bernstein_pieces,
      .scope = CommandScope::document,
@@ -216,7 +216,7 @@ constexpr Command playback_table[] = {
      .shortcuts = {{{GLFW_KEY_B, GLFW_MOD_SHIFT}}},
      .description = "Blend keys by Bernstein polynomials of a degree, joined at keys",
      .run = [](ViewerState& state, double) { ask_for_degree(state); },
-     .is_possible = has_timeline},
+     .is_possible = keys_drive},
     {.id = CommandId::remove_present_time,
      .scope = CommandScope::document,
      .menu = "Playback",

@@ -257,7 +257,7 @@ void Viewer::follow_state(double now) {
     if (is_over(state_.message, now)) state_.message.clear();
     views_.follow(state_, layout(), gui_);
     const bool is_comparing = views_.comparison() != nullptr;
-    if (is_comparing && state_.session.is_playing()) state_.session.toggle_playing(now);
+    if (is_comparing && state_.session.is_playing()) state_.session.pause(now);
     if (const std::string title = title_of(state_.document); title != title_) {
         title_ = title;
         glfwSetWindowTitle(window_.handle(), fmt::format("{} – Interleaf", title).c_str());

@@ -45,9 +45,11 @@ std::vector<glm::dvec2> path_through_domain(const Family& family) {
     return path;
 }
 
-const char* remark_of(Driver driver) {
-    return driver == Driver::key
-               ? "One key is shown alone: scrub or press Space to follow the timeline again"
+const char* remark_of(const Session& session) {
+    if (session.driver() == Driver::key)
+        return "One key is shown alone: scrub or press Space to follow the timeline again";
+    return source_of_time(session.family()) == TimeSource::path
+               ? "Point moved off the path: scrub or press Space to follow it again"
                : "Point moved off the timeline's path: scrub or press Space to follow it again";
 }
 
@@ -128,7 +130,7 @@ void show_timeline(const WindowShown& shown, ShownWindow& result) {
     result.actions.timeline = timeline_panel(shown.layout.panels.timeline, shown.state.document.family(),
                                              {.transport = transport_of(session),
                                               .drives = session.driver() == Driver::timeline,
-                                              .remark = remark_of(session.driver()),
+                                              .remark = remark_of(session),
                                               .range = in_and_out_of(session.playback()),
                                               .visible = shown.state.shown_times,
                                               .drag = shown.holds.time,

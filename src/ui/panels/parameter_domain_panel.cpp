@@ -44,8 +44,20 @@ void draw_triangles(ImDrawList& list, const ParameterDomain& domain, const PlotF
 }
 
 void draw_path(ImDrawList& list, std::span<const glm::dvec2> path, const PlotFrame& frame) {
-    for (const glm::dvec2 at : path) list.PathLineTo(to_imgui(frame.pixel(at)));
-    list.PathStroke(IM_COL32(255, 255, 255, 150), ImDrawFlags_None, scaled(2));
+    // Dear ImGui's indices have 16 bits, so one line has a limited number of points.
+    constexpr int max_points = 4096;
+    const auto stroke = [&] { list.PathStroke(IM_COL32(255, 255, 255, 150), ImDrawFlags_None, scaled(2)); };
+    std::optional<glm::vec2> last;
+    for (const glm::dvec2 at : path) {
+        const glm::vec2 pixel = frame.pixel(at);
+        if (last && glm::distance(*last, pixel) < 0.5F) continue;
+        last = pixel;
+        list.PathLineTo(to_imgui(pixel));
+        if (list._Path.Size < max_points) continue;
+        stroke();
+        list.PathLineTo(to_imgui(pixel));
+    }
+    stroke();
 }
 
 /// Draws a vertex with its key's name, on the side away from the middle of the domain.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -49,16 +50,22 @@ double pointed_time(const Timeline* timeline, const TimeScale& scale, float poin
     return std::clamp(scale.time(pointer), scale.visible.begin, scale.visible.end);
 }
 
-/// The time under the pointer for the key at \p place, which stays between its neighbors.
+/// The time under the pointer for the key at \p place, which stays between its neighbors: a round time if there
+/// is one. Without any, the key keeps its time.
 double dragged_time(const Timeline& timeline, std::size_t place, const TimeScale& scale, float pointer) {
     const auto keys = timeline.keys();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double low = place > 0 ? keys[place - 1].time : -infinity;
+    const double high = place + 1 < keys.size() ? keys[place + 1].time : infinity;
     const int exponent = scale.readable_exponent();
-    const double step = std::pow(10.0, exponent);
-    double time = scale.readable_time(pointer);
-    if (place + 1 < keys.size())
-        time = std::min(time, rounded_to_power(keys[place + 1].time - step, exponent));
-    if (place > 0) time = std::max(time, rounded_to_power(keys[place - 1].time + step, exponent));
-    return time;
+    for (int finer = 0; finer <= 6; ++finer) {
+        const double step = std::pow(10.0, exponent - finer);
+        const double wanted = std::max(std::min(rounded_to_power(scale.time(pointer), exponent - finer),
+                                                rounded_to_power(high - step, exponent - finer)),
+                                       rounded_to_power(low + step, exponent - finer));
+        if (low < wanted && wanted < high) return wanted;
+    }
+    return keys[place].time;
 }
 
 void draw_ruler(ImDrawList& list, const Rect& ruler, const TimeScale& scale,
@@ -140,9 +147,9 @@ void draw_playhead(ImDrawList& list, const TrackLayout& layout, const TimeScale&
     list.AddTriangleFilled({x - half, top - scaled(1)}, {x + half, top - scaled(1)}, {x, top + half}, color);
 }
 
-/// The menu of the right mouse button on the last item, the mark or the name of a key.
+/// The menu of the right mouse button on the mark or the name of a key.
 void show_key_menu(std::size_t place, TrackResult& result) {
-    if (!ImGui::BeginPopupContextItem("time menu")) return;
+    if (!ImGui::BeginPopup("time menu")) return;
     ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[0]);
     if (ImGui::MenuItem("Set time...")) result.asked_time = place;
     if (ImGui::MenuItem("Take off the timeline")) result.removed = place;
@@ -186,6 +193,7 @@ class NameRow {
         if (has_name)
             is_pointed |= show_grip(
                 "name", {left, name_top, std::max(width, 1.0F), ImGui::GetTextLineHeight()}, key, place);
+        show_key_menu(place, result_);
         ImGui::PopID();
 
         ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -208,7 +216,7 @@ class NameRow {
             ImGui::SetTooltip("%s, %s s\nDrag to move it in time", family_.keys[key.key].name.c_str(),
                               fmt::format("{:.10g}", key.time).c_str());
         if (ImGui::IsItemActive()) result_.drag = is_held ? *state_.drag : TimeDrag{place, scale_.visible};
-        show_key_menu(place, result_);
+        ImGui::OpenPopupOnItemClick("time menu", ImGuiPopupFlags_MouseButtonRight);
         return is_pointed || is_held;
     }
 

@@ -33,7 +33,9 @@ std::vector<double> sample_times(const std::vector<double>& marks, TimeRange vis
                         (visible.end - visible.begin) * static_cast<double>(i) / static_cast<double>(count));
     const auto first = std::ranges::lower_bound(marks, visible.begin);
     const auto last = std::ranges::upper_bound(marks, visible.end);
-    if (first < last) times.insert(times.end(), first, last);
+    // Where there are many marks, the samples are dense enough without them.
+    const bool are_few = last - first <= 4 * static_cast<std::ptrdiff_t>(count);
+    if (first < last && are_few) times.insert(times.end(), first, last);
     std::ranges::sort(times);
     times.erase(std::ranges::unique(times).begin(), times.end());
     return times;

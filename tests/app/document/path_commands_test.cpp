@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "app/document/edit_commands.h"
+#include "app/document/playback_commands.h"
 #include "app/sample_family.h"
 #include "family/family_time.h"
 
@@ -35,6 +36,8 @@ TEST_CASE("a recorded drag becomes a path of few points that drives, in one undo
     CHECK(path.begin() == 0);
     CHECK(path.end() == doctest::Approx(2));
     CHECK(path_drives(state));
+    CHECK(state.session.driver() == Driver::timeline);
+    CHECK(state.session.time() == 0);
     state.session.seek(1, 14);
     REQUIRE(state.session.point());
     CHECK(state.session.point()->at.x == doctest::Approx(0));
@@ -81,4 +84,45 @@ TEST_CASE("a family with a path alone plays it") {
     CHECK(state.session.is_playing());
     CHECK(state.session.time() == 1);
     CHECK_FALSE(state.session.next_key_sets().empty());
+}
+
+TEST_CASE("a rest while recording is a rest of the path") {
+    ViewerState state(sample_family());
+    toggle_recording(state, 0);
+    const auto move_to = [&](double x, double now) {
+        state.session.move_point({x, 0}, now);
+        record_point(state, now);
+    };
+    move_to(-1, 0);
+    move_to(0, 0.05);
+    move_to(1, 4);
+    toggle_recording(state, 5);
+    REQUIRE(state.document.family().path);
+    CHECK(state.document.family().path->at(3.9).x == doctest::Approx(0));
+}
+
+TEST_CASE("a recording ends with its domain") {
+    ViewerState state(sample_family());
+    toggle_recording(state, 0);
+    drag_diagonally(state);
+    edit(
+        state, "Remove the domain", [](const Family& family) { return with_domain(family, std::nullopt); },
+        13);
+    CHECK_FALSE(state.recording);
+    toggle_recording(state, 14);
+    CHECK_FALSE(state.recording);
+}
+
+TEST_CASE("while the path drives, no key is put on the hidden timeline or taken off it") {
+    ViewerState state(sample_family());
+    toggle_recording(state, 9);
+    drag_diagonally(state);
+    toggle_recording(state, 13);
+    state.session.seek(0, 14);
+    state.selected_key = 1;
+    const Timeline before = *state.document.family().timeline;
+    CHECK_FALSE(has_present_time(state));
+    remove_present_time(state, 14);
+    add_present_time(state, 14);
+    CHECK(*state.document.family().timeline == before);
 }

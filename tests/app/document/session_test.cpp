@@ -526,3 +526,23 @@ TEST_CASE("an edited path continues at the same time") {
     session.replace_family(shared(before), 0);
     CHECK(point_of(session) == glm::dvec2(-0.25, -0.875));
 }
+
+TEST_CASE("a pause keeps the direction of playback") {
+    Session session(std::make_shared<const Family>(sample_family()));
+    session.seek(3, 0);
+    session.toggle_playing(0, true);
+    session.pause(1);
+    CHECK_FALSE(session.is_playing());
+    CHECK(session.time() == 2);
+    CHECK(session.plays_back());
+}
+
+TEST_CASE("the next sets of keys stay within the in and out points") {
+    Session session(std::make_shared<const Family>(sample_family()));
+    session.set_range(TimeRange{0, 3}, 0);
+    session.seek(2, 0);
+    const Timeline& timeline = *session.family().timeline;
+    CHECK(session.next_key_sets().front() == active_keys(timeline.at(0)));  // a loop goes around
+    session.set_repeat(Repeat::once, 0);
+    CHECK(session.next_key_sets().front() == active_keys(timeline.at(1)));  // there is none behind
+}

@@ -75,6 +75,25 @@ TEST_CASE("the least recently used unions go where memory is short, but never th
     CHECK(tiny.get({keys[0], keys[1]}).is_ready);
 }
 
+TEST_CASE("where memory is short, the likeliest wishes are kept, and the same wishes make nothing again") {
+    const auto keys = some_keys();
+    const UnionCache::Keys shown{keys[0], keys[1]};
+    const std::vector<UnionCache::Keys> wishes{{keys[0], keys[2]}, {keys[0], keys[3]}, {keys[1], keys[2]}};
+    const std::size_t bytes = UnionCache().get(shown).united->byte_count();
+    UnionCache cache(bytes * 5 / 2);
+    CHECK_FALSE(cache.get(shown).is_ready);
+    cache.prepare(wishes);
+    cache.wait();
+    const std::size_t before = cache.byte_count();
+    CHECK(before <= bytes * 5 / 2);
+    cache.prepare(wishes);
+    cache.wait();
+    CHECK(cache.byte_count() == before);
+    CHECK(cache.get(shown).is_ready);
+    CHECK(cache.get(wishes[0]).is_ready);
+    CHECK_FALSE(cache.get(wishes[2]).is_ready);
+}
+
 TEST_CASE("keys without common roots fail when they are asked for, not when they are made ahead") {
     const auto keys = some_keys();
     const SharedHierarchy other(make_key(*find_shape("brezel"), {.leaves = 200, .tolerance = {}}));

@@ -107,3 +107,24 @@ TEST_CASE("scrubbing goes to the time under the pointer, and to a key's own time
     CHECK(dragged.track.seek_to == begin + 4);
     CHECK_FALSE(show(gui, family, {}, middle, false).track.seek_to);
 }
+
+TEST_CASE("a key among hundreds stays between its neighbors while it is dragged") {
+    HeadlessGui gui({1280, 800});
+    Family family;
+    family.name = "dense";
+    std::vector<TimelineKey> times;
+    for (std::size_t key = 0; key < 300; ++key) {
+        family.keys.push_back({"k", {}});
+        times.push_back({0.001 + 0.004 * static_cast<double>(key), key});
+    }
+    family.timeline.emplace(times);
+    const Rect track = show(gui, family, {}, {0, 0}, false).area;
+    const glm::vec2 first = name_at(track, 0);
+    show(gui, family, {}, first, false);
+    const auto drag = show(gui, family, {}, first, true).track.drag;
+    REQUIRE(drag);
+    const auto moved = show(gui, family, drag, name_at(track, 0.5), true).track.moved;
+    REQUIRE(moved);
+    CHECK(moved->place == 0);
+    CHECK(moved->to < times[1].time);
+}
