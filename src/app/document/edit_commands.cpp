@@ -209,21 +209,21 @@ void ask_for_new_time(ViewerState& state) {
     if (!state.selected_key) return;
     const std::size_t key = *state.selected_key;
     const auto& timeline = state.document.family().timeline;
-    state.question = TextQuestion{
-        .text = fmt::format("When shall {} be on the timeline, in seconds?", name_of(state, key)),
-        .entry = time_text(timeline ? timeline->end() + 1 : 0),
-        .button = "Put there",
-        .fault = fault_of_time,
-        .answer = [key](ViewerState& changed, const std::string& text, double now) {
-            add_time(changed, key, time_in(text).value_or(0), now);
-        }};
+    state.question =
+        TextQuestion{.text = fmt::format("Time of {} on the timeline, in seconds", name_of(state, key)),
+                     .entry = time_text(timeline ? timeline->end() + 1 : 0),
+                     .button = "Put there",
+                     .fault = fault_of_time,
+                     .answer = [key](ViewerState& changed, const std::string& text, double now) {
+                         add_time(changed, key, time_in(text).value_or(0), now);
+                     }};
 }
 
 void ask_for_time(ViewerState& state, std::size_t place) {
     const TimelineKey entry = state.document.family().timeline->keys()[place];
     const std::string name = name_of(state, entry.key);
     state.question =
-        TextQuestion{.text = fmt::format("When shall {} be on the timeline, in seconds?", name),
+        TextQuestion{.text = fmt::format("Time of {} on the timeline, in seconds", name),
                      .entry = time_text(entry.time),
                      .button = "Set",
                      .fault = fault_of_time,
@@ -256,7 +256,8 @@ void make_domain(ViewerState& state, double now) {
         state, "New domain",
         [](const Family& family) {
             std::optional<ParameterDomain> domain = family_of_keys(family.name, family.keys).domain;
-            if (!domain) throw InputError("a domain is made of three to nine keys; put others in it then");
+            if (!domain)
+                throw InputError("a new domain takes three to nine keys; add further keys to it afterwards");
             return with_domain(family, std::move(domain));
         },
         now);

@@ -59,7 +59,7 @@ void ask_for_present_time(ViewerState& state) {
     const double begin = state.session.playback().begin();
     const double end = state.session.playback().end();
     state.question = number_question(
-        "Go to which time, in seconds?", state.session.time(), begin, end,
+        "Time to go to, in seconds", state.session.time(), begin, end,
         fmt::format("a time from {:.10g} to {:.10g} seconds", begin, end),
         [](ViewerState& changed, double time, double now) { changed.session.seek(time, now); });
 }
@@ -67,7 +67,7 @@ void ask_for_present_time(ViewerState& state) {
 void ask_for_speed(ViewerState& state) {
     if (!state.session.has_time()) return;
     state.question = number_question(
-        "Play at which speed? 1 is real time.", state.session.playback().speed(), min_speed, max_speed,
+        "Speed of playback; 1 is real time", state.session.playback().speed(), min_speed, max_speed,
         "a speed from 1/64 to 8, such as 1/16 or 0.3",
         [](ViewerState& changed, double speed, double now) { changed.session.set_speed(speed, now); });
 }
@@ -75,8 +75,8 @@ void ask_for_speed(ViewerState& state) {
 void ask_for_frame_rate(ViewerState& state) {
     if (!state.session.has_time()) return;
     state.question =
-        number_question("How many frames per second do single steps have?", state.session.frame_rate, 0.001,
-                        1000, "a number of frames per second, 0.001 to 1000",
+        number_question("Frames per second of single steps", state.session.frame_rate, 0.001, 1000,
+                        "a number of frames per second, 0.001 to 1000",
                         [](ViewerState& changed, double rate, double) { changed.session.frame_rate = rate; });
 }
 
@@ -84,7 +84,7 @@ void ask_for_degree(ViewerState& state) {
     if (!state.session.has_timeline()) return;
     const std::size_t degree = state.document.family().timeline->interpolation().degree;
     state.question = number_question(
-        "Which degree do the Bernstein pieces have?", degree > 0 ? static_cast<double>(degree) : 3, 1, 1000,
+        "Degree of the Bernstein pieces", degree > 0 ? static_cast<double>(degree) : 3, 1, 1000,
         "a whole degree from 1 to 1000", [](ViewerState& changed, double typed, double now) {
             choose_interpolation(
                 changed, {.basis = Basis::bernstein, .degree = static_cast<std::size_t>(std::lround(typed))},

@@ -43,8 +43,8 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
     // Levels of detail get other hierarchies whenever they are cut again, so their unions are not kept.
     UnionCache::Result result =
         sources.empty() ? unions_.get(hierarchies) : UnionCache::Result{unions_.make(hierarchies), false};
-    union_ = std::move(result.united);
-    renderer_.upload(union_->mesh, union_->form, keys);
+    renderer_.upload(result.united->mesh, result.united->form, keys);
+    union_ = std::move(result.united);  // if the upload fails, the old union stays with its figures
     const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
 
     hierarchies_ = std::move(hierarchies);

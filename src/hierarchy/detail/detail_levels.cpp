@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <limits>
 
 namespace interleaf {
@@ -29,25 +28,6 @@ DetailPlace detail_place(std::size_t level_count, double detail) {
     const double place = std::clamp(detail, 0.0, 1.0) * static_cast<double>(level_count - 1);
     const std::size_t coarse = std::min(static_cast<std::size_t>(place), level_count - 2);
     return {coarse, coarse + 1, static_cast<float>(place - static_cast<double>(coarse))};
-}
-
-double detail_at_distance(std::span<const DetailLevel> levels, double distance) {
-    assert(!levels.empty());
-    const auto reached = std::ranges::partition_point(
-        levels, [distance](const DetailLevel& level) { return level.distance > distance; });
-    if (reached == levels.begin()) return 0;
-    if (reached == levels.end()) return 1;
-    const double above = (reached - 1)->distance;
-    const double below = reached->distance;
-    const double blend = std::isinf(above) ? 1 : (above - distance) / (above - below);
-    return (static_cast<double>(reached - levels.begin() - 1) + blend) /
-           static_cast<double>(levels.size() - 1);
-}
-
-DetailPair detail_pair(const Hierarchy& hierarchy, std::span<const float> errors,
-                       std::span<const DetailLevel> levels, const DetailPlace& place) {
-    return {cut(hierarchy, errors, levels[place.coarse].threshold),
-            cut(hierarchy, errors, levels[place.fine].threshold), place.blend};
 }
 
 }  // namespace interleaf

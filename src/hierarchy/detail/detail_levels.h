@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "hierarchy/detail/cut.h"
@@ -36,23 +35,5 @@ struct DetailPlace {
 /// The place of \p detail, a number from 0, the roots, to 1, the whole hierarchy; all transitions take equal
 /// parts of it. Numbers outside go to the nearest end.
 DetailPlace detail_place(std::size_t level_count, double detail);
-
-/// The detail, 0 to 1, whose distance from the whole hierarchy is about \p distance, for a view that chooses
-/// the detail by how much of it can be seen. It is continuous in \p distance and decreases. At levels,
-/// DetailLevel::distance is the bound; between two levels it is interpolated.
-double detail_at_distance(std::span<const DetailLevel> levels, double distance);
-
-/// Two levels and the weight between them.
-struct DetailPair {
-    Hierarchy coarse;
-    Hierarchy fine;
-    float blend;
-};
-
-/// The two levels around \p place, whose morph with the weights 1 - blend and blend is the surface there.
-/// \param errors  what vertex_errors() returns for \p hierarchy
-/// \param levels  the detail_levels() of \p hierarchy
-DetailPair detail_pair(const Hierarchy& hierarchy, std::span<const float> errors,
-                       std::span<const DetailLevel> levels, const DetailPlace& place);
 
 }  // namespace interleaf

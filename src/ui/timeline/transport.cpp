@@ -204,6 +204,13 @@ void choose_repeat(const TransportState& state, TransportResult& result) {
     });
 }
 
+/// "1/16", "2": as playback speeds are read.
+std::string speed_text(double speed) {
+    const double inverse = std::round(1 / speed);
+    if (speed < 1 && inverse * speed == 1) return fmt::format("1/{:.0f}", inverse);
+    return fmt::format("{:.4g}", speed);
+}
+
 void choose_speed(const TransportState& state, TransportResult& result) {
     combo("##speed", speed_text(state.speed) + "x", "Speed ([ slower, ] faster, Backspace normal)",
           scaled(72), [&] {
@@ -237,12 +244,6 @@ void show_time(const TransportState& state, float right, float row_end, Transpor
 }
 
 }  // namespace
-
-std::string speed_text(double speed) {
-    const double inverse = std::round(1 / speed);
-    if (speed < 1 && inverse * speed == 1) return fmt::format("1/{:.0f}", inverse);
-    return fmt::format("{:.4g}", speed);
-}
 
 TransportResult show_transport(const TransportState& state, float width) {
     TransportResult result;

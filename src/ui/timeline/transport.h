@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "family/family.h"
 #include "family/interpolation.h"
@@ -53,8 +52,5 @@ struct TransportResult {
 /// Draws the row at the cursor.
 /// \param width  of the row; a narrow row shows fewer controls
 TransportResult show_transport(const TransportState& state, float width);
-
-/// "1/16", "2": as playback speeds are read.
-std::string speed_text(double speed);
 
 }  // namespace interleaf

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <span>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -16,6 +16,19 @@ using namespace interleaf;
 using namespace interleaf::testing;
 
 namespace {
+
+/// Two levels and the weight between them.
+struct DetailPair {
+    Hierarchy coarse;
+    Hierarchy fine;
+    float blend;
+};
+
+DetailPair detail_pair(const Hierarchy& hierarchy, std::span<const float> errors,
+                       std::span<const DetailLevel> levels, const DetailPlace& place) {
+    return {cut(hierarchy, errors, levels[place.coarse].threshold),
+            cut(hierarchy, errors, levels[place.fine].threshold), place.blend};
+}
 
 /// What a continuous view of one key takes.
 struct Detailed {
@@ -165,23 +178,4 @@ TEST_CASE("the place of a detail lies between two levels, the ends are kept") {
     CHECK(end.blend == 1);
     CHECK(middle.coarse == 1);
     CHECK(middle.blend == 0.5F);
-}
-
-TEST_CASE("the detail at a distance is continuous, falls with the distance, and meets the levels") {
-    const std::vector<DetailLevel> levels = {{4, 8, 4}, {1, 16, 1}, {0, 32, 0}, {keep_everything, 40, 0}};
-    CHECK(detail_at_distance(levels, 100) == 0);
-    CHECK(detail_at_distance(levels, 4) == 0);
-    CHECK(detail_at_distance(levels, 2.5) == doctest::Approx(1.0 / 6));
-    CHECK(detail_at_distance(levels, 1) == doctest::Approx(1.0 / 3));
-    CHECK(detail_at_distance(levels, 0) == doctest::Approx(2.0 / 3));
-    double before = detail_at_distance(levels, 5);
-    for (int n = 5000; n >= 0; --n) {
-        const double now = detail_at_distance(levels, n / 1000.0);
-        REQUIRE(now >= before);
-        REQUIRE(now - before < 0.001);
-        before = now;
-    }
-    const std::vector<DetailLevel> roots_alone = {{std::numeric_limits<float>::infinity(), 8, 0}};
-    CHECK(detail_at_distance(roots_alone, 0) == 0);
-    CHECK(detail_at_distance(roots_alone, 1) == 0);
 }
