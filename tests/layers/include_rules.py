@@ -36,11 +36,12 @@ ROOMS = {
     "io": {
         "text": set(),
         "file": {"text"},
+        "film": {"file"},
         "hierarchy": {"text", "file"},
         "mesh": {"text", "file"},
         "family": {"text", "file", "hierarchy"},
         "export": {"text", "file", "hierarchy", "mesh"},
-        "": {"text", "file", "hierarchy", "mesh", "family", "export"},
+        "": {"text", "file", "film", "hierarchy", "mesh", "family", "export"},
     },
     "ui": {
         "widgets": set(),

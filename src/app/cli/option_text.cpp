@@ -103,6 +103,15 @@ PictureSize parse_size(std::string_view text) {
     return {side(0), side(1)};
 }
 
+FrameRange parse_frames(std::string_view text) {
+    const std::vector<std::string_view> ends = split(text, ':');
+    const auto first = parsed_number<std::size_t>(ends.front());
+    const auto last = parsed_number<std::size_t>(ends.back());
+    if (ends.size() != 2 || !first || !last || *last < *first)
+        expected("A:B, the numbers of the first and the last frame", text);
+    return {*first, *last};
+}
+
 Viewpoint parse_viewpoint(std::string_view text) {
     const auto values = numbers(text);
     if (!values || values->size() < 2 || values->size() > 3)

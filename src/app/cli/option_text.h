@@ -36,6 +36,9 @@ std::vector<NamedWeight> parse_weights(std::string_view text);
 /// The size of a picture, "WxH" in pixels, each side from 1 to 16384.
 PictureSize parse_size(std::string_view text);
 
+/// A range of frames, "A:B", two whole numbers, the second at least the first.
+FrameRange parse_frames(std::string_view text);
+
 /// A viewpoint, "AZIMUTH,ELEVATION" or "AZIMUTH,ELEVATION,ZOOM".
 Viewpoint parse_viewpoint(std::string_view text);
 

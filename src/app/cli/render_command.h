@@ -1,8 +1,14 @@
-// `interleaf render`: draws a picture of a morph without a display.
+// `interleaf render`: draws a picture of a morph, or a film of it, without a display.
 #pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "app/cli/morph_selection.h"
 #include "app/cli/output.h"
+#include "app/pictures/viewpoint.h"
 #include "render/display.h"
 
 namespace interleaf {
@@ -12,11 +18,22 @@ struct PictureSize {
     int height = 720;
 };
 
-/// The place of the camera. At zoom 1 the picture shows the box of all keys.
-struct Viewpoint {
-    float azimuth = 30;    ///< about Y, 0 from +Z, degrees
-    float elevation = 20;  ///< above the XZ plane, degrees
-    float zoom = 1;        ///< a zoom above 1 is nearer
+/// Numbers of frames, from the first to the last.
+struct FrameRange {
+    std::size_t first;
+    std::size_t last;
+};
+
+/// What only a film has.
+struct FilmOptions {
+    std::optional<double> rate;        ///< frames per second
+    std::optional<double> from;        ///< seconds; by default, where the timeline or the path begins
+    std::optional<double> to;          ///< seconds; by default, where it ends
+    std::optional<FrameRange> frames;  ///< the frames to draw; by default all
+    std::optional<double> turn;        ///< degrees that the camera turns in the whole film
+    bool is_loop = false;
+
+    bool are_given() const { return rate || from || to || frames || turn || is_loop; }
 };
 
 struct RenderOptions {
@@ -25,8 +42,14 @@ struct RenderOptions {
     PictureSize size;
     Viewpoint viewpoint;
     Display display;
+    FilmOptions film;
 };
 
+/// The formats of pictures and films, without the dot of their extensions.
+std::vector<std::string> render_formats();
+
+/// Draws a film where the output is one (.mp4, .webm, .gif), or numbered pictures ("frame.####.png");
+/// otherwise one picture.
 /// \throw InputError, UsageError, MachineError
 void run_render(const RenderOptions& options);
 

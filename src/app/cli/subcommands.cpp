@@ -14,79 +14,12 @@
 #include "app/cli/lod_command.h"
 #include "app/cli/make_command.h"
 #include "app/cli/option_text.h"
-#include "app/cli/render_command.h"
-#include "app/cli/view_command.h"
+#include "app/cli/picture_subcommands.h"
 #include "hierarchy/error.h"
 #include "io/formats.h"
 
 namespace interleaf {
 namespace {
-
-void add_view(CLI::App& program) {
-    const auto options = std::make_shared<ViewOptions>();
-    CLI::App* command = program.add_subcommand("view", "Open the viewer");
-    add_family_or_keys(*command, "FAMILY", viewed_help(), options->family);
-    add_text_option(*command, "--size", "Size of the window; by default its last size",
-                    [options](const std::string& text) {
-                        const PictureSize size = parse_size(text);
-                        options->viewer.size = glm::ivec2(size.width, size.height);
-                    })
-        ->type_name("WxH");
-    CLI::Option* at =
-        add_text_option(*command, "--at", "Begin at this point of the parameter domain",
-                        [options](const std::string& text) { options->viewer.at = parse_point(text); });
-    at->type_name("U,V");
-    add_text_option(*command, "--time", "Begin at this time of the timeline or the path, seconds",
-                    [options](const std::string& text) { options->viewer.time = parse_number(text); })
-        ->type_name("T")
-        ->excludes(at);
-    add_along(*command, options->along)->excludes(at);
-    add_display(*command, options->viewer.display);
-    command
-        ->add_option_function<std::string>(
-            "--picture", [options](const std::string& path) { options->viewer.picture = path; },
-            "Write a PNG of the window, then close it")
-        ->type_name("FILE");
-    command
-        ->add_option_function<std::string>(
-            "--trace", [options](const std::string& path) { options->viewer.trace = path; },
-            "Write one JSON line per change of state to this file")
-        ->type_name("FILE");
-    command
-        ->add_option_function<std::string>(
-            "--stats", [options](const std::string& path) { options->viewer.stats = path; },
-            "Write the duration of every frame to this file, a JSON line per frame")
-        ->type_name("FILE");
-    command->final_callback([options] { run_view(*options); });
-    command->footer(
-        "Examples:\n"
-        "  interleaf view assets/families/five-keys\n"
-        "  interleaf view --at 0.3,0.4 --show wireframe --picture window.png");
-}
-
-void add_render(CLI::App& program) {
-    const auto options = std::make_shared<RenderOptions>();
-    CLI::App* command = program.add_subcommand("render", "Draw a picture; needs no display");
-    add_morph_selection(*command, options->morph);
-    add_output(*command, options->output, {"png"});
-    add_text_option(*command, "--size", "Size of the picture in pixels",
-                    [options](const std::string& text) { options->size = parse_size(text); })
-        ->type_name("WxH")
-        ->default_str(fmt::format("{}x{}", options->size.width, options->size.height));
-    add_display(*command, options->display);
-    const Viewpoint& viewpoint = options->viewpoint;
-    add_text_option(*command, "--camera",
-                    "Direction of view in degrees; at zoom 1 all keys fit into the picture",
-                    [options](const std::string& text) { options->viewpoint = parse_viewpoint(text); })
-        ->type_name("AZIMUTH,ELEVATION[,ZOOM]")
-        ->default_str(fmt::format("{},{},{}", viewpoint.azimuth, viewpoint.elevation, viewpoint.zoom));
-    command->final_callback([options] { run_render(*options); });
-    command->footer(
-        "Examples:\n"
-        "  interleaf render --at 0.3,0.4 -o a.png\n"
-        "  interleaf render star.ilh --show wireframe,refinement-edges --color level -o star.png\n"
-        "  interleaf render --weights star=1.5,sphere=-0.5 --camera 0,90,2 --format png -o - > b.png");
-}
 
 void add_export(CLI::App& program) {
     const auto options = std::make_shared<ExportOptions>();

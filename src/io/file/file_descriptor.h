@@ -14,6 +14,10 @@ class FileDescriptor {
     /// Opens \p file with the flags and mode of open(2). If that fails, is_open() is false and errno holds
     /// the reason.
     FileDescriptor(const std::filesystem::path& file, int flags, unsigned mode = 0);
+
+    /// Takes over an open descriptor.
+    explicit FileDescriptor(int number) : number_(number) {}
+
     FileDescriptor(FileDescriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
     FileDescriptor& operator=(FileDescriptor&& other) noexcept {
         std::swap(number_, other.number_);

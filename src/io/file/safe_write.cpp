@@ -1,6 +1,7 @@
 #include "io/file/safe_write.h"
 
 #include <cerrno>
+#include <optional>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -60,26 +61,49 @@ bool take_after(const FileDescriptor& file, const struct stat& old) {
     return ::fchmod(file.number(), old.st_mode & 07777) == 0;
 }
 
+std::filesystem::path folder_with(const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : ".";
+}
+
+/// The type and permissions of \p file; none if there is no such file.
+std::optional<struct stat> status_of(const std::filesystem::path& file) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) return std::nullopt;
+    return status;
+}
+
 }  // namespace
+
+FileReplacement::FileReplacement(const std::filesystem::path& file) : target_(behind_links(file)) {
+    const auto status = status_of(target_);
+    exists_ = status.has_value();
+    if (exists_ && !S_ISREG(status->st_mode)) {
+        errno = S_ISDIR(status->st_mode) ? EISDIR : EINVAL;
+        throw_system_error(target_, cannot_write);
+    }
+    // A writable folder would let us replace even a write-protected file.
+    if (exists_ && ::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0)
+        throw_system_error(target_, cannot_write);
+    // A file that only its owner may read stays private while it is written.
+    temporary_.emplace(folder_with(target_), exists_ ? 0600 : 0666);
+    if (!temporary_->is_open()) throw_system_error(target_, cannot_write);
+}
+
+void FileReplacement::commit() {
+    const auto status = exists_ ? status_of(target_) : std::nullopt;
+    if ((status && !take_after(temporary_->descriptor(), *status)) ||
+        ::fsync(temporary_->descriptor().number()) != 0 || !temporary_->rename_to(target_))
+        throw_system_error(target_, cannot_write);
+    flush_folder(folder_with(target_));
+}
 
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
     const std::filesystem::path target = behind_links(file);
-    struct stat status {};
-    const bool exists = ::stat(target.c_str(), &status) == 0;
-    if (exists && !S_ISREG(status.st_mode)) return write_in_place(bytes, target);
-    // A writable folder would let us replace even a write-protected file.
-    if (exists && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0)
-        throw_system_error(target, cannot_write);
-
-    const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-    // A file that only its owner may read stays private while it is written.
-    TemporaryFile temporary(folder, exists ? 0600 : 0666);
-    if (!temporary.is_open()) throw_system_error(target, cannot_write);
-    write_all(temporary.descriptor(), bytes, target);
-    if ((exists && !take_after(temporary.descriptor(), status)) ||
-        ::fsync(temporary.descriptor().number()) != 0 || !temporary.rename_to(target))
-        throw_system_error(target, cannot_write);
-    flush_folder(folder);
+    const auto status = status_of(target);
+    if (status && !S_ISREG(status->st_mode)) return write_in_place(bytes, target);
+    FileReplacement replacement(target);
+    write_all(replacement.descriptor(), bytes, target);
+    replacement.commit();
 }
 
 void write_file(const std::filesystem::path& file, std::string_view text) {

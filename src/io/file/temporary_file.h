@@ -25,6 +25,7 @@ class TemporaryFile {
 
     bool is_open() const { return descriptor_.is_open(); }
     const FileDescriptor& descriptor() const { return descriptor_; }
+    const std::filesystem::path& path() const { return path_; }
 
     /// \return whether the file has the name \p target now; otherwise errno holds the reason
     bool rename_to(const std::filesystem::path& target);

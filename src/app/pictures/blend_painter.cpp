@@ -1,0 +1,57 @@
+#include "app/pictures/blend_painter.h"
+
+#include <fmt/core.h>
+
+#include "app/document/shown_field.h"
+#include "hierarchy/error.h"
+#include "hierarchy/vertex_normals.h"
+
+namespace interleaf {
+namespace {
+
+constexpr int samples_per_pixel = 4;
+
+}  // namespace
+
+BlendPainter::BlendPainter(const Family& family, int width, int height, const Display& display)
+    : family_(family),
+      fields_(fields_of(family.keys)),
+      display_(display),
+      target_(width, height, samples_per_pixel) {
+    interleaf::require_field(display_, fields_);
+    adapt_display(display_, fields_);
+}
+
+const FamilyField* BlendPainter::shown() const {
+    return shown_field(display_, fields_);
+}
+
+void BlendPainter::require_field(const Weights& weights) const {
+    const FamilyField* const field = shown();
+    if (field == nullptr) return;
+    if (const auto key = key_without(family_, weights, field->label))
+        throw UsageError(
+            fmt::format("--color: key '{}' has no field '{}'", family_.keys[*key].name, field->label.name));
+}
+
+void BlendPainter::unite_keys(const Weights& weights) {
+    std::vector<std::size_t> keys = active_keys(weights);
+    if (keys == keys_) return;
+    require_field(weights);
+    const UnionMesh mesh = unite(family_, weights);
+    renderer_.upload(mesh, mesh.key_count() <= max_gpu_keys ? normal_form(mesh) : NormalForm{}, keys);
+    if (const FamilyField* const field = shown()) {
+        const UnionField united = united_field(family_, weights, mesh, field->label);
+        renderer_.set_field(&united);
+    }
+    keys_ = std::move(keys);
+}
+
+std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Viewpoint& viewpoint) {
+    unite_keys(weights);
+    const float aspect = static_cast<float>(target_.width()) / static_cast<float>(target_.height());
+    renderer_.draw(target_, camera_on(family_, viewpoint, aspect), weight_values(weights), display_);
+    return target_.read_rgba();
+}
+
+}  // namespace interleaf

@@ -1,0 +1,47 @@
+// Paints blends of a family as pictures in memory: for files, films and previews, without a window.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "app/pictures/viewpoint.h"
+#include "family/family.h"
+#include "family/family_fields.h"
+#include "render/display.h"
+#include "render/offscreen_target.h"
+#include "render/renderer.h"
+
+namespace interleaf {
+
+class BlendPainter {
+  public:
+    /// \param family   must outlive this object
+    /// \param width    pixels
+    /// \param height   pixels
+    /// \throw UsageError    if no key has the field that \p display shows
+    /// \throw MachineError  if the machine cannot draw pictures of this size
+    /// \pre a GL context is current
+    BlendPainter(const Family& family, int width, int height, const Display& display);
+
+    /// \throw UsageError if a key with a place in \p weights lacks the field that the display shows
+    void require_field(const Weights& weights) const;
+
+    /// The picture: 8-bit RGBA, sRGB-encoded, top row first. It is a function of the arguments alone.
+    /// \throw UsageError as require_field()
+    std::vector<std::uint8_t> paint(const Weights& weights, const Viewpoint& viewpoint);
+
+  private:
+    void unite_keys(const Weights& weights);
+    const FamilyField* shown() const;
+
+    const Family& family_;
+    std::vector<FamilyField> fields_;
+    Display display_;
+    Renderer renderer_;
+    OffscreenTarget target_;
+    std::vector<std::size_t> keys_;  ///< whose union the renderer has
+};
+
+}  // namespace interleaf
