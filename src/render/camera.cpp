@@ -52,6 +52,10 @@ void Camera::look_from(float azimuth, float elevation) {
     elevation_ = std::clamp(elevation, -90.0F, 90.0F);
 }
 
+void Camera::turn(float degrees) {
+    look_from(azimuth_ + degrees, elevation_);
+}
+
 void Camera::orbit(glm::vec2 delta) {
     constexpr float degrees_per_height = 180;
     look_from(azimuth_ - delta.x * degrees_per_height, elevation_ + delta.y * degrees_per_height);

@@ -25,6 +25,9 @@ class Camera {
     /// degrees.
     void look_from(float azimuth, float elevation);
 
+    /// Turns about the vertical axis through the target, by \p degrees.
+    void turn(float degrees);
+
     /// Turns about the target.
     /// \param delta  movement of the pointer in units of the picture's height, x right, y down
     void orbit(glm::vec2 delta);

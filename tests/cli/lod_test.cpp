@@ -13,7 +13,7 @@
 namespace interleaf {
 namespace {
 
-const std::string star = INTERLEAF_FIVE_KEYS "/star.ilh";
+const std::string star_file = INTERLEAF_FIVE_KEYS "/star.ilh";
 
 Outcome lod(const std::string& from, const std::string& to, std::vector<std::string> options) {
     options.insert(options.begin(), {"lod", from, "-o", to});
@@ -34,30 +34,30 @@ bool are_equal(const Hierarchy& a, const Hierarchy& b) {
 }
 
 TEST_CASE("a number of leaves is kept and nearly used up, and the cut is sound") {
-    const Hierarchy cut = cut_key(star, {"--leaves", "2000"});
+    const Hierarchy cut = cut_key(star_file, {"--leaves", "2000"});
     CHECK(cut.leaf_count() <= 2000);
     CHECK(cut.leaf_count() > 1800);
     CHECK(check(cut).empty());
-    CHECK(cut.roots == read_hierarchy(star).roots);
+    CHECK(cut.roots == read_hierarchy(star_file).roots);
 }
 
 TEST_CASE("the number of roots leaves the roots, and as many leaves as there are leave the key as it is") {
-    CHECK(cut_key(star, {"--leaves", "20"}).leaf_count() == 20);
-    CHECK(are_equal(cut_key(star, {"--leaves", "2e4"}), read_hierarchy(star)));
-    CHECK(are_equal(cut_key(star, {"--leaves", "1e6"}), read_hierarchy(star)));
+    CHECK(cut_key(star_file, {"--leaves", "20"}).leaf_count() == 20);
+    CHECK(are_equal(cut_key(star_file, {"--leaves", "2e4"}), read_hierarchy(star_file)));
+    CHECK(are_equal(cut_key(star_file, {"--leaves", "1e6"}), read_hierarchy(star_file)));
 }
 
 TEST_CASE("a larger tolerance leaves fewer leaves, down to the roots") {
-    const std::size_t fine = cut_key(star, {"--tolerance", "0.0005"}).leaf_count();
-    const std::size_t coarse = cut_key(star, {"--tolerance", "0.005"}).leaf_count();
+    const std::size_t fine = cut_key(star_file, {"--tolerance", "0.0005"}).leaf_count();
+    const std::size_t coarse = cut_key(star_file, {"--tolerance", "0.005"}).leaf_count();
     CHECK(fine > coarse);
     CHECK(coarse > 20);
-    CHECK(cut_key(star, {"--tolerance", "1"}).leaf_count() == 20);
+    CHECK(cut_key(star_file, {"--tolerance", "1"}).leaf_count() == 20);
 }
 
 TEST_CASE("a line per key says what was done, and standard output gets the bytes that a file gets") {
     const ScratchFolder folder;
-    const Outcome outcome = lod(star, folder / "cut.ilh", {"--tolerance", "0.002"});
+    const Outcome outcome = lod(star_file, folder / "cut.ilh", {"--tolerance", "0.002"});
     REQUIRE(outcome.status == 0);
     CHECK(outcome.output.starts_with("star: "));
     CHECK(contains(outcome.output, " of 20,000 leaves, at most "));
@@ -67,7 +67,7 @@ TEST_CASE("a line per key says what was done, and standard output gets the bytes
     CHECK(percent > 0.1);
     CHECK(percent <= 0.2);
     CHECK(std::ranges::count(outcome.output, '\n') == 1);
-    CHECK(lod(star, "-", {"--tolerance", "0.002"}).output == content(folder / "cut.ilh"));
+    CHECK(lod(star_file, "-", {"--tolerance", "0.002"}).output == content(folder / "cut.ilh"));
 }
 
 TEST_CASE("a family keeps its timeline and its domain, and each key is cut") {
@@ -99,12 +99,12 @@ TEST_CASE(
     REQUIRE(lod(INTERLEAF_FIVE_KEYS "/s*.ilh", folder / "two", {"--leaves", "500"}).status == 0);
     CHECK(read_family(folder / "two").keys.size() == 2);
 
-    REQUIRE(lod(star, folder / "plain.ilh", {"--leaves", "3000"}).status == 0);
-    REQUIRE(lod(star, folder / "small.ilh", {"--leaves", "3000", "--compress"}).status == 0);
+    REQUIRE(lod(star_file, folder / "plain.ilh", {"--leaves", "3000"}).status == 0);
+    REQUIRE(lod(star_file, folder / "small.ilh", {"--leaves", "3000", "--compress"}).status == 0);
     CHECK(std::filesystem::file_size(folder / "small.ilh") <
           std::filesystem::file_size(folder / "plain.ilh") / 2);
 
-    REQUIRE(run_interleaf({"export", star, "-o", folder / "star.obj"}).status == 0);
+    REQUIRE(run_interleaf({"export", star_file, "-o", folder / "star.obj"}).status == 0);
     CHECK(cut_key(folder / "star.obj", {"--tolerance", "0.1"}).leaf_count() == 20000);
 }
 

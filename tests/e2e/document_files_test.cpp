@@ -121,7 +121,7 @@ TEST_CASE("files dropped on the view open as a new family; files dropped on the 
     viewer.drop(std::vector{builtin_file("family.json")}, view_middle(state));
     wait_for_keys(viewer, 5);
     viewer.click({20, 10});
-    choose_in_menu(viewer, 1, 6);
+    choose_in_menu(viewer, 1, 7);
     const State menu = viewer.wait_for("recent files", [](const State& s) {
         return !s["rects"]["popup"].is_null() && s["rects"]["popup"][0].get<float>() > 40;
     });

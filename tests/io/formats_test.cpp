@@ -8,6 +8,7 @@
 
 #include "messages.h"
 #include "scratch_folder.h"
+#include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 

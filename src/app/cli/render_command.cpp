@@ -16,8 +16,10 @@ void render_picture(const RenderOptions& options, const Family& family) {
     const auto [width, height] = options.size;
     const EglContext context;
     BlendPainter painter(family, width, height, options.display);
-    write_output(target_of(options.output),
-                 png_bytes(painter.paint(weights, options.viewpoint), width, height));
+    write_output(
+        target_of(options.output),
+        png_bytes(painter.paint(weights, camera_on(family, options.viewpoint, aspect_of(options.size))),
+                  width, height));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "app/cli/morph_selection.h"
 #include "app/cli/output.h"
-#include "app/pictures/viewpoint.h"
+#include "app/cli/viewpoint.h"
 #include "render/display.h"
 
 namespace interleaf {
@@ -17,6 +17,10 @@ struct PictureSize {
     int width = 1280;  ///< pixels
     int height = 720;
 };
+
+inline float aspect_of(const PictureSize& size) {
+    return static_cast<float>(size.width) / static_cast<float>(size.height);
+}
 
 /// Numbers of frames, from the first to the last.
 struct FrameRange {

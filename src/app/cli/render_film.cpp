@@ -47,7 +47,7 @@ Film film_of(const RenderOptions& options, const Family& family) {
     film.source = source_of(options.morph, family);
     if (!film.source) film.still = selected_weights(options.morph, family);
     film.is_loop = options.film.is_loop;
-    film.viewpoint = options.viewpoint;
+    film.camera = camera_on(family, options.viewpoint, aspect_of(options.size));
     film.turn = static_cast<float>(options.film.turn.value_or(0));
     const TimeRange range = range_of(options.film, family, film.source);
     try {
@@ -80,8 +80,7 @@ bool paint_frames(BlendPainter& painter, const Film& film, const Family& family,
         if (interrupts.is_waiting()) return false;
         progress.show(fmt::format("frame {} of {}", number - wanted.first + 1, count),
                       static_cast<double>(number - wanted.first) / static_cast<double>(count));
-        receive(number,
-                painter.paint(weights_of_frame(film, family, number), viewpoint_of_frame(film, number)));
+        receive(number, painter.paint(weights_of_frame(film, family, number), camera_of_frame(film, number)));
     }
     return true;
 }

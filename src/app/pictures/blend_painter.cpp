@@ -47,10 +47,9 @@ void BlendPainter::unite_keys(const Weights& weights) {
     keys_ = std::move(keys);
 }
 
-std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Viewpoint& viewpoint) {
+std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Camera& camera) {
     unite_keys(weights);
-    const float aspect = static_cast<float>(target_.width()) / static_cast<float>(target_.height());
-    renderer_.draw(target_, camera_on(family_, viewpoint, aspect), weight_values(weights), display_);
+    renderer_.draw(target_, camera, weight_values(weights), display_);
     return target_.read_rgba();
 }
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/pictures/viewpoint.h"
 #include "family/family.h"
 #include "family/family_fields.h"
+#include "render/camera.h"
 #include "render/display.h"
 #include "render/offscreen_target.h"
 #include "render/renderer.h"
@@ -30,7 +30,7 @@ class BlendPainter {
 
     /// The picture: 8-bit RGBA, sRGB-encoded, top row first. It is a function of the arguments alone.
     /// \throw UsageError as require_field()
-    std::vector<std::uint8_t> paint(const Weights& weights, const Viewpoint& viewpoint);
+    std::vector<std::uint8_t> paint(const Weights& weights, const Camera& camera);
 
   private:
     void unite_keys(const Weights& weights);

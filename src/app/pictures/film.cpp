@@ -8,12 +8,12 @@ Weights weights_of_frame(const Film& film, const Family& family, std::size_t num
     return film.source ? weights_at(family, film.frames.at(number), *film.source) : film.still;
 }
 
-Viewpoint viewpoint_of_frame(const Film& film, std::size_t number) {
+Camera camera_of_frame(const Film& film, std::size_t number) {
     const std::size_t steps = film.is_loop ? film.frames.count : film.frames.count - 1;
     const double part = static_cast<double>(number) / static_cast<double>(std::max<std::size_t>(steps, 1));
-    Viewpoint viewpoint = film.viewpoint;
-    viewpoint.azimuth += static_cast<float>(film.turn * part);
-    return viewpoint;
+    Camera camera = film.camera;
+    camera.turn(static_cast<float>(film.turn * part));
+    return camera;
 }
 
 }  // namespace interleaf

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <optional>
 
-#include "app/pictures/viewpoint.h"
 #include "family/family.h"
 #include "family/family_time.h"
 #include "family/frame_times.h"
+#include "render/camera.h"
 
 namespace interleaf {
 
@@ -16,7 +16,7 @@ struct Film {
     FrameTimes frames;
     std::optional<TimeSource> source;  ///< what drives the blend; if none, all frames show the blend `still`
     Weights still;
-    Viewpoint viewpoint;   ///< of frame 0
+    Camera camera;         ///< of frame 0
     float turn = 0;        ///< how far the camera turns about the vertical axis in the whole film, degrees
     bool is_loop = false;  ///< whether frame 0 follows the last frame again
 };
@@ -25,6 +25,6 @@ Weights weights_of_frame(const Film& film, const Family& family, std::size_t num
 
 /// The camera turns evenly. In a loop the whole turn is done when frame 0 comes again, otherwise at the last
 /// frame.
-Viewpoint viewpoint_of_frame(const Film& film, std::size_t number);
+Camera camera_of_frame(const Film& film, std::size_t number);
 
 }  // namespace interleaf

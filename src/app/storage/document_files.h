@@ -18,6 +18,7 @@
 #include "app/document/viewer_state.h"
 #include "app/fitting/mesh_fitting.h"
 #include "app/storage/document_recovery.h"
+#include "app/storage/family_export.h"
 #include "app/storage/file_stamps.h"
 #include "app/storage/settings.h"
 #include "ui/browser/file_browser.h"
@@ -56,6 +57,9 @@ class DocumentFiles {
 
     /// Whether the document is being saved in the background.
     bool is_saving() const { return saving_.has_value(); }
+
+    /// Whether the family or a blend is being exported in the background.
+    bool is_exporting() const { return exporting_.is_working(); }
 
     /// The path at the file browser's cursor; none while the browser is closed.
     std::optional<std::filesystem::path> browsed() const { return browser_.cursor_path(); }
@@ -96,6 +100,8 @@ class DocumentFiles {
     void browse(FileRequest request, std::function<void(const FileChoice&)> answer);
     void browse_to_open();
     void browse_to_add();
+    void browse_to_export();
+    void export_as(const std::filesystem::path& file);
     std::optional<Opening> opened(const std::vector<std::filesystem::path>& paths);
     bool show_opened(const std::vector<std::filesystem::path>& paths);
     void reopen();
@@ -133,6 +139,7 @@ class DocumentFiles {
     std::function<void(const Answer&)> on_answer_;
     MeshFitting fitting_;
     std::optional<Saving> saving_;
+    FamilyExport exporting_;
     double now_ = 0;
 
     std::optional<DocumentRecovery> recovery_;  ///< none if the user's recoveries must not be touched

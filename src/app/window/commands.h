@@ -24,6 +24,7 @@ enum class CommandId : std::uint8_t {
     reopen,
     save,
     save_as,
+    export_as,
     quit,
     undo,
     redo,

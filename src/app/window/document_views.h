@@ -54,6 +54,8 @@ class DocumentViews {
     const SurfaceFigures& figures() const { return surface_.figures(); }
     const std::vector<MessagePicture>& message_pictures() const { return mismatch_pictures_.shown(); }
 
+    const Camera& camera() const { return surface_.camera(); }
+
     /// Position of the camera.
     glm::vec3 eye() const;
 

@@ -20,6 +20,7 @@
 #include "app/storage/document_files.h"
 #include "app/window/commands.h"
 #include "app/window/document_views.h"
+#include "app/window/film_export.h"
 #include "app/window/frame_failures.h"
 #include "app/window/frame_layout.h"
 #include "app/window/frame_stats.h"
@@ -79,10 +80,12 @@ class Viewer {
 
     FrameInput read_input();
     bool has_keyboard() const;
+    bool is_asking() const { return files_.is_asking() || film_.is_open(); }
 
     void update(const FrameInput& input, double now);
     void apply_actions(const WindowActions& actions, double now);
     void update_files(const FrameInput& input, double now);
+    void update_film(double now);
     void follow_state(double now);
 
     void draw(const std::optional<ViewInput>& view);
@@ -96,6 +99,7 @@ class Viewer {
     Window window_;
     ViewerState state_;
     DocumentFiles files_;
+    FilmExport film_;
     std::vector<std::filesystem::path> meshes_;  ///< not opened yet
     Gui gui_;
     MouseHolds holds_;
@@ -176,7 +180,8 @@ void Viewer::wait() {
         glfwPollEvents();
         return;
     }
-    const double longest = files_.is_working() || files_.is_saving() ? work_interval : longest_wait;
+    const bool works = files_.is_working() || files_.is_saving() || files_.is_exporting();
+    const double longest = works ? work_interval : longest_wait;
     const double before = glfwGetTime();
     glfwWaitEventsTimeout(longest);
     if (glfwGetTime() - before < longest) redraw_.settle();  // an event has come
@@ -207,7 +212,7 @@ FrameInput Viewer::read_input() {
     input.pressed = std::exchange(input_.pressed, {});
     input.dropped = std::exchange(input_.dropped, {});
     if (!has_keyboard()) input.pressed.clear();
-    if (files_.is_asking()) input.dropped.clear();
+    if (is_asking()) input.dropped.clear();
     const ShownWindow shown = show_panels();
     if (!input.dropped.empty()) {
         glm::dvec2 pointer;
@@ -222,7 +227,7 @@ FrameInput Viewer::read_input() {
 
 /// Whether the document or the comparison receives the keyboard, and no text field, menu or question does.
 bool Viewer::has_keyboard() const {
-    return !gui_.takes_text() && !gui_.has_menu() && !files_.is_asking();
+    return !gui_.takes_text() && !gui_.has_menu() && !is_asking();
 }
 
 // ---- update ----
@@ -245,11 +250,18 @@ void Viewer::apply_actions(const WindowActions& actions, double now) {
 
 void Viewer::update_files(const FrameInput& input, double now) {
     files_.act(gui_.density(), now);
-    if (!meshes_.empty() && !files_.is_asking()) files_.open(std::exchange(meshes_, {}));
+    if (!meshes_.empty() && !is_asking()) files_.open(std::exchange(meshes_, {}));
     if (!input.dropped.empty() && input.drops_on_keys) files_.add_keys(input.dropped, now);
     if (!input.dropped.empty() && !input.drops_on_keys) files_.open(input.dropped);
     files_.grant(std::exchange(state_.file_wish, FileWish::none));
+    update_film(now);
     files_.look_after(now);
+}
+
+void Viewer::update_film(double now) {
+    if (const auto file = std::exchange(state_.film_wish, std::nullopt))
+        film_.offer(*file, state_.document.snapshot(), state_.session, views_.camera());
+    if (auto message = film_.update(gui_.density(), now)) state_.message = *std::move(message);
 }
 
 /// Updates everything that is derived from the state.
@@ -262,7 +274,7 @@ void Viewer::follow_state(double now) {
         title_ = title;
         glfwSetWindowTitle(window_.handle(), fmt::format("{} – Interleaf", title).c_str());
     }
-    const Subject subject{state_.document.snapshot(), state_.message.text, files_.is_asking(), is_comparing};
+    const Subject subject{state_.document.snapshot(), state_.message.text, is_asking(), is_comparing};
     takes_keys_ = subject_.is_asking && subject.is_asking;  // a question reads no keys in its first frame
     rest_.has_changed = subject != subject_;
     subject_ = subject;
@@ -276,7 +288,7 @@ void Viewer::draw(const std::optional<ViewInput>& view) {
     gui_.begin_drawing();
     drawn_ = show_panels();
     rest_.is_coarse = !views_.draw(state_, drawn_.layout, view, gui_);
-    rest_.moves = state_.session.is_playing();
+    rest_.moves = state_.session.is_playing() || film_.is_working();
     rest_.has_input = gui_.has_input();
     gui_.end_frame();
 }
@@ -299,6 +311,7 @@ ShownWindow Viewer::show_panels() {
                                      .comparison = views_.comparison(),
                                      .has_keyboard = has_keyboard()});
     files_.show(frame.content, now_);
+    film_.show(frame.content, now_);
     return shown;
 }
 

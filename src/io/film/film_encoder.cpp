@@ -123,6 +123,11 @@ void FilmEncoder::pass_frames_on() {
     }
 }
 
+bool FilmEncoder::takes_frames() {
+    const std::lock_guard lock(mutex_);
+    return waiting_.size() < max_waiting || is_broken_;
+}
+
 void FilmEncoder::add(std::vector<std::uint8_t> rgba) {
     {
         std::unique_lock lock(mutex_);

@@ -53,6 +53,9 @@ class FilmEncoder {
     /// Ends ffmpeg. Without finish(), the target stays as it was.
     ~FilmEncoder();
 
+    /// Whether add() would not wait.
+    bool takes_frames();
+
     /// Appends a frame. Waits while several frames are on their way to ffmpeg.
     /// \param rgba  8 bits per channel, top row first
     /// \throw MachineError with the message of ffmpeg, if it has failed

@@ -1,4 +1,4 @@
-#include "app/pictures/viewpoint.h"
+#include "app/cli/viewpoint.h"
 
 #include "app/document/family_extent.h"
 

@@ -1,0 +1,93 @@
+// Makes pictures and films in the window: shows the film dialog, then paints the frames, some in every frame of
+// the window, while ffmpeg encodes them.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <optional>
+
+#include "app/document/message.h"
+#include "app/document/session.h"
+#include "app/pictures/blend_painter.h"
+#include "app/pictures/film_plan.h"
+#include "io/film/film_encoder.h"
+#include "render/camera.h"
+#include "render/gl_object.h"
+#include "ui/dialogs/film_dialog.h"
+#include "ui/widgets/rect.h"
+
+namespace interleaf {
+
+class FilmExport {
+  public:
+    /// Opens the dialog for \p file, a film or a picture. Everything is taken from the present state: later
+    /// edits do not change the film.
+    /// \param family  of \p session
+    /// \pre is_open() is false
+    void offer(std::filesystem::path file, std::shared_ptr<const Family> family, const Session& session,
+               const Camera& camera);
+
+    /// Whether the dialog or the progress is in front of the window.
+    bool is_open() const { return dialog_.is_open() || work_.has_value(); }
+
+    /// Whether the window must draw again soon, even without input.
+    bool is_working() const { return work_.has_value(); }
+
+    const FilmDialog& dialog() const { return dialog_; }
+
+    /// Shows the dialog or the progress, if open, in the middle of \p area. Call it in every frame from the
+    /// same place.
+    void show(const Rect& area, double now);
+
+    /// Acts on the answer, draws the preview, and paints frames for a short time. Call it in every frame.
+    /// \param density  framebuffer pixels per screen coordinate
+    /// \return         what to tell the user, once
+    /// \pre a GL context is current
+    std::optional<Message> update(float density, double now);
+
+  private:
+    /// The subject of the dialog.
+    struct Offer {
+        std::filesystem::path file;
+        const FilmFormat* format;  ///< null for a picture
+        std::shared_ptr<const Family> family;
+        Session session;
+        Camera camera;
+    };
+
+    /// What the preview shows.
+    struct PreviewOf {
+        glm::ivec2 size;  ///< pixels
+        double begin;     ///< seconds
+        bool operator==(const PreviewOf&) const = default;
+    };
+
+    /// Frames in the making.
+    struct Work {
+        FilmPlan plan;
+        std::unique_ptr<BlendPainter> painter{};
+        std::unique_ptr<FilmEncoder> encoder{};  ///< null for a picture
+        std::size_t next = 0;                    ///< frame to paint
+        std::future<void> finished{};            ///< valid when all frames are painted
+        double started = 0;
+        bool is_cancelled = false;
+        bool is_closing = false;  ///< the progress dialog is shown for the last time
+    };
+
+    FilmPlan plan() const;
+    void draw_preview(float density);
+    void start(double now);
+    void paint_some();
+    std::optional<Message> end_work(double now);
+
+    std::optional<Offer> offer_;
+    FilmDialog dialog_;
+    std::optional<bool> answer_;  ///< kept for update()
+    std::optional<PreviewOf> preview_of_;
+    GlTexture preview_;
+    std::optional<Work> work_;
+};
+
+}  // namespace interleaf

@@ -1,0 +1,88 @@
+// `interleaf render`: films and numbered pictures.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "cli/process.h"
+#include "scratch_folder.h"
+#include <doctest/doctest.h>
+#include <fmt/core.h>
+
+namespace interleaf {
+namespace {
+
+constexpr const char* film_size = "64x36";
+
+/// What ffprobe says about the frames of \p film: "width,height,rate,frames".
+std::string probe(const std::filesystem::path& film, const ScratchFolder& folder) {
+    const std::filesystem::path answer = folder.path() / "answer";
+    const std::string command = fmt::format(
+        "ffprobe -v error -count_frames -show_entries "
+        "stream=width,height,r_frame_rate,nb_read_frames -of csv=p=0 '{}' > '{}'",
+        film.string(), answer.string());
+    REQUIRE(std::system(command.c_str()) == 0);  // NOLINT(concurrency-mt-unsafe): one thread
+    return content(answer);
+}
+
+TEST_CASE("a film has the size, the rate and the frames that are asked for") {
+    const ScratchFolder folder;
+    const Outcome outcome = run_interleaf({"render", "-o", folder / "film.mp4", "--size", film_size, "--fps",
+                                           "10", "--from", "1", "--to", "2.5", "--turn", "90"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    CHECK(probe(folder / "film.mp4", folder) == "64,36,10/1,16\n");
+}
+
+TEST_CASE("a numbered picture has the same bytes whoever draws it, and as a single picture of its time") {
+    const ScratchFolder folder;
+    const auto draw = [&](const char* name, const char* frames) {
+        const Outcome outcome = run_interleaf(
+            {"render", "-o", folder / name, "--size", film_size, "--fps", "4", "--frames", frames});
+        REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    };
+    draw("all.###.png", "5:8");
+    draw("one.#.png", "7:7");
+    CHECK(std::filesystem::exists(folder / "all.005.png"));
+    CHECK(std::filesystem::exists(folder / "all.008.png"));
+    CHECK_FALSE(std::filesystem::exists(folder / "all.004.png"));
+    CHECK(content(folder / "all.007.png") == content(folder / "one.7.png"));
+    REQUIRE(
+        run_interleaf({"render", "-o", folder / "still.png", "--size", film_size, "--time", "1.75"}).status ==
+        0);
+    CHECK(content(folder / "all.007.png") == content(folder / "still.png"));
+}
+
+TEST_CASE("a blend that does not change is turned for as long as --to says") {
+    const ScratchFolder folder;
+    const Outcome outcome = run_interleaf({"render", "-o", folder / "turn.#.png", "--size", film_size, "--at",
+                                           "0.3,0.4", "--fps", "2", "--to", "2", "--turn", "360", "--loop"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    CHECK(std::filesystem::exists(folder / "turn.3.png"));
+    CHECK_FALSE(std::filesystem::exists(folder / "turn.4.png"));
+    CHECK(content(folder / "turn.0.png") != content(folder / "turn.1.png"));
+}
+
+TEST_CASE("a film that cannot be made is refused before anything is written") {
+    const ScratchFolder folder;
+    const auto refusal = [&](std::vector<std::string> options, int status) {
+        options.insert(options.begin(), "render");
+        const Outcome outcome = run_interleaf(options);
+        CHECK(outcome.status == status);
+        CHECK(is_one_message(outcome.errors));
+        CHECK_FALSE(std::filesystem::exists(folder / "a.mp4"));
+        return outcome.errors;
+    };
+    const std::string film = folder / "a.mp4";
+    CHECK(contains(refusal({"-o", film, "--size", "63x36"}, 2), "even"));
+    CHECK(contains(refusal({"-o", film, "--frames", "3:900"}, 2), "0 to 300"));
+    CHECK(contains(refusal({"-o", film, "--frames", "3"}, 2), "A:B"));
+    CHECK(contains(refusal({"-o", film, "--from", "3", "--to", "2"}, 2), "--to"));
+    CHECK(contains(refusal({"-o", film, "--time", "1"}, 2), "--to"));
+    CHECK(contains(refusal({"-o", film, "--fps", "0"}, 2), "--fps"));
+    CHECK(contains(refusal({"-o", "-", "--format", "mp4"}, 2), "needs a file"));
+    CHECK(contains(refusal({"-o", folder / "a.png", "--fps", "25"}, 2), "frame.####.png"));
+    CHECK(contains(refusal({"-o", folder / "no folder" / "a.mp4", "--size", film_size}, 3), "no folder"));
+}
+
+}  // namespace
+}  // namespace interleaf
