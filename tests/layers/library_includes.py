@@ -33,7 +33,7 @@ GIVES = {
         has_single_bit popcount rotl rotr""",
     "cassert": "assert()",
     "cctype": "isalnum isalpha isdigit isspace tolower toupper",
-    "cerrno": "EEXIST EINTR ELOOP EWOULDBLOCK errno",
+    "cerrno": "EEXIST EINTR EINVAL EISDIR ELOOP ENOENT EWOULDBLOCK errno",
     "charconv": "chars_format from_chars to_chars",
     "chrono": "chrono chrono_literals",
     "cmath": """
@@ -45,7 +45,7 @@ GIVES = {
         convertible_to derived_from floating_point integral invocable predicate regular_invocable same_as
         signed_integral unsigned_integral""",
     "condition_variable": "condition_variable condition_variable_any",
-    "csignal": "SIGINT SIGTERM",
+    "csignal": "SIGINT SIGKILL SIGTERM ::kill()",
     "cstddef": "byte max_align_t nullptr_t ptrdiff_t size_t to_integer",
     "cstdint": """
         int16_t int32_t int64_t int8_t intmax_t intptr_t uint16_t uint32_t uint64_t uint8_t uint_least32_t
@@ -131,9 +131,16 @@ GIVES = {
     "stop_token": "stop_callback stop_source stop_token",
     "string": "basic_string char_traits getline stod stof stoi stol stoul stoull string to_string u8string wstring",
     "string_view": "basic_string_view string_view",
+    "spawn.h": """
+        ::posix_spawn_file_actions_adddup2() ::posix_spawn_file_actions_destroy()
+        ::posix_spawn_file_actions_init() ::posix_spawnattr_destroy() ::posix_spawnattr_init()
+        ::posix_spawnattr_setflags() ::posix_spawnattr_setpgroup() ::posix_spawnattr_setsigmask()
+        ::posix_spawnp() POSIX_SPAWN_SETPGROUP POSIX_SPAWN_SETSIGMASK""",
     "sys/file.h": "::flock()",
-    "sys/mman.h": "::madvise() ::mmap() ::mremap() ::munmap()",
+    "sys/mman.h": "::madvise() ::memfd_create() ::mmap() ::mremap() ::munmap()",
+    "sys/socket.h": "::send() ::socketpair()",
     "sys/stat.h": "::fchmod() ::fstat() ::lstat() ::mkdir() ::stat()",
+    "sys/wait.h": "::waitpid()",
     "system_error": """
         errc error_category error_code error_condition generic_category make_error_code make_error_condition
         system_category system_error""",
@@ -146,8 +153,8 @@ GIVES = {
         is_same_v is_signed_v is_trivially_copyable_v is_unsigned_v make_signed_t make_unsigned_t remove_cv_t
         remove_cvref_t remove_reference_t true_type underlying_type_t void_t""",
     "unistd.h": """
-        ::close() ::faccessat() ::fchown() ::fsync() ::geteuid() ::getpid() ::isatty() ::read() ::unlink()
-        ::write()""",
+        ::close() ::faccessat() ::fchown() ::fsync() ::geteuid() ::getpid() ::isatty() ::lseek() ::pread()
+        ::read() ::unlink() ::write()""",
     "unordered_map": "erase_if unordered_map unordered_multimap",
     "unordered_set": "unordered_set",
     "utility": """

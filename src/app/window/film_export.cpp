@@ -1,5 +1,6 @@
 #include "app/window/film_export.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
