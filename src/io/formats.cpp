@@ -6,6 +6,7 @@
 #include "io/export/blend_export.h"
 #include "io/family/family_file.h"
 #include "io/file/file_pattern.h"
+#include "io/gltf/glb_export.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "io/mesh/mesh_file.h"
 #include "io/text/joined_text.h"
@@ -21,7 +22,7 @@ std::variant<FileKeys, Misfit> read_hierarchies(std::span<const std::filesystem:
     return read;
 }
 
-constexpr std::array<Format, 6> table = {{
+constexpr std::array<Format, 7> table = {{
     {.extension = ".json",
      .title = "family file",
      .read = Carried{.fields = true, .colors = true, .hierarchy = true, .origin = true, .time = true},
@@ -51,6 +52,10 @@ constexpr std::array<Format, 6> table = {{
      .title = "OFF",
      .read = Carried{.colors = true, .origin = true},
      .parse_surface = parse_off},
+    {.extension = ".glb",
+     .title = "binary glTF 2.0",
+     .written = Carried{.fields = true, .colors = true, .origin = true, .time = true},
+     .write = export_glb},
 }};
 
 }  // namespace

@@ -40,7 +40,8 @@ ROOMS = {
         "mesh": {"text", "file"},
         "family": {"text", "file", "hierarchy"},
         "export": {"text", "file", "hierarchy", "mesh"},
-        "": {"text", "file", "hierarchy", "mesh", "family", "export"},
+        "gltf": {"text", "file", "hierarchy", "mesh", "family", "export"},
+        "": {"text", "file", "hierarchy", "mesh", "family", "export", "gltf"},
     },
     "ui": {
         "widgets": set(),
