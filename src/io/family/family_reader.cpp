@@ -328,15 +328,21 @@ Family read_family(const fs::path& path, std::vector<std::string>* changes) {
 
 Family family_of_files(std::span<const fs::path> files, FileKeys read, std::vector<std::string>* changes) {
     const auto name_of = [](const fs::path& file) { return family_format::utf8_of(file.stem()); };
+    const bool is_key_per_file = read.names.empty();
     std::vector<Key> keys;
-    keys.reserve(files.size());
+    keys.reserve(read.keys.size());
     const glm::dvec3 origin = read.origin.value_or(glm::dvec3(0));
     if (origin != glm::dvec3(0)) read.remarks.push_back(origin_sentence(origin));
     if (changes != nullptr) changes->insert(changes->end(), read.remarks.begin(), read.remarks.end());
-    for (Hierarchy& hierarchy : read.keys)
-        keys.push_back({name_of(files[keys.size()]), std::move(hierarchy)});
-    synchronize_all(
-        keys, {}, [&](std::size_t key) { return files[key].string(); }, changes);
+    for (Hierarchy& hierarchy : read.keys) {
+        const std::size_t key = keys.size();
+        keys.push_back({is_key_per_file ? name_of(files[key]) : read.names[key], std::move(hierarchy)});
+    }
+    const auto place_of = [&](std::size_t key) {
+        if (is_key_per_file) return files[key].string();
+        return fmt::format("{}: key {}", files.front().string(), in_quotes(read.names[key]));
+    };
+    synchronize_all(keys, {}, place_of, changes);
     const std::string name = files.size() == 1
                                  ? name_of(files.front())
                                  : fmt::format("{} to {}", name_of(files.front()), name_of(files.back()));
