@@ -10,6 +10,7 @@
 #include "io/gltf/gltf_reader.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "io/mesh/mesh_file.h"
+#include "io/page/page_export.h"
 #include "io/text/joined_text.h"
 
 namespace interleaf {
@@ -23,7 +24,7 @@ std::variant<FileKeys, Misfit> read_hierarchies(std::span<const std::filesystem:
     return read;
 }
 
-constexpr std::array<Format, 8> table = {{
+constexpr std::array<Format, 9> table = {{
     {.extension = ".json",
      .title = "family file",
      .read = Carried{.fields = true, .colors = true, .hierarchy = true, .origin = true, .time = true},
@@ -67,6 +68,10 @@ constexpr std::array<Format, 8> table = {{
      .read_family = read_gltf_family,
      .read_keys = read_gltf_keys,
      .parse_surface = parse_gltf},
+    {.extension = ".html",
+     .title = "web page",
+     .written = Carried{.fields = true, .colors = true, .hierarchy = true, .time = true},
+     .write = export_page},
 }};
 
 }  // namespace

@@ -41,7 +41,8 @@ ROOMS = {
         "family": {"text", "file", "hierarchy"},
         "export": {"text", "file", "hierarchy", "mesh"},
         "gltf": {"text", "file", "hierarchy", "mesh", "family", "export"},
-        "": {"text", "file", "hierarchy", "mesh", "family", "export", "gltf"},
+        "page": {"text", "file", "hierarchy", "mesh", "family", "export"},
+        "": {"text", "file", "hierarchy", "mesh", "family", "export", "gltf", "page"},
     },
     "ui": {
         "widgets": set(),
