@@ -6,8 +6,11 @@
 #include "io/export/blend_export.h"
 #include "io/family/family_file.h"
 #include "io/file/file_pattern.h"
+#include "io/gltf/glb_export.h"
+#include "io/gltf/gltf_reader.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "io/mesh/mesh_file.h"
+#include "io/page/page_export.h"
 #include "io/text/joined_text.h"
 
 namespace interleaf {
@@ -21,7 +24,7 @@ std::variant<FileKeys, Misfit> read_hierarchies(std::span<const std::filesystem:
     return read;
 }
 
-constexpr std::array<Format, 6> table = {{
+constexpr std::array<Format, 9> table = {{
     {.extension = ".json",
      .title = "family file",
      .read = Carried{.fields = true, .colors = true, .hierarchy = true, .origin = true, .time = true},
@@ -51,6 +54,24 @@ constexpr std::array<Format, 6> table = {{
      .title = "OFF",
      .read = Carried{.colors = true, .origin = true},
      .parse_surface = parse_off},
+    {.extension = ".glb",
+     .title = "binary glTF 2.0",
+     .read = Carried{.fields = true, .colors = true, .origin = true, .time = true},
+     .written = Carried{.fields = true, .colors = true, .origin = true, .time = true},
+     .read_family = read_gltf_family,
+     .read_keys = read_gltf_keys,
+     .parse_surface = parse_gltf,
+     .write = export_glb},
+    {.extension = ".gltf",
+     .title = "glTF 2.0",
+     .read = Carried{.fields = true, .colors = true, .origin = true, .time = true},
+     .read_family = read_gltf_family,
+     .read_keys = read_gltf_keys,
+     .parse_surface = parse_gltf},
+    {.extension = ".html",
+     .title = "web page",
+     .written = Carried{.fields = true, .colors = true, .hierarchy = true, .time = true},
+     .write = export_page},
 }};
 
 }  // namespace

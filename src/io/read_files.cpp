@@ -8,6 +8,7 @@
 
 #include "hierarchy/error.h"
 #include "io/family/family_file.h"
+#include "io/family/family_format.h"
 #include "io/formats.h"
 
 namespace interleaf {
@@ -31,6 +32,8 @@ std::variant<FileKeys, Misfit> read_mixture(std::span<const fs::path> files) {
         if (auto* misfit = std::get_if<Misfit>(&read)) return std::move(*misfit);
         FileKeys& one = std::get<FileKeys>(read);
         if (one.origin) all.origin = one.origin;
+        if (one.names.empty()) one.names.push_back(family_format::utf8_of(file.stem()));
+        std::ranges::move(one.names, std::back_inserter(all.names));
         std::ranges::move(one.keys, std::back_inserter(all.keys));
         std::ranges::move(one.remarks, std::back_inserter(all.remarks));
     }

@@ -41,7 +41,9 @@ ROOMS = {
         "mesh": {"text", "file"},
         "family": {"text", "file", "hierarchy"},
         "export": {"text", "file", "hierarchy", "mesh"},
-        "": {"text", "file", "film", "hierarchy", "mesh", "family", "export"},
+        "gltf": {"text", "file", "hierarchy", "mesh", "family", "export"},
+        "page": {"text", "file", "hierarchy", "mesh", "family", "export"},
+        "": {"text", "file", "film", "hierarchy", "mesh", "family", "export", "gltf", "page"},
     },
     "ui": {
         "widgets": set(),

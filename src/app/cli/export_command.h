@@ -1,4 +1,5 @@
-// `interleaf export`: writes the morphed union as a flat mesh, or as a key (paper, section 3.3).
+// `interleaf export`: writes the morphed union as a flat mesh or as a key (paper, section 3.3), or the whole
+// family.
 #pragma once
 
 #include "app/cli/morph_selection.h"
@@ -9,8 +10,9 @@ namespace interleaf {
 
 struct ExportOptions {
     MorphSelection morph;
-    Output output;              ///< obj, ply or ilh
+    Output output;
     HierarchyFileOptions form;  ///< of an ilh file
+    bool segments = false;      ///< of a glb file: a mesh per interval of the timeline
 };
 
 /// \throw InputError, UsageError, MachineError

@@ -1,6 +1,8 @@
 #include "app/cli/fit_command.h"
 
+#include <span>
 #include <utility>
+#include <variant>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -16,7 +18,6 @@
 #include "hierarchy/error.h"
 #include "io/family/family_file.h"
 #include "io/formats.h"
-#include "io/mesh/mesh_file.h"
 
 namespace interleaf {
 namespace {
@@ -48,9 +49,10 @@ SphereRoots roots_named(const std::string& name) {
         throw UsageError(
             fmt::format("--roots: expected cube, icosahedron, octahedron or an {} file, got '{}'",
                         extensions_in_words(&Format::holds_mesh_as_key), name));
-    const Hierarchy roots = read_obj(file);
+    const auto read = find_format(file)->read_keys(std::span(&file, 1), std::nullopt);
+    if (const auto* misfit = std::get_if<Misfit>(&read)) throw InputError(misfit->reason);
     try {
-        return project_to_sphere(roots);
+        return project_to_sphere(std::get<FileKeys>(read).keys.front());
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", name, error.what()));
     }

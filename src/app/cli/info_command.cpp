@@ -42,13 +42,15 @@ std::string_view form_of(const std::filesystem::path& file) {
 }
 
 /// The figures of each key.
-/// \param files  the file of each key
+/// \param files  the file of each key, or the only file of all keys, which counts for none of them
 std::vector<Figures> figures_of(const Family& family, std::span<const std::filesystem::path> files) {
     std::vector<Figures> figures;
     figures.reserve(family.keys.size());
     for (std::size_t i = 0; i < family.keys.size(); ++i) {
-        figures.push_back(figures_of(*family.keys[i].hierarchy, std::filesystem::file_size(files[i])));
-        figures.back().form = form_of(files[i]);
+        const bool has_file = files.size() == family.keys.size();
+        figures.push_back(
+            figures_of(*family.keys[i].hierarchy, has_file ? std::filesystem::file_size(files[i]) : 0));
+        if (has_file) figures.back().form = form_of(files[i]);
     }
     return figures;
 }
@@ -321,19 +323,31 @@ void print_mesh(const std::filesystem::path& file, bool as_json) {
     for (const std::string& remark : mesh.remarks) print_line("read", shown_text(remark));
 }
 
+/// Whether a file that also holds a mesh to fit has a family of several keys.
+bool holds_several_keys(const std::filesystem::path& file) {
+    if (!is_called(file, &Format::holds_mesh) || !is_called(file, &Format::holds_family)) return false;
+    try {
+        return find_format(file)->read_family(file, nullptr).keys.size() > 1;
+    } catch (const InputError&) {
+        return false;  // a mesh that is no key
+    }
+}
+
 }  // namespace
 
 void run_info(const InfoOptions& options) {
     const std::vector<std::filesystem::path> files = files_of(std::span(&options.file, 1));
     const std::filesystem::path& first = files.front();
-    if (files.size() == 1 && is_called(first, &Format::holds_mesh)) return print_mesh(first, options.json);
+    const bool has_family = holds_several_keys(first);
+    if (files.size() == 1 && is_called(first, &Format::holds_mesh) && !has_family)
+        return print_mesh(first, options.json);
 
     Opening opened = open_files(files);
     const bool is_family = std::holds_alternative<OpenedFamily>(opened);
     const Family family = family_of(std::move(opened));
     const std::vector<Figures> keys = figures_of(family, is_family ? key_files(first) : files);
     const auto print = options.json ? print_json : print_text;
-    if (is_family)
+    if (is_family || (has_family && files.size() == 1))
         print(Kind::family, family, keys, figures_of_family(first, keys));
     else if (files.size() == 1)
         print(Kind::hierarchy, family, keys, total(keys));

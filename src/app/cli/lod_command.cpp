@@ -70,7 +70,7 @@ void run_lod(const LodOptions& options) {
     check_limits(options);
     Opening opened = open_files(std::span(&options.input, 1));
     const auto* const keys = std::get_if<OpenedKeys>(&opened);
-    const bool is_key = keys != nullptr && keys->files.size() == 1;
+    const bool is_key = keys != nullptr && keys->family.keys.size() == 1;
     std::vector<std::string> changes;
     Family family = family_of(std::move(opened), &changes);
     if (is_key)

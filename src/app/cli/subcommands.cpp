@@ -23,16 +23,19 @@ namespace {
 
 void add_export(CLI::App& program) {
     const auto options = std::make_shared<ExportOptions>();
-    CLI::App* command = program.add_subcommand("export", "Write a blend as a mesh or as a key");
+    CLI::App* command = program.add_subcommand("export", "Write a blend as a mesh or as a key, or the whole family");
     add_morph_selection(*command, options->morph);
     add_output(*command, options->output, format_names(&Format::is_exported));
     add_form(*command, options->form);
+    command->add_flag("--segments", options->segments,
+                      "One mesh per interval of the timeline, for long timelines (glb)");
     command->final_callback([options] { run_export(*options); });
     command->footer(
         "Each face begins with the vertex opposite its refinement edge.\n\n"
         "Examples:\n"
         "  interleaf export --at 0.3,0.4 -o u.obj\n"
-        "  interleaf export --time 1.5 -o between.ilh --compress");
+        "  interleaf export --time 1.5 -o between.ilh --compress\n"
+        "  interleaf export family.json -o family.glb");
 }
 
 void add_info(CLI::App& program) {

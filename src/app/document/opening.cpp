@@ -122,6 +122,9 @@ Opening open_files(std::span<const std::filesystem::path> paths) {
                                      extensions_in_words(&Format::holds_family_or_key)));
     if (!format->holds_family()) return open_keys(std::move(files));
     opened.family = format->read_family(file, &opened.changes);
+    // The file is no place to save to, and its mesh can also be fitted.
+    if (format->holds_mesh())
+        return OpenedKeys{std::move(opened.family), std::move(opened.changes), std::move(files)};
     return opened;
 }
 

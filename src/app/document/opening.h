@@ -22,7 +22,7 @@ struct OpenedFamily {
     std::vector<std::string> changes;  ///< one sentence per changed key
 };
 
-/// A new family of one key per file.
+/// A new family of the keys in files: one key per file, or several in a glTF file.
 struct OpenedKeys {
     Family family;
     std::vector<std::string> changes;          ///< one sentence per remark and per changed key
@@ -51,6 +51,7 @@ Cases(Functions...) -> Cases<Functions...>;
 /// Opens \p paths, as files_of() resolves them:
 /// - no path: the built-in family
 /// - one family file, or its folder: the family
+/// - one file with a family that could also be fitted (glTF): keys
 /// - meshes, at least one of a format without keys: meshes to fit
 /// - several meshes that are not keys together: meshes to fit, with the reason
 /// - other files: keys

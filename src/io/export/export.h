@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -18,10 +19,16 @@ struct Export {
     std::optional<Weights>
         weights;  ///< of the chosen blend; none if nothing is chosen and the family has no default blend
     HierarchyFileOptions form;  ///< of key files
+    bool segments = false;      ///< a mesh per interval of the timeline, in formats of the whole family
+
+    /// If given, receives sentences about content that the format holds only approximately, or otherwise than
+    /// asked for.
+    std::vector<std::string>* remarks = nullptr;
 };
 
 /// Writes an export in one format.
 /// \throw UsageError    if the export lacks data that the format needs
+/// \throw InputError    if the family does not fit into the format
 /// \throw MachineError  if the target cannot be written
 using ExportWriter = void (*)(const Export& exported, const OutputTarget& target);
 

@@ -12,6 +12,7 @@
 #include "family/origin.h"
 #include "family/synchronize_keys.h"
 #include "hierarchy/error.h"
+#include "io/family/composition.h"
 #include "io/family/family_file.h"
 #include "io/family/family_format.h"
 #include "io/file/file_pattern.h"
@@ -246,6 +247,12 @@ void read_path(const JsonPlace& place, Family& family) {
     family.time_source = TimeSource::path;
 }
 
+void check_version(const JsonPlace& version) {
+    if (version.number() != family_format::oldest_version && version.number() != family_format::version)
+        version.fail_expecting(
+            fmt::format("{} or {}", family_format::oldest_version, family_format::version));
+}
+
 nlohmann::json parse_family_json(const fs::path& file) {
     return parse_json(read_text(file, family_format::max_file_size), file.string());
 }
@@ -260,11 +267,7 @@ Family read_family_json(const fs::path& file, std::vector<std::string>* changes)
     const JsonPlace format = root.member("format");
     if (format.string() != family_format::name)
         format.fail_expecting(fmt::format("\"{}\"", family_format::name));
-    const JsonPlace version = root.member("version");
-    if (version.number() != family_format::oldest_version && version.number() != family_format::version)
-        version.fail_expecting(
-            fmt::format("{} or {}", family_format::oldest_version, family_format::version));
-
+    check_version(root.member("version"));
     Family family;
     family.name = name_at(root.member("name"));
     const JsonPlace keys = root.member("keys");
@@ -277,19 +280,25 @@ Family read_family_json(const fs::path& file, std::vector<std::string>* changes)
     }
     if (const auto violations = check(family); !violations.empty()) keys.fail(joined(violations, "; "));
 
-    const KeyNames names(family.keys);
-    if (const auto timeline = root.optional_member("timeline"))
-        family.timeline = timeline_at(*timeline, names, version.number());
-    if (const auto domain = root.optional_member("domain")) {
-        family.domain = domain_at(*domain, names);
-        if (version.number() > 1) read_path(*domain, family);
-    }
-    if (const auto origin = root.optional_member("origin"); origin && version.number() > 1)
-        family.origin = origin_at(*origin);
+    read_composition(root, family);
     return family;
 }
 
 }  // namespace
+
+void read_composition(const JsonPlace& place, Family& family) {
+    const JsonPlace version = place.member("version");
+    check_version(version);
+    const KeyNames names(family.keys);
+    if (const auto timeline = place.optional_member("timeline"))
+        family.timeline = timeline_at(*timeline, names, version.number());
+    if (const auto domain = place.optional_member("domain")) {
+        family.domain = domain_at(*domain, names);
+        if (version.number() > 1) read_path(*domain, family);
+    }
+    if (const auto origin = place.optional_member("origin"); origin && version.number() > 1)
+        family.origin = origin_at(*origin);
+}
 
 std::vector<fs::path> key_files(const fs::path& path) {
     std::error_code ignored;
@@ -319,15 +328,21 @@ Family read_family(const fs::path& path, std::vector<std::string>* changes) {
 
 Family family_of_files(std::span<const fs::path> files, FileKeys read, std::vector<std::string>* changes) {
     const auto name_of = [](const fs::path& file) { return family_format::utf8_of(file.stem()); };
+    const bool is_key_per_file = read.names.empty();
     std::vector<Key> keys;
-    keys.reserve(files.size());
+    keys.reserve(read.keys.size());
     const glm::dvec3 origin = read.origin.value_or(glm::dvec3(0));
     if (origin != glm::dvec3(0)) read.remarks.push_back(origin_sentence(origin));
     if (changes != nullptr) changes->insert(changes->end(), read.remarks.begin(), read.remarks.end());
-    for (Hierarchy& hierarchy : read.keys)
-        keys.push_back({name_of(files[keys.size()]), std::move(hierarchy)});
-    synchronize_all(
-        keys, {}, [&](std::size_t key) { return files[key].string(); }, changes);
+    for (Hierarchy& hierarchy : read.keys) {
+        const std::size_t key = keys.size();
+        keys.push_back({is_key_per_file ? name_of(files[key]) : read.names[key], std::move(hierarchy)});
+    }
+    const auto place_of = [&](std::size_t key) {
+        if (is_key_per_file) return files[key].string();
+        return fmt::format("{}: key {}", files.front().string(), in_quotes(read.names[key]));
+    };
+    synchronize_all(keys, {}, place_of, changes);
     const std::string name = files.size() == 1
                                  ? name_of(files.front())
                                  : fmt::format("{} to {}", name_of(files.front()), name_of(files.back()));

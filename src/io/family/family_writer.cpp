@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hierarchy/error.h"
+#include "io/family/composition.h"
 #include "io/family/family_file.h"
 #include "io/family/family_format.h"
 #include "io/family/save_journal.h"
@@ -153,6 +154,23 @@ std::string domain_text(const ParameterDomain& domain, const Family& family) {
     return fmt::format("  \"domain\": {{\n{}\n  }}", joined(members, ",\n"));
 }
 
+/// The members of family.json from `version` on that do not concern files.
+/// \param keys  the member `keys`
+std::vector<std::string> composition_members(const Family& family, std::string_view keys) {
+    std::vector<std::string> members{
+        fmt::format("  \"version\": {}",
+                    needs_version_2(family) ? family_format::version : family_format::oldest_version),
+        fmt::format("  \"name\": {}", ordered_json(family.name).dump()),
+        std::string(keys),
+    };
+    if (family.timeline) members.push_back(timeline_text(*family.timeline, family));
+    if (family.domain) members.push_back(domain_text(*family.domain, family));
+    if (family.origin != glm::dvec3(0))
+        members.push_back(fmt::format(
+            "  \"origin\": {}", ordered_json{family.origin.x, family.origin.y, family.origin.z}.dump()));
+    return members;
+}
+
 /// The text of family.json.
 /// \param files  one per key
 std::string family_text(const Family& family, const std::vector<KeyFile>& files) {
@@ -160,19 +178,8 @@ std::string family_text(const Family& family, const std::vector<KeyFile>& files)
     keys.reserve(family.keys.size());
     for (std::size_t i = 0; i < family.keys.size(); ++i)
         keys.push_back({{"name", family.keys[i].name}, {"file", files[i].mark.name}});
-    std::vector<std::string> members{
-        fmt::format("  \"format\": \"{}\"", family_format::name),
-        fmt::format("  \"version\": {}",
-                    needs_version_2(family) ? family_format::version : family_format::oldest_version),
-        fmt::format("  \"name\": {}", ordered_json(family.name).dump()),
-        array_text("  ", "keys", keys),
-    };
-    if (family.timeline) members.push_back(timeline_text(*family.timeline, family));
-    if (family.domain) members.push_back(domain_text(*family.domain, family));
-    if (family.origin != glm::dvec3(0))
-        members.push_back(fmt::format(
-            "  \"origin\": {}", ordered_json{family.origin.x, family.origin.y, family.origin.z}.dump()));
-    return fmt::format("{{\n{}\n}}\n", joined(members, ",\n"));
+    return fmt::format("{{\n  \"format\": \"{}\",\n{}\n}}\n", family_format::name,
+                       joined(composition_members(family, array_text("  ", "keys", keys)), ",\n"));
 }
 
 /// \pre no other process saves into \p folder
@@ -187,6 +194,14 @@ void save(const Family& family, const fs::path& folder, const HierarchyFileOptio
 }
 
 }  // namespace
+
+std::string composition_text(const Family& family) {
+    std::vector<ordered_json> keys;
+    keys.reserve(family.keys.size());
+    for (const Key& key : family.keys) keys.push_back({{"name", key.name}});
+    return fmt::format("{{\n{}\n}}\n",
+                       joined(composition_members(family, array_text("  ", "keys", keys)), ",\n"));
+}
 
 void write_family(const Family& family, const fs::path& folder, const HierarchyFileOptions& form) {
     check_writable(family, folder);

@@ -13,9 +13,11 @@ namespace interleaf {
 
 /// The keys of several files, in the files' order.
 struct FileKeys {
-    std::vector<Hierarchy> keys;       ///< positions relative to the origin
-    std::optional<glm::dvec3> origin;  ///< subtracted from all positions (family/origin.h); none without one
-    std::vector<std::string> remarks;  ///< sentences about content that was read differently than written
+    std::vector<Hierarchy> keys{};  ///< positions relative to the origin
+    std::optional<glm::dvec3>
+        origin{};                      ///< subtracted from all positions (family/origin.h); none without one
+    std::vector<std::string> names{};  ///< one per key; none if each key has a file and is called like it
+    std::vector<std::string> remarks{};  ///< sentences about content that was read differently than written
 };
 
 /// Files that can be read, but are not keys as they are.

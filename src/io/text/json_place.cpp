@@ -63,6 +63,13 @@ std::optional<JsonPlace> JsonPlace::optional_member(std::string_view name) const
     return JsonPlace(*found, file_, path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name));
 }
 
+std::vector<std::string> JsonPlace::member_names() const {
+    if (!value_->is_object()) fail_expecting("an object");
+    std::vector<std::string> names;
+    for (const auto& [name, value] : value_->items()) names.push_back(name);
+    return names;
+}
+
 std::size_t JsonPlace::size() const {
     if (!value_->is_array()) fail_expecting("an array");
     return value_->size();

@@ -8,12 +8,13 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 namespace interleaf {
 
-/// Every function throws an InputError if the value is not what the function expects. The error names the
+/// Every function but is_object() throws an InputError if the value is not what the function expects. The error names the
 /// place, what is there and what was expected.
 class JsonPlace {
   public:
@@ -25,6 +26,11 @@ class JsonPlace {
 
     /// The member \p name of this object; none if there is no such member.
     std::optional<JsonPlace> optional_member(std::string_view name) const;
+
+    bool is_object() const { return value_->is_object(); }
+
+    /// The names of the members of this object, in the order of their bytes.
+    std::vector<std::string> member_names() const;
 
     /// The number of elements of this array.
     std::size_t size() const;

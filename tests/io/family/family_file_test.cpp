@@ -298,7 +298,7 @@ TEST_CASE("a single key or mesh is a family of one") {
     CHECK(std::ranges::equal(read_key("mesh.OBJ").keys[0].hierarchy->positions, positions));
 
     put(folder / "key.stl", "");
-    CHECK(contains(input_error_of([&] { read_key("key.stl"); }), "ends in .ilh or .obj"));
+    CHECK(contains(input_error_of([&] { read_key("key.stl"); }), "ends in .ilh, .obj, .glb or .gltf"));
     CHECK(contains(input_error_of([&] { read_family(folder.path()); }), "is a folder without family.json"));
 }
 

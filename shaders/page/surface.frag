@@ -1,0 +1,73 @@
+#version 300 es
+// Colors the surface by level or by a field, lights it, and draws edges of constant width, as surface.frag does
+// in the program.
+
+precision highp float;
+precision highp int;
+
+in vec3 place;
+in vec3 normal;
+in vec3 value;
+in vec3 barycentric;
+flat in uint tag;
+
+const int color_count = 13;
+
+uniform int coloring;              // 0 plain, 1 by level, 2 by a scalar, 3 by a color
+uniform vec3 colors[color_count];  // linear light, from the least to the largest
+uniform vec2 range;                // of levels or of a scalar
+uniform bvec3 edges;               // refinement edges, wireframe, root edges
+uniform float line_width;          // pixels to each side
+
+out vec4 color;
+
+const vec3 key_direction = normalize(vec3(-0.45, 0.65, 0.62));
+const vec3 fill_direction = normalize(vec3(0.80, -0.05, 0.45));
+
+vec3 direction(vec3 v) {
+    float largest = max(abs(v.x), max(abs(v.y), abs(v.z)));
+    return largest > 0.0 ? normalize(v / largest) : vec3(0.0);
+}
+
+vec3 color_at(float number) {
+    float at = clamp((number - range.x) / max(range.y - range.x, 1e-30), 0.0, 1.0) * float(color_count - 1);
+    int before = min(int(at), color_count - 2);
+    return mix(colors[before], colors[before + 1], at - float(before));
+}
+
+// How much of a pixel a line covers that reaches so many pixels to each side, from the distance of its middle.
+float covered(float pixels, float reach) { return clamp(reach + 0.5 - pixels, 0.0, 1.0); }
+
+vec3 encoded(vec3 light) {
+    light = clamp(light, 0.0, 1.0);
+    return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
+}
+
+void main() {
+    vec3 smoothed = gl_FrontFacing ? normal : -normal;
+    vec3 face = cross(dFdx(place), dFdy(place));
+    vec3 n = direction(smoothed == vec3(0.0) ? face : smoothed);
+    vec3 base = vec3(0.55, 0.57, 0.60);
+    if (coloring == 1) base = color_at(float(tag & 127u));
+    if (coloring == 2) base = color_at(value.x);
+    if (coloring == 3) base = clamp(value, 0.0, 1.0);
+    vec3 light = 1.05 * vec3(max(dot(n, key_direction), 0.0)) + vec3(0.16, 0.19, 0.25) * max(dot(n, fill_direction), 0.0)
+               + mix(vec3(0.045), vec3(0.18), 0.5 + 0.5 * n.y);
+    vec3 half_way = direction(key_direction + direction(-place));
+    vec3 lit = base * light + 0.05 * pow(max(dot(n, half_way), 0.0), 40.0);
+
+    vec3 across = dFdx(barycentric);
+    vec3 along = dFdy(barycentric);
+    vec3 distances = barycentric / max(sqrt(across * across + along * along), vec3(1e-12));
+    float nearest = min(distances.x, min(distances.y, distances.z));
+    float nearest_root = 1e9;
+    for (int side = 0; side < 3; ++side)
+        if ((tag >> (7 + side) & 1u) != 0u) nearest_root = min(nearest_root, distances[side]);
+    if (edges.y) lit = mix(lit, vec3(0.014), 0.75 * covered(nearest, 0.5 * line_width));
+    if (edges.x) lit = mix(lit, vec3(0.90, 0.10, 0.03), covered(distances.x, line_width));
+    if (edges.z) {
+        lit = mix(lit, vec3(0.014), covered(nearest_root, line_width + 1.0));
+        lit = mix(lit, vec3(0.92, 0.95, 1.00), covered(nearest_root, line_width));
+    }
+    color = vec4(encoded(lit), 1.0);
+}
