@@ -4,6 +4,7 @@
 #include <array>
 
 #include "io/export/blend_export.h"
+#include "io/export/vtk_export.h"
 #include "io/family/family_file.h"
 #include "io/file/file_pattern.h"
 #include "io/hierarchy/hierarchy_file.h"
@@ -21,7 +22,7 @@ std::variant<FileKeys, Misfit> read_hierarchies(std::span<const std::filesystem:
     return read;
 }
 
-constexpr std::array<Format, 6> table = {{
+constexpr std::array<Format, 9> table = {{
     {.extension = ".json",
      .title = "family file",
      .read = Carried{.fields = true, .colors = true, .hierarchy = true, .origin = true, .time = true},
@@ -51,6 +52,18 @@ constexpr std::array<Format, 6> table = {{
      .title = "OFF",
      .read = Carried{.colors = true, .origin = true},
      .parse_surface = parse_off},
+    {.extension = ".vtp",
+     .title = "VTK polygons",
+     .written = Carried{.fields = true, .colors = true, .origin = true},
+     .write = export_vtp},
+    {.extension = ".vtu",
+     .title = "VTK unstructured grid",
+     .written = Carried{.fields = true, .colors = true, .origin = true},
+     .write = export_vtu},
+    {.extension = ".pvd",
+     .title = "ParaView collection",
+     .written = Carried{.fields = true, .colors = true, .origin = true, .time = true},
+     .write = export_pvd},
 }};
 
 }  // namespace

@@ -198,9 +198,9 @@ class LegacyReader {
         const std::string name = decoded_name(next_word());
         if (kind == "scalars") {
             const DataType type = next_type(name);
-            const std::size_t components = next_components();
+            const std::size_t width = next_components();
             skip_name_of_colors();
-            read_field(name, type, components);
+            read_field(name, type, width);
         } else if (kind == "vectors" || kind == "normals") {
             read_field(name, next_type(name), 3);
         } else if (kind == "tensors") {
@@ -208,8 +208,8 @@ class LegacyReader {
         } else if (kind == "tensors6") {
             read_field(name, next_type(name), 6);
         } else if (kind == "texture_coordinates") {
-            const std::size_t components = next_count(name);
-            read_field(name, next_type(name), components);
+            const std::size_t width = next_count(name);
+            read_field(name, next_type(name), width);
         } else if (kind == "color_scalars") {
             read_field(name, is_binary_ ? DataType::uint8 : DataType::float32, next_count(name));
         } else if (kind == "lookup_table") {
@@ -241,12 +241,12 @@ class LegacyReader {
             rest_ = before;
     }
 
-    void read_field(const std::string& name, DataType type, std::size_t components) {
+    void read_field(const std::string& name, DataType type, std::size_t width) {
         if (association_ == Association::none)
             fail(fmt::format("{}: expected POINT_DATA or CELL_DATA before", name));
         const ArrayPlace place{file_, fmt::format("field {}", in_quotes(name)),
-                               association_ == Association::points ? "point" : "cell", tuples_, components};
-        if (components == 0) place.fail("no components, expected at least one");
+                               association_ == Association::points ? "point" : "cell", tuples_, width};
+        if (width == 0) place.fail("no components, expected at least one");
         add_field(name, numbers(type, place), place);
     }
 

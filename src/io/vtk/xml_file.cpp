@@ -60,9 +60,8 @@ class XmlPieceReader {
         {"Strips", "NumberOfStrips", strip_cells},
     }};
 
-    ArrayPlace place(std::string name, std::string element, std::size_t tuples,
-                     std::size_t components = 1) const {
-        return {document_.file(), std::move(name), std::move(element), tuples, components};
+    ArrayPlace place(std::string name, std::string element, std::size_t tuples, std::size_t width = 1) const {
+        return {document_.file(), std::move(name), std::move(element), tuples, width};
     }
 
     NumberArray numbers(const pugi::xml_node& array, const ArrayPlace& place) {
@@ -75,14 +74,13 @@ class XmlPieceReader {
         const std::size_t count = document_.count(element_, "NumberOfPoints");
         const pugi::xml_node array = element_.child("Points").child("DataArray");
         if (!array && count == 0) return;
-        const std::size_t components = document_.count(array, "NumberOfComponents", 3);
-        if (components != 2 && components != 3)
-            document_.fail(fmt::format("Points: {} components, expected 3", components));
-        const ArrayPlace where = place("Points", "point", count, components);
+        const std::size_t width = document_.count(array, "NumberOfComponents", 3);
+        if (width != 2 && width != 3) document_.fail(fmt::format("Points: {} components, expected 3", width));
+        const ArrayPlace where = place("Points", "point", count, width);
         const std::vector<double> values = finite_numbers(numbers(array, where), where);
         piece_.points.reserve(count);
-        for (std::size_t n = 0; n < values.size(); n += components)
-            piece_.points.emplace_back(values[n], values[n + 1], components == 3 ? values[n + 2] : 0);
+        for (std::size_t n = 0; n < values.size(); n += width)
+            piece_.points.emplace_back(values[n], values[n + 1], width == 3 ? values[n + 2] : 0);
     }
 
     /// Appends cells to the piece.
@@ -111,11 +109,11 @@ class XmlPieceReader {
             if (!is_xml_field(array) || tuples == 0) continue;
             const std::string name = array.attribute("Name").value();
             // Some writers write 0 components for one.
-            const std::size_t components =
+            const std::size_t width =
                 std::max<std::size_t>(document_.count(array, "NumberOfComponents", 1), 1);
             const ArrayPlace where =
-                place(fmt::format("{} field {}", element, in_quotes(name)), element, tuples, components);
-            fields.push_back({name, components, finite_numbers(numbers(array, where), where)});
+                place(fmt::format("{} field {}", element, in_quotes(name)), element, tuples, width);
+            fields.push_back({name, width, finite_numbers(numbers(array, where), where)});
         }
         return fields;
     }

@@ -13,12 +13,13 @@
 namespace interleaf {
 namespace {
 
-const std::vector<float> points = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.1F, 0.2F, 0.3F};
-const std::vector<double> temperatures = {0.1, -2, 1.0 / 3, 4e-5, 5};
-const std::vector<std::int16_t> levels = {3, -4, 5, 6, 7, 8, 9};
-const std::vector<std::int64_t> corners = {0, 1, 4, 0, 1, 2, 3, 2, 0, 2, 0, 1, 3, 2, 0, 1, 3, 2, 4, 1, 0};
-const std::vector<std::int32_t> ends = {3, 7, 8, 10, 14, 18, 21};
-const std::vector<std::uint8_t> types = {5, 9, 1, 3, 8, 6, 7};
+const std::vector<float> sample_points = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.1F, 0.2F, 0.3F};
+const std::vector<double> sample_temperatures = {0.1, -2, 1.0 / 3, 4e-5, 5};
+const std::vector<std::int16_t> sample_levels = {3, -4, 5, 6, 7, 8, 9};
+const std::vector<std::int64_t> sample_corners = {0, 1, 4, 0, 1, 2, 3, 2, 0, 2, 0,
+                                                  1, 3, 2, 0, 1, 3, 2, 4, 1, 0};
+const std::vector<std::int32_t> sample_ends = {3, 7, 8, 10, 14, 18, 21};
+const std::vector<std::uint8_t> sample_types = {5, 9, 1, 3, 8, 6, 7};
 
 std::string base64(std::string_view bytes) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -146,19 +147,19 @@ std::string legacy_numbers(const std::vector<Number>& numbers, bool is_binary) {
 std::string legacy_cells(bool is_binary, bool is_version_5) {
     if (is_version_5) {
         std::vector<std::int64_t> offsets = {0};
-        offsets.insert(offsets.end(), ends.begin(), ends.end());
+        offsets.insert(offsets.end(), sample_ends.begin(), sample_ends.end());
         return fmt::format("CELLS {} {}\nOFFSETS vtktypeint64\n{}CONNECTIVITY vtktypeint64\n{}",
-                           offsets.size(), corners.size(), legacy_numbers(offsets, is_binary),
-                           legacy_numbers(corners, is_binary));
+                           offsets.size(), sample_corners.size(), legacy_numbers(offsets, is_binary),
+                           legacy_numbers(sample_corners, is_binary));
     }
     std::vector<std::int32_t> list;
     std::int32_t begin = 0;
-    for (const std::int32_t end : ends) {
+    for (const std::int32_t end : sample_ends) {
         list.push_back(end - begin);
         for (; begin < end; ++begin)
-            list.push_back(static_cast<std::int32_t>(corners[static_cast<std::size_t>(begin)]));
+            list.push_back(static_cast<std::int32_t>(sample_corners[static_cast<std::size_t>(begin)]));
     }
-    return fmt::format("CELLS {} {}\n{}", ends.size(), list.size(), legacy_numbers(list, is_binary));
+    return fmt::format("CELLS {} {}\n{}", sample_ends.size(), list.size(), legacy_numbers(list, is_binary));
 }
 
 }  // namespace
@@ -186,12 +187,13 @@ std::string sample_grid(const XmlStyle& style) {
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" "
         "header_type=\"{}\"{}>\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
         style.is_big_endian ? "BigEndian" : "LittleEndian", style.has_wide_headers ? "UInt64" : "UInt32",
-        style.is_compressed ? " compressor=\"vtkZLibDataCompressor\"" : "", points.size() / 3, types.size());
-    text += "<PointData>\n" + writer.array("u &lt;K>", 1, temperatures) + "</PointData>\n";
-    text += "<CellData>\n" + writer.array("level", 1, levels) + "</CellData>\n";
-    text += "<Points>\n" + writer.array("Points", 3, points) + "</Points>\n";
-    text += "<Cells>\n" + writer.array("connectivity", 1, corners) + writer.array("offsets", 1, ends) +
-            writer.array("types", 1, types) + "</Cells>\n";
+        style.is_compressed ? " compressor=\"vtkZLibDataCompressor\"" : "", sample_points.size() / 3,
+        sample_types.size());
+    text += "<PointData>\n" + writer.array("u &lt;K>", 1, sample_temperatures) + "</PointData>\n";
+    text += "<CellData>\n" + writer.array("level", 1, sample_levels) + "</CellData>\n";
+    text += "<Points>\n" + writer.array("Points", 3, sample_points) + "</Points>\n";
+    text += "<Cells>\n" + writer.array("connectivity", 1, sample_corners) +
+            writer.array("offsets", 1, sample_ends) + writer.array("types", 1, sample_types) + "</Cells>\n";
     return text + "</Piece>\n</UnstructuredGrid>\n" + writer.appended() + "</VTKFile>\n";
 }
 
@@ -199,24 +201,26 @@ std::string sample_legacy(bool is_binary, bool is_version_5) {
     std::string text = fmt::format("# vtk DataFile Version {}\na mesh\n{}\nDATASET UNSTRUCTURED_GRID\n",
                                    is_version_5 ? "5.1" : "3.0", is_binary ? "BINARY" : "ASCII");
     text += "FIELD FieldData 1\nTIME 1 1 double\n" + legacy_numbers(std::vector<double>{0.5}, is_binary);
-    text += fmt::format("POINTS {} float\n", points.size() / 3) + legacy_numbers(points, is_binary);
+    text +=
+        fmt::format("POINTS {} float\n", sample_points.size() / 3) + legacy_numbers(sample_points, is_binary);
     text += "METADATA\nCOMPONENT_NAMES\nX\n\nZ\nINFORMATION 0\n\n" + legacy_cells(is_binary, is_version_5);
-    const std::vector<std::int32_t> wide_types(types.begin(), types.end());
-    text += fmt::format("CELL_TYPES {}\n", types.size()) + legacy_numbers(wide_types, is_binary);
-    text += fmt::format("CELL_DATA {}\nFIELD FieldData 1\nlevel 1 {} short\n", types.size(), types.size());
-    text += legacy_numbers(levels, is_binary);
-    text += fmt::format("POINT_DATA {}\nSCALARS u%20<K> double{}\nLOOKUP_TABLE default\n", points.size() / 3,
-                        is_version_5 ? " 1" : "");
-    return text + legacy_numbers(temperatures, is_binary);
+    const std::vector<std::int32_t> wide_types(sample_types.begin(), sample_types.end());
+    text += fmt::format("CELL_TYPES {}\n", sample_types.size()) + legacy_numbers(wide_types, is_binary);
+    text += fmt::format("CELL_DATA {}\nFIELD FieldData 1\nlevel 1 {} short\n", sample_types.size(),
+                        sample_types.size());
+    text += legacy_numbers(sample_levels, is_binary);
+    text += fmt::format("POINT_DATA {}\nSCALARS u%20<K> double{}\nLOOKUP_TABLE default\n",
+                        sample_points.size() / 3, is_version_5 ? " 1" : "");
+    return text + legacy_numbers(sample_temperatures, is_binary);
 }
 
 FieldMesh sample_mesh() {
     FieldMesh mesh;
-    for (std::size_t n = 0; n < points.size(); n += 3)
-        mesh.points.emplace_back(points[n], points[n + 1], points[n + 2]);
+    for (std::size_t n = 0; n < sample_points.size(); n += 3)
+        mesh.points.emplace_back(sample_points[n], sample_points[n + 1], sample_points[n + 2]);
     mesh.triangles = {{0, 1, 4}, {0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {3, 1, 2}, {4, 1, 0}};
     mesh.cell_of = {0, 1, 1, 4, 4, 5, 5, 6};
-    mesh.point_fields.push_back({"u <K>", 1, temperatures});
+    mesh.point_fields.push_back({"u <K>", 1, sample_temperatures});
     mesh.triangle_fields.push_back({"level", 1, {3, -4, -4, 7, 7, 8, 8, 9}});
     return mesh;
 }

@@ -28,10 +28,10 @@ std::string xml_error(const std::string& text) {
     return input_error_of([&] { parse_vtk_xml(text, "grid.vtu"); });
 }
 
-/// A .vtu with one cell per type, of \p corners points each, and with more elements in its piece.
-std::string grid_of_type(int type, int corners, std::string_view more = "") {
+/// A .vtu with one cell per type, of \p corner_count points, and with more elements in its piece.
+std::string grid_of_type(int type, int corner_count, std::string_view more = "") {
     std::string ids;
-    for (int n = 0; n < corners; ++n) ids += fmt::format("{} ", n);
+    for (int n = 0; n < corner_count; ++n) ids += fmt::format("{} ", n);
     return fmt::format(
         "<VTKFile type='UnstructuredGrid' version='0.1'><UnstructuredGrid>"
         "<Piece NumberOfPoints='6' NumberOfCells='1'><Points><DataArray type='Float64' "
@@ -41,7 +41,7 @@ std::string grid_of_type(int type, int corners, std::string_view more = "") {
         "<DataArray type='Int32' Name='offsets' format='ascii'>{}</DataArray>"
         "<DataArray type='Int64' Name='types' format='ascii'>{}</DataArray></Cells>{}"
         "</Piece></UnstructuredGrid></VTKFile>",
-        ids, corners, type, more);
+        ids, corner_count, type, more);
 }
 
 constexpr std::string_view two_triangles =
