@@ -41,7 +41,8 @@ ROOMS = {
         "mesh": {"text", "file"},
         "family": {"text", "file", "hierarchy"},
         "export": {"text", "file", "hierarchy", "mesh"},
-        "": {"text", "file", "hierarchy", "mesh", "family", "export"},
+        "vtk": {"text", "file", "mesh"},
+        "": {"text", "file", "hierarchy", "mesh", "family", "export", "vtk"},
     },
     "ui": {
         "widgets": set(),
