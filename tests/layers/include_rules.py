@@ -33,6 +33,7 @@ ROOMS = {
         "sampling": {"mesh", "sphere_map"},
         "": {"mesh", "clean_up", "sphere_map", "sampling"},
     },
+    "sequence": {"": set(), "series": set()},
     "io": {
         "text": set(),
         "file": {"text"},
