@@ -18,6 +18,7 @@ struct MeshField {
     std::string name;
     std::size_t components = 1;  ///< per point or triangle, at least 1
     std::vector<double> values;  ///< point after point, with the components of a point together
+    bool operator==(const MeshField&) const = default;
 };
 
 struct FieldMesh {
@@ -30,6 +31,7 @@ struct FieldMesh {
     std::vector<Index> cell_of;  ///< per triangle, the number of its cell in the file, from 0
     std::vector<MeshField> point_fields;
     std::vector<MeshField> triangle_fields;
+    bool operator==(const FieldMesh&) const = default;
 };
 
 }  // namespace interleaf

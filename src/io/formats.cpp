@@ -4,6 +4,7 @@
 #include <array>
 
 #include "io/export/blend_export.h"
+#include "io/export/vtk_export.h"
 #include "io/family/family_file.h"
 #include "io/file/file_pattern.h"
 #include "io/gltf/glb_export.h"
@@ -24,7 +25,7 @@ std::variant<FileKeys, Misfit> read_hierarchies(std::span<const std::filesystem:
     return read;
 }
 
-constexpr std::array<Format, 9> table = {{
+constexpr std::array<Format, 12> table = {{
     {.extension = ".json",
      .title = "family file",
      .read = Carried{.fields = true, .colors = true, .hierarchy = true, .origin = true, .time = true},
@@ -72,6 +73,18 @@ constexpr std::array<Format, 9> table = {{
      .title = "web page",
      .written = Carried{.fields = true, .colors = true, .hierarchy = true, .time = true},
      .write = export_page},
+    {.extension = ".vtp",
+     .title = "VTK polygons",
+     .written = Carried{.fields = true, .colors = true, .origin = true},
+     .write = export_vtp},
+    {.extension = ".vtu",
+     .title = "VTK unstructured grid",
+     .written = Carried{.fields = true, .colors = true, .origin = true},
+     .write = export_vtu},
+    {.extension = ".pvd",
+     .title = "ParaView collection",
+     .written = Carried{.fields = true, .colors = true, .origin = true, .time = true},
+     .write = export_pvd},
 }};
 
 }  // namespace

@@ -33,6 +33,7 @@ ROOMS = {
         "sampling": {"mesh", "sphere_map"},
         "": {"mesh", "clean_up", "sphere_map", "sampling"},
     },
+    "sequence": {"": set(), "series": set()},
     "io": {
         "text": set(),
         "file": {"text"},
@@ -43,7 +44,8 @@ ROOMS = {
         "export": {"text", "file", "hierarchy", "mesh"},
         "gltf": {"text", "file", "hierarchy", "mesh", "family", "export"},
         "page": {"text", "file", "hierarchy", "mesh", "family", "export"},
-        "": {"text", "file", "film", "hierarchy", "mesh", "family", "export", "gltf", "page"},
+        "vtk": {"text", "file", "mesh"},
+        "": {"text", "file", "film", "hierarchy", "mesh", "family", "export", "gltf", "page", "vtk"},
     },
     "ui": {
         "widgets": set(),

@@ -26,7 +26,7 @@ GIVES = {
         partial_sort partition partition_point ranges remove remove_if replace replace_if reverse rotate sample
         search set_difference set_intersection set_union shuffle sort stable_partition stable_sort swap_ranges
         transform unique unique_copy upper_bound""",
-    "array": "array",
+    "array": "array to_array",
     "atomic": "atomic",
     "bit": """
         bit_cast bit_ceil bit_floor bit_width countl_one countl_zero countr_one countr_zero endian

@@ -1,13 +1,14 @@
 #include "io/export/export.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/core.h>
 
-#include "family/family_fields.h"
 #include "hierarchy/error.h"
 #include "hierarchy/morph.h"
+#include "hierarchy/union_fields.h"
 
 namespace interleaf {
 namespace {
@@ -32,15 +33,37 @@ std::vector<Field> morphed_fields(const UnionMesh& mesh, std::span<const float> 
 
 Blend blend_of(const Export& exported) {
     if (!exported.weights) throw UsageError(no_default_blend);
+    return blend_over(exported.family, *exported.weights, nullptr);
+}
+
+Blend blend_over(const Family& family, const Weights& weights, const Hierarchy* finest) {
+    std::vector<const Hierarchy*> keys;
     Blend blend;
-    blend.mesh = unite(exported.family, *exported.weights);
-    unite_fields(exported.family, *exported.weights, blend.mesh);
-    blend.weights = weight_values(*exported.weights);
+    if (finest != nullptr) {
+        keys.push_back(finest);
+        blend.weights.push_back(0);
+    }
+    for (const std::size_t key : active_keys(weights)) keys.push_back(&*family.keys[key].hierarchy);
+    for (const float weight : weight_values(weights)) blend.weights.push_back(weight);
+    blend.mesh = unite(keys);
+    unite_fields(keys, blend.mesh);
     blend.positions = morph(blend.mesh, blend.weights);
     if (!std::ranges::all_of(blend.positions, is_finite))
         throw UsageError("--weights: too large for float positions");
     blend.fields = morphed_fields(blend.mesh, blend.weights);
     return blend;
+}
+
+Hierarchy finest_of(const Family& family, std::span<const std::size_t> keys, std::size_t max_leaves) {
+    Hierarchy finest = *family.keys[keys.front()].hierarchy;
+    for (const std::size_t key : keys.subspan(1)) {
+        const std::array<const Hierarchy*, 2> pair = {&finest, &*family.keys[key].hierarchy};
+        UnionMesh mesh = unite(pair);
+        unite_fields(pair, mesh);
+        finest = morphed_hierarchy(mesh, std::array{1.0F, 0.0F});
+        if (finest.leaf_count() > max_leaves) break;
+    }
+    return finest;
 }
 
 }  // namespace interleaf

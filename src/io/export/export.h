@@ -1,7 +1,9 @@
 // The description of an export, which every writer of a format gets (formats.h).
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,13 +15,26 @@
 
 namespace interleaf {
 
+/// The meshes of a series of files.
+enum class SeriesUnion : std::uint8_t {
+    all,       ///< the union of all keys, in all files
+    interval,  ///< per interval of the timeline, the union of its two keys
+};
+
+/// The files of a series, such as .pvd.
+struct SeriesOptions {
+    std::optional<double> frames_per_second{};  ///< none for one file per key
+    std::optional<SeriesUnion> mesh{};          ///< none for all, unless that is much larger than interval
+};
+
 /// A writer of one blend uses blend_of(). A writer of the whole family uses the keys and their timeline.
 struct Export {
     const Family& family;
     std::optional<Weights>
         weights;  ///< of the chosen blend; none if nothing is chosen and the family has no default blend
-    HierarchyFileOptions form;  ///< of key files
-    bool segments = false;      ///< a mesh per interval of the timeline, in formats of the whole family
+    HierarchyFileOptions form{};  ///< of key files
+    SeriesOptions series{};       ///< of formats with one file per time
+    bool segments = false;        ///< a mesh per interval of the timeline, in formats of the whole family
 
     /// If given, receives sentences about content that the format holds only approximately, or otherwise than
     /// asked for.
@@ -46,5 +61,14 @@ inline constexpr const char* no_default_blend = "the family has no timeline; say
 /// The blend of \p exported.
 /// \throw UsageError if the export has no weights, or a blended value is outside the range of floats
 Blend blend_of(const Export& exported);
+
+/// The blend of \p family with \p weights. It takes the leaves of \p finest, too, if that is given.
+/// \throw UsageError as blend_of()
+Blend blend_over(const Family& family, const Weights& weights, const Hierarchy* finest);
+
+/// The union of \p keys of \p family as one hierarchy, with the fields that all of them have. Its positions and
+/// values are those of one key. Stops when it has more than \p max_leaves leaves.
+/// \pre \p keys is not empty
+Hierarchy finest_of(const Family& family, std::span<const std::size_t> keys, std::size_t max_leaves);
 
 }  // namespace interleaf

@@ -11,6 +11,7 @@
 #include "scratch_folder.h"
 #include "thrown_errors.h"
 #include <doctest/doctest.h>
+#include <fmt/core.h>
 #include <stb_image.h>
 
 #include "hierarchy/checker.h"
@@ -241,8 +242,8 @@ TEST_CASE("a hostile OBJ is rejected with the line and what was expected") {
 
 TEST_CASE("random damage to an OBJ gives an error or a sound hierarchy") {
     const ScratchFolder folder;
-    std::string whole(tetrahedron_vertices);
-    whole += "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nf 1 2 3 4\n";
+    const std::string whole =
+        fmt::format("{}f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nf 1 2 3 4\n", tetrahedron_vertices);
     constexpr std::string_view pieces = "0123456789-+.e/ \nfvgtlp#\r";
     int sound = 0;
     for (unsigned seed = 0; seed < 2000; ++seed) {

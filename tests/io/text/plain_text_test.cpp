@@ -67,7 +67,7 @@ TEST_CASE("control characters distinguish binary from text") {
     CHECK_FALSE(looks_like_text("solid \0"s));
     CHECK_FALSE(looks_like_text("\x1b[2J"));
     CHECK_FALSE(looks_like_text("\x7f"));
-    CHECK(looks_like_text(std::string(1024, ' ') + '\0'));
+    CHECK(looks_like_text(std::string(1024, ' ').append(1, '\0')));
 }
 
 }  // namespace interleaf

@@ -1,0 +1,179 @@
+#include "io/export/vtk_document.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include <fmt/core.h>
+#include <libdeflate.h>
+
+namespace interleaf {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "arrays are written as they are in memory");
+
+constexpr std::uint8_t vtk_triangle = 5;  // vtkCellType.h
+
+struct Deflater {
+    void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
+};
+
+template <typename Number>
+constexpr const char* vtk_type = nullptr;
+template <>
+constexpr const char* vtk_type<std::uint8_t> = "UInt8";
+template <>
+constexpr const char* vtk_type<std::int32_t> = "Int32";
+template <>
+constexpr const char* vtk_type<std::uint32_t> = "UInt32";
+template <>
+constexpr const char* vtk_type<float> = "Float32";
+template <>
+constexpr const char* vtk_type<double> = "Float64";
+
+/// The arrays that follow the XML, and the elements that name them.
+class AppendedArrays {
+  public:
+    /// Appends an array.
+    /// \return its element
+    template <typename Number>
+    std::string add(std::string_view name, std::size_t components, std::span<const Number> numbers,
+                    std::string_view count = "NumberOfComponents") {
+        const std::size_t offset = bytes_.size();
+        append_block(std::as_bytes(numbers));
+        return fmt::format(
+            "<DataArray type=\"{}\" Name=\"{}\" {}=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
+            vtk_type<Number>, xml_escaped(name), count, components, offset);
+    }
+
+    const std::string& bytes() const { return bytes_; }
+
+  private:
+    /// A header (the number of parts, the size of a part, the size of a shorter last part, the compressed sizes),
+    /// then the compressed parts.
+    void append_block(std::span<const std::byte> block) {
+        constexpr std::size_t part = std::size_t{1} << 20U;
+        const std::size_t parts = (block.size() + part - 1) / part;
+        append_size(parts);
+        append_size(part);
+        append_size(block.size() % part);
+        std::string packed;
+        for (std::size_t n = 0; n < parts; ++n) {
+            const auto plain = block.subspan(n * part, std::min(part, block.size() - n * part));
+            std::string room(libdeflate_zlib_compress_bound(deflater_.get(), plain.size()), '\0');
+            const std::size_t size = libdeflate_zlib_compress(deflater_.get(), plain.data(), plain.size(),
+                                                              room.data(), room.size());
+            append_size(size);
+            packed.append(room, 0, size);
+        }
+        bytes_ += packed;
+    }
+
+    void append_size(std::uint64_t size) {
+        const auto raw = std::bit_cast<std::array<char, sizeof size>>(size);
+        bytes_.append(raw.data(), raw.size());
+    }
+
+    std::string bytes_;
+    std::unique_ptr<libdeflate_compressor, Deflater> deflater_{libdeflate_alloc_compressor(6)};
+};
+
+std::string points_element(const VtkSurface& surface, AppendedArrays& arrays) {
+    if (surface.origin == glm::dvec3(0))
+        return arrays.add("Points", 3,
+                          std::span(reinterpret_cast<const float*>(surface.positions.data()),
+                                    3 * surface.positions.size()));
+    std::vector<double> places;
+    places.reserve(3 * surface.positions.size());
+    for (const glm::vec3& position : surface.positions) {
+        const glm::dvec3 place = surface.origin + glm::dvec3(position);
+        places.insert(places.end(), {place.x, place.y, place.z});
+    }
+    return arrays.add("Points", 3, std::span<const double>(places));
+}
+
+std::string field_element(const Field& field, AppendedArrays& arrays) {
+    if (field.kind == FieldKind::scalar)
+        return arrays.add(field.name, 1, std::span<const float>(field.values));
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(field.values.size());
+    for (const float part : field.values) bytes.push_back(static_cast<std::uint8_t>(std::lround(255 * part)));
+    return arrays.add(field.name, component_count(field.kind), std::span<const std::uint8_t>(bytes));
+}
+
+std::string cell_data_element(const VtkSurface& surface, AppendedArrays& arrays) {
+    std::string text = "<CellData>\n";
+    if (!surface.tags.empty()) {
+        std::vector<std::uint8_t> levels;
+        levels.reserve(surface.tags.size());
+        for (const LeafTag tag : surface.tags) levels.push_back(static_cast<std::uint8_t>(tag.level()));
+        text += arrays.add("level", 1, std::span<const std::uint8_t>(levels));
+    }
+    if (!surface.origins.empty()) text += arrays.add("origin", 1, surface.origins);
+    return text + "</CellData>\n";
+}
+
+std::string cells_element(const VtkSurface& surface, VtkDataSet data_set, AppendedArrays& arrays) {
+    const std::size_t count = surface.triangles.size();
+    std::vector<std::int32_t> ends(count);
+    for (std::size_t n = 0; n < count; ++n) ends[n] = static_cast<std::int32_t>(3 * (n + 1));
+    const std::span corners(reinterpret_cast<const std::int32_t*>(surface.triangles.data()), 3 * count);
+    std::string text = arrays.add("connectivity", 1, corners);
+    text += arrays.add("offsets", 1, std::span<const std::int32_t>(ends));
+    if (data_set == VtkDataSet::polygons) return fmt::format("<Polys>\n{}</Polys>\n", text);
+    const std::vector<std::uint8_t> types(count, vtk_triangle);
+    text += arrays.add("types", 1, std::span<const std::uint8_t>(types));
+    return fmt::format("<Cells>\n{}</Cells>\n", text);
+}
+
+}  // namespace
+
+std::string vtk_bytes(const VtkSurface& surface, VtkDataSet data_set) {
+    AppendedArrays arrays;
+    std::string fields = "<PointData>\n";
+    for (const Field& field : surface.fields) fields += field_element(field, arrays);
+    const std::string cell_data = cell_data_element(surface, arrays);
+    const std::string points = points_element(surface, arrays);
+    const std::string cells = cells_element(surface, data_set, arrays);
+    std::string time;
+    if (surface.time)
+        time = fmt::format(
+            "<FieldData>\n{}</FieldData>\n",
+            arrays.add("TimeValue", 1, std::span<const double>(&*surface.time, 1), "NumberOfTuples"));
+    const bool is_grid = data_set == VtkDataSet::grid;
+    const std::string_view type = is_grid ? "UnstructuredGrid" : "PolyData";
+    std::string text = fmt::format(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\" "
+        "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<{}>\n{}"
+        "<Piece NumberOfPoints=\"{}\" "
+        "{}=\"{}\">\n{}</PointData>\n{}<Points>\n{}</Points>\n{}</Piece>\n</{}>\n"
+        "<AppendedData encoding=\"raw\">\n_",
+        type, type, time, surface.positions.size(), is_grid ? "NumberOfCells" : "NumberOfPolys",
+        surface.triangles.size(), fields, cell_data, points, cells, type);
+    text += arrays.bytes();
+    return text + "\n</AppendedData>\n</VTKFile>\n";
+}
+
+std::string xml_escaped(std::string_view text) {
+    std::string escaped;
+    for (const char c : text) {
+        if (c == '&')
+            escaped += "&amp;";
+        else if (c == '<')
+            escaped += "&lt;";
+        else if (c == '>')
+            escaped += "&gt;";
+        else if (c == '"')
+            escaped += "&quot;";
+        else
+            escaped += c;
+    }
+    return escaped;
+}
+
+}  // namespace interleaf

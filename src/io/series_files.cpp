@@ -1,0 +1,153 @@
+#include "io/series_files.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "text/natural_order.h"
+#include <fmt/core.h>
+
+#include "hierarchy/error.h"
+#include "io/file/file_pattern.h"
+#include "io/file/input_file.h"
+#include "io/formats.h"
+#include "io/read_files.h"
+#include "io/text/json_place.h"
+#include "io/text/words.h"
+#include "io/vtk/legacy_file.h"
+#include "io/vtk/xml_document.h"
+#include "io/vtk/xml_file.h"
+
+namespace interleaf {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t max_collection_size = std::uint64_t{64} << 20U;
+constexpr std::uint64_t max_legacy_size = std::uint64_t{4} << 30U;
+
+struct TimedFile {
+    fs::path file;
+    double time = 0;
+};
+
+SeriesFiles in_order_of_time(std::vector<TimedFile> steps, const std::string& series) {
+    std::ranges::stable_sort(steps, {}, &TimedFile::time);
+    const auto same = std::ranges::adjacent_find(steps, {}, &TimedFile::time);
+    if (same != steps.end())
+        throw InputError(fmt::format("{}: {} and {} are both at time {}, expected one file per time", series,
+                                     same->file.string(), std::next(same)->file.string(), same->time));
+    SeriesFiles result;
+    for (TimedFile& step : steps) {
+        result.files.push_back(std::move(step.file));
+        result.times.push_back(step.time);
+    }
+    return result;
+}
+
+SeriesFiles read_collection(const fs::path& collection) {
+    const XmlDocument document(read_text(collection, max_collection_size), collection.string());
+    if (document.type() != "Collection")
+        document.fail(fmt::format("data of type {}, expected Collection", in_quotes(document.type())));
+    std::vector<TimedFile> steps;
+    for (const pugi::xml_node element : document.data_set().children("DataSet")) {
+        const std::string name = element.attribute("file").value();
+        const std::string_view word = element.attribute("timestep").value();
+        const std::optional<double> time =
+            word.empty() ? static_cast<double>(steps.size()) : parse_double(word);
+        if (!time)
+            document.fail(fmt::format("DataSet {} (counted from 0): timestep {}, expected a number",
+                                      steps.size(), in_quotes(word)));
+        const fs::path file = collection.parent_path() / name;
+        std::error_code ignored;
+        if (name.empty() || !fs::exists(file, ignored))
+            document.fail(fmt::format("DataSet {} (counted from 0): there is no file {}", steps.size(),
+                                      in_quotes(name)));
+        steps.push_back({file, *time});
+    }
+    if (steps.empty()) document.fail("has no files, expected DataSet elements");
+    return in_order_of_time(std::move(steps), collection.string());
+}
+
+/// The numbers in \p name, with the dots and signs between them left out.
+std::vector<std::string_view> digits_in(std::string_view name) {
+    std::vector<std::string_view> numbers;
+    while (true) {
+        constexpr std::string_view digits = "0123456789";
+        name.remove_prefix(std::min(name.find_first_of(digits), name.size()));
+        if (name.empty()) return numbers;
+        numbers.push_back(name.substr(0, name.find_first_not_of(digits)));
+        name.remove_prefix(numbers.back().size());
+    }
+}
+
+/// The one number in the name of each file that differs; none if there is no such number.
+std::vector<double> numbers_of(std::span<const fs::path> files) {
+    std::vector<std::string> names;
+    for (const fs::path& file : files) names.push_back(file.filename().string());
+    const auto same_but_numbers = [&](const std::string& name) {
+        return without_numbers(name) == without_numbers(names.front());
+    };
+    if (files.size() < 2 || !std::ranges::all_of(names, same_but_numbers)) return {};
+    const std::vector<std::string_view> first = digits_in(names.front());
+    std::optional<std::size_t> place;
+    for (const std::string& name : names)
+        for (std::size_t n = 0; n < first.size(); ++n) {
+            if (digits_in(name)[n] == first[n]) continue;
+            if (place && *place != n) return {};
+            place = n;
+        }
+    if (!place) return {};
+    std::vector<double> numbers;
+    for (const std::string& name : names) {
+        numbers.push_back(parse_double(digits_in(name)[*place]).value_or(0));
+        if (numbers.size() > 1 && numbers.back() <= numbers[numbers.size() - 2]) return {};
+    }
+    return numbers;
+}
+
+FieldMesh mesh_of_surface(SurfaceFile surface) {
+    FieldMesh mesh;
+    mesh.points = std::move(surface.positions);
+    mesh.triangles = std::move(surface.triangles);
+    for (Index cell = 0; cell < mesh.triangles.size(); ++cell) mesh.cell_of.push_back(cell);
+    if (surface.colors.empty()) return mesh;
+    MeshField colors{"color", 3, {}};
+    for (const glm::vec3& color : surface.colors)
+        colors.values.insert(colors.values.end(), {double{color.r}, double{color.g}, double{color.b}});
+    mesh.point_fields.push_back(std::move(colors));
+    return mesh;
+}
+
+FieldMesh read_any_mesh(const fs::path& file) {
+    const std::string extension = lower_case_extension(file);
+    if (extension == ".vtk") return parse_legacy_vtk(read_text(file, max_legacy_size), file.string());
+    if (extension.starts_with(".vt") || extension.starts_with(".pvt")) return read_vtk_xml(file);
+    return mesh_of_surface(read_surface(file));
+}
+
+}  // namespace
+
+SeriesFiles series_files(std::span<const fs::path> paths) {
+    if (paths.size() == 1 && lower_case_extension(paths.front()) == ".pvd")
+        return read_collection(paths.front());
+    SeriesFiles series;
+    for (const fs::path& path : paths)
+        std::ranges::move(matching_files(path), std::back_inserter(series.files));
+    series.times = numbers_of(series.files);
+    for (std::size_t n = series.times.size(); n < series.files.size(); ++n)
+        series.times.push_back(static_cast<double>(n));
+    return series;
+}
+
+FieldMesh read_field_mesh(const fs::path& file) {
+    FieldMesh mesh = read_any_mesh(file);
+    if (mesh.triangles.empty())
+        throw InputError(fmt::format("{}: has no triangles, expected at least one", file.string()));
+    return mesh;
+}
+
+}  // namespace interleaf

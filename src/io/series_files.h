@@ -1,0 +1,33 @@
+// The files of a series: meshes at different times, each of which is a step.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "hierarchy/field_mesh.h"
+
+namespace interleaf {
+
+struct SeriesFiles {
+    std::vector<std::filesystem::path> files;  ///< in the order of time
+    std::vector<double> times;                 ///< one per file, strictly increasing
+};
+
+/// The files of a series that \p paths name: one ParaView collection (.pvd), or the files of meshes, of which
+/// each path may be a pattern (file/file_pattern.h).
+///
+/// The times of a collection are in it. The times of files are the numbers in their names, if the names differ
+/// in one number alone; otherwise they are 0, 1, 2, ...
+/// \throw InputError   naming the file and the place, if a collection is damaged, names a file that is not there,
+///                     or has two files at one time; or if no file matches a pattern
+/// \throw MachineError if a file or folder cannot be read
+SeriesFiles series_files(std::span<const std::filesystem::path> paths);
+
+/// Reads one step of a series, of any format with triangles: .vtu, .pvtu, .vtp, .pvtp, .vtk, and the formats of
+/// meshes. Colors become the point field "color".
+/// \throw InputError   naming the file, the place and what was expected; also if there is no triangle
+/// \throw MachineError if a file cannot be opened or read
+FieldMesh read_field_mesh(const std::filesystem::path& file);
+
+}  // namespace interleaf

@@ -1,0 +1,79 @@
+#include "io/series_files.h"
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "scratch_folder.h"
+#include "thrown_errors.h"
+#include <doctest/doctest.h>
+#include <fmt/core.h>
+
+#include "io/vtk/vtk_samples.h"
+
+namespace interleaf {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string collection(std::string_view steps) {
+    return fmt::format("<VTKFile type='Collection'><Collection>{}</Collection></VTKFile>", steps);
+}
+
+std::vector<double> times_of(const std::vector<fs::path>& files) {
+    return series_files(files).times;
+}
+
+}  // namespace
+
+TEST_CASE("a collection gives the files and their times, in the order of time") {
+    const ScratchFolder folder;
+    put(folder / "a.vtu", "");
+    put(folder / "b.vtu", "");
+    const fs::path file = folder / "run.pvd";
+    const auto read = [&](std::string_view steps) {
+        put(file, collection(steps));
+        return series_files(std::span(&file, 1));
+    };
+    const SeriesFiles series =
+        read("<DataSet timestep='2.5' file='b.vtu'/><DataSet timestep='-1' file='a.vtu'/>");
+    CHECK(series.files == std::vector<fs::path>{folder / "a.vtu", folder / "b.vtu"});
+    CHECK(series.times == std::vector<double>{-1, 2.5});
+
+    const auto error = [&](std::string_view steps) { return input_error_of([&] { read(steps); }); };
+    CHECK(error("<DataSet timestep='0' file='c.vtu'/>")
+              .ends_with("run.pvd: DataSet 0 (counted from 0): there is "
+                         "no file \"c.vtu\""));
+    CHECK(error("<DataSet timestep='x' file='a.vtu'/>").ends_with("timestep \"x\", expected a number"));
+    CHECK(error("").ends_with("has no files, expected DataSet elements"));
+    CHECK(error("<DataSet timestep='1' file='a.vtu'/><DataSet timestep='1' file='b.vtu'/>")
+              .ends_with("are both at time 1, expected one file per time"));
+}
+
+TEST_CASE("times of files are the one number in which their names differ, or 0, 1, 2") {
+    CHECK(times_of({"a/u2-007.vtk", "a/u2-010.vtk", "a/u2-200.vtk"}) == std::vector<double>{7, 10, 200});
+    CHECK(times_of({"u1-1.vtk", "u2-2.vtk"}) == std::vector<double>{0, 1});
+    CHECK(times_of({"u3.vtk", "u2.vtk"}) == std::vector<double>{0, 1});
+    CHECK(times_of({"first.vtk", "then.vtk"}) == std::vector<double>{0, 1});
+    CHECK(times_of({"u5.vtk"}) == std::vector<double>{0});
+}
+
+TEST_CASE("every format with triangles is a step of a series") {
+    const ScratchFolder folder;
+    put(folder / "a.vtu", sample_grid({}));
+    put(folder / "a.vtk", sample_legacy(true, true));
+    put(folder / "a.obj", "v 0 0 0 1 0 0.5\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 3 1 2\n");
+    put(folder / "empty.vtk",
+        "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 0\n");
+    CHECK(read_field_mesh(folder / "a.vtu") == sample_mesh());
+    CHECK(read_field_mesh(folder / "a.vtk") == sample_mesh());
+    const FieldMesh mesh = read_field_mesh(folder / "a.obj");
+    CHECK(mesh.triangles == std::vector<std::array<Index, 3>>{{2, 0, 1}});
+    REQUIRE(mesh.point_fields.size() == 1);
+    CHECK(mesh.point_fields.front().values == std::vector<double>{1, 0, 0.5, 0, 0, 0, 0, 0, 0});
+    CHECK(input_error_of([&] {
+              read_field_mesh(folder / "empty.vtk");
+          }).ends_with("empty.vtk: has no triangles, expected at least one"));
+}
+
+}  // namespace interleaf
