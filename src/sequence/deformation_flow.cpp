@@ -1,5 +1,6 @@
 #include "sequence/deformation_flow.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -10,11 +11,14 @@ namespace {
 /// The longest Runge-Kutta step, in seconds. No point moves by more than twice this length in it.
 constexpr double max_part = 0.0125;
 
-glm::dvec3 runge_kutta_step(const glm::dvec3& at, double time, double length, double period) {
-    const glm::dvec3 k1 = deformation_velocity(at, time, period);
-    const glm::dvec3 k2 = deformation_velocity(at + length / 2 * k1, time + length / 2, period);
-    const glm::dvec3 k3 = deformation_velocity(at + length / 2 * k2, time + length / 2, period);
-    const glm::dvec3 k4 = deformation_velocity(at + length * k3, time + length, period);
+/// A step of \p length seconds from \p time on.
+/// \param velocity  of a point at a time
+template <typename Velocity>
+glm::dvec3 runge_kutta_step(const glm::dvec3& at, double time, double length, const Velocity& velocity) {
+    const glm::dvec3 k1 = velocity(at, time);
+    const glm::dvec3 k2 = velocity(at + length / 2 * k1, time + length / 2);
+    const glm::dvec3 k3 = velocity(at + length / 2 * k2, time + length / 2);
+    const glm::dvec3 k4 = velocity(at + length * k3, time + length);
     return at + length / 6 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
 }
 
@@ -31,6 +35,17 @@ glm::dvec3 deformation_velocity(const glm::dvec3& at, double time, double period
                                                      -doubled.x * doubled.y * squared.z);
 }
 
+glm::dvec3 flowed_point(const glm::dvec3& direction, double time, double strength, double period) {
+    using std::numbers::pi;
+    const double distance = strength * period / pi * std::sin(pi * time / period);
+    const double parts = std::max(std::ceil(std::abs(distance) / max_part), 1.0);
+    glm::dvec3 position = flow_ball_center + flow_ball_radius * direction;
+    const auto steady = [](const glm::dvec3& at, double) { return deformation_velocity(at, 0, 1); };
+    for (double part = 0; part < parts; ++part)
+        position = runge_kutta_step(position, 0, distance / parts, steady);
+    return position;
+}
+
 FlowingSphere::FlowingSphere(double period, unsigned steps)
     : period_(period),
       step_length_(period / steps),
@@ -44,8 +59,11 @@ std::size_t FlowingSphere::DirectionHash::operator()(const glm::dvec3& direction
 
 glm::dvec3 FlowingSphere::traced(glm::dvec3 position, unsigned first_step, unsigned end_step) const {
     const double length = step_length_ / parts_of_step_;
+    const auto velocity = [this](const glm::dvec3& at, double time) {
+        return deformation_velocity(at, time, period_);
+    };
     for (unsigned part = first_step * parts_of_step_; part < end_step * parts_of_step_; ++part)
-        position = runge_kutta_step(position, part * length, length, period_);
+        position = runge_kutta_step(position, part * length, length, velocity);
     return position;
 }
 

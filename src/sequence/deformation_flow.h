@@ -21,6 +21,15 @@ inline constexpr double flow_ball_radius = 0.15;
 /// \param period  seconds after which every point is where it was
 glm::dvec3 deformation_velocity(const glm::dvec3& at, double time, double period);
 
+/// Where the flow has moved the point of the ball's sphere in \p direction, a unit vector.
+///
+/// The velocity is a steady field times a number that changes in time, so the point moves along a line of the
+/// steady field, as far as the number's integral says.
+/// \param time      seconds
+/// \param strength  factor of the velocity
+/// \param period    of the flow, seconds
+glm::dvec3 flowed_point(const glm::dvec3& direction, double time, double strength, double period);
+
 /// The sphere of the ball, whose points the flow moves. A point has a name: its direction from the center at
 /// time 0. Its present position depends on nothing but its name and the number of steps.
 class FlowingSphere {

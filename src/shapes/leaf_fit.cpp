@@ -81,7 +81,8 @@ double distance_to_triangle(const glm::dvec3& point, const std::array<glm::dvec3
                      distance_to_segment(point, c, a)});
 }
 
-LeafFit measure_fit(const BaseSurface& base, Surface surface, const std::array<glm::dvec3, 3>& base_corners) {
+LeafFit measure_fit(const BaseSurface& base, const Surface& surface,
+                    const std::array<glm::dvec3, 3>& base_corners) {
     std::vector<glm::dvec3> samples = base_grid(base, base_corners, divisions);
     for (glm::dvec3& sample : samples) sample = surface(sample);
 

@@ -31,6 +31,7 @@ double distance_to_triangle(const glm::dvec3& point, const std::array<glm::dvec3
 
 /// The fit of a leaf to \p surface, a map of \p base. The leaf lies over the given points of the base. Uses
 /// 12 samples besides these points, and 16 grid triangles.
-LeafFit measure_fit(const BaseSurface& base, Surface surface, const std::array<glm::dvec3, 3>& base_corners);
+LeafFit measure_fit(const BaseSurface& base, const Surface& surface,
+                    const std::array<glm::dvec3, 3>& base_corners);
 
 }  // namespace interleaf

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -18,11 +19,17 @@
 namespace interleaf {
 namespace {
 
-constexpr std::array<Shape, 6> all_shapes = {{
+/// Converts the overloaded names of the surfaces.
+using PlainSurface = glm::dvec3 (*)(const glm::dvec3& u);
+
+const std::array<Shape, 6> all_shapes = {{
     {"icosahedron", "the 20 roots alone, on the unit sphere", unit_sphere, nullptr},
-    {"bone", "a bone with two knobs at each end", unit_sphere, bone_surface},
-    {"cushion", "a square cushion with four pointed corners", unit_sphere, cushion_surface},
-    {"star", "a star with twelve arms", unit_sphere, star_surface},
+    {"bone", "a bone with two knobs at each end", unit_sphere, PlainSurface(bone_surface), bone_constants,
+     bone_surface},
+    {"cushion", "a square cushion with four pointed corners", unit_sphere, PlainSurface(cushion_surface),
+     cushion_constants, cushion_surface},
+    {"star", "a star with twelve arms", unit_sphere, PlainSurface(star_surface), star_constants,
+     star_surface},
     {"sphere", "the unit sphere", unit_sphere, sphere_surface},
     {"brezel", "a brezel with two holes, over 144 roots of its own", brezel, brezel_surface},
 }};
@@ -86,6 +93,20 @@ const Shape* find_shape(std::string_view name) {
     const auto shape = std::find_if(all_shapes.begin(), all_shapes.end(),
                                     [&](const Shape& candidate) { return candidate.name == name; });
     return shape == all_shapes.end() ? nullptr : &*shape;
+}
+
+Shape with_constants(const Shape& shape, std::vector<double> values) {
+    for (std::size_t i = 0; i < shape.constants.size(); ++i) {
+        const SurfaceConstant& constant = shape.constants[i];
+        if (!(values[i] >= constant.low && values[i] <= constant.high))
+            throw UsageError(fmt::format("{} of {}: expected {} to {}, got {}", constant.name, shape.name,
+                                         constant.low, constant.high, values[i]));
+    }
+    Shape changed = shape;
+    changed.surface = [parametric = shape.parametric, values = std::move(values)](const glm::dvec3& u) {
+        return parametric(u, values);
+    };
+    return changed;
 }
 
 Hierarchy make_key(const Shape& shape, const ShapeBudget& budget) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "hierarchy/hierarchy.h"
 #include "shapes/base_surface.h"
@@ -22,7 +23,14 @@ struct Shape {
     std::string_view description;  ///< one line, for users
     BaseSurface base;              ///< the surface whose points the vertices stand for
     Surface surface;               ///< nullptr for the icosahedron, which needs only its 20 roots
+    std::span<const SurfaceConstant> constants{};  ///< with their values, they give `surface`
+    ParametricSurface parametric = nullptr;        ///< null for a shape without constants
 };
+
+/// \p shape with other values of its constants.
+/// \param values  one per constant
+/// \throw UsageError if a value is out of its range
+Shape with_constants(const Shape& shape, std::vector<double> values);
 
 /// All shapes, in the order in which they are listed.
 std::span<const Shape> shapes();

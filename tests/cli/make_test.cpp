@@ -5,6 +5,7 @@
 #include "cli/process.h"
 #include "scratch_folder.h"
 #include <doctest/doctest.h>
+#include <fmt/core.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -177,6 +178,39 @@ TEST_CASE("the shipped sequences are what make writes, but for the rounding of m
             CHECK(glm::distance(box.max, bounding_box(theirs.positions).max) < 0.01F * box.diagonal());
         }
     }
+}
+
+TEST_CASE("an adaptive domain is bisected where the shape needs it; wrong constants are refused by name") {
+    const ScratchFolder folder;
+    const std::vector<std::string> stars = {"family",          "--adapt",     "star",
+                                            "--range",         "arm=0.2:1.2", "--range",
+                                            "sharpness=10:40", "-o",          folder / "stars"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), stars.begin(), stars.end());
+        return run_interleaf(more);
+    };
+    const Outcome made = with({"--tolerance", "0.03"});
+    REQUIRE_MESSAGE(made.status == 0, made.errors);
+    const Family family = read_family(folder / "stars");
+    CHECK(made.output == fmt::format("{} keys, {} triangles in the domain\n", family.keys.size(),
+                                     family.domain->triangles().size()));
+    CHECK(family.keys.size() > 4);
+    CHECK_FALSE(family.timeline);
+    CHECK(contains(with({}).errors, "--tolerance"));
+    CHECK(contains(with({"--tolerance", "0.03", "--interpolation", "hold"}).errors, "no timeline"));
+    CHECK(contains(with({"--tolerance", "0.03", "--range", "core=1:2"}).errors, "two --range"));
+    const auto refusal = [&](const char* shape, const char* u, const char* v) {
+        const Outcome outcome = run_interleaf({"family", "--adapt", shape, "--range", u, "--range", v,
+                                               "--tolerance", "0.1", "-o", folder / "x"});
+        CHECK(outcome.status == 2);
+        CHECK(is_one_message(outcome.errors));
+        return outcome.errors;
+    };
+    CHECK(contains(refusal("sphere", "a=0:1", "b=0:1"), "bone, cushion, star, flow"));
+    CHECK(contains(refusal("star", "arm=0:1", "arms=0:1"), "core, arm, sharpness"));
+    CHECK(contains(refusal("star", "arm=0:1", "arm=0:1"), "different"));
+    CHECK(contains(refusal("star", "arm=0:9", "core=1:2"), "from 0 to 3"));
+    CHECK(contains(refusal("star", "arm", "core=1:2"), "NAME=A:B"));
 }
 
 }  // namespace

@@ -54,6 +54,20 @@ TEST_CASE("the velocity is the printed one, and has no divergence") {
     }
 }
 
+TEST_CASE("a point moved at once is where the steps in time bring it, at any time and strength 1") {
+    constexpr unsigned seed = 14;
+    CAPTURE(seed);
+    const std::vector<glm::dvec3> directions = random_directions(seed, 5);
+    FlowingSphere sphere(period, 10);
+    for (int step = 1; step <= 10; ++step) {
+        sphere.advance();
+        for (const glm::dvec3& direction : directions)
+            CHECK(glm::distance(flowed_point(direction, 0.1 * step * period, 1, period), sphere.at(direction)) <
+                  1e-5);
+    }
+    CHECK(flowed_point({1, 0, 0}, 0.4, 0, period) == flow_ball_center + glm::dvec3(flow_ball_radius, 0, 0));
+}
+
 TEST_CASE("points move as with many small steps of the midpoint method") {
     constexpr unsigned seed = 12;
     CAPTURE(seed);

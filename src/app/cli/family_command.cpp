@@ -25,9 +25,20 @@ Interpolation interpolation_of(const Family& family, const FamilyOptions& option
     return interpolation;
 }
 
+void make_adapted(const FamilyOptions& options) {
+    if (!options.keys.empty()) throw UsageError("--adapt: it makes its own keys, so no KEY is taken");
+    if (options.basis || options.degree)
+        throw UsageError("--adapt: the family has no timeline for --interpolation and --degree");
+    run_adapt(options.adapt, options.output, options.form);
+}
+
 }  // namespace
 
 void run_family(const FamilyOptions& options) {
+    if (!options.adapt.shape.empty()) return make_adapted(options);
+    if (!options.adapt.ranges.empty() || options.adapt.tolerance)
+        throw UsageError("--range, --tolerance: they are for --adapt");
+    if (options.keys.empty()) throw UsageError("family: KEY is required, or --adapt");
     std::vector<std::string> changes;
     Family family = open_family(options.keys, &changes);
     if (options.basis || options.degree) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/cli/adapt_command.h"
 #include "family/interpolation.h"
 #include "io/hierarchy/hierarchy_file.h"
 
@@ -14,6 +15,7 @@ namespace interleaf {
 struct FamilyOptions {
     std::vector<std::filesystem::path> keys;  ///< paths that open_family() takes
     std::filesystem::path output;             ///< the folder
+    AdaptOptions adapt;                       ///< instead of keys, if it names a shape
     std::optional<Basis> basis;               ///< of the timeline; by default the present one
     std::optional<std::size_t> degree;        ///< of the pieces of Basis::bernstein
     HierarchyFileOptions form;                ///< of the key files

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "app/cli/adapt_command.h"
 #include "app/cli/held_interrupts.h"
 #include "app/cli/progress_line.h"
 #include "app/document/builtin_family.h"
@@ -112,6 +113,14 @@ void list_shapes() {
     fmt::print("{:<14}a folder with the built-in family of the first five shapes\n", family_name);
     for (const SequenceMaker& sequence : sequences)
         fmt::print("{:<14}{}\n", sequence.name, sequence.description);
+    fmt::print("\nConstants, for `interleaf family --adapt`, with their ranges:\n");
+    for (const Shape& shape : parametric_shapes()) {
+        fmt::print("{:<14}", shape.name);
+        for (const SurfaceConstant& constant : shape.constants)
+            fmt::print("{}{} {}:{}", &constant == shape.constants.data() ? "" : ", ", constant.name,
+                       constant.low, constant.high);
+        fmt::print("\n");
+    }
 }
 
 }  // namespace interleaf

@@ -112,6 +112,18 @@ FrameRange parse_frames(std::string_view text) {
     return {*first, *last};
 }
 
+ConstantRange parse_constant_range(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    const std::size_t colon = text.find(':');
+    if (equals != std::string_view::npos && colon != std::string_view::npos && equals < colon) {
+        const auto low = numbers(text.substr(equals + 1, colon - equals - 1));
+        const auto high = numbers(text.substr(colon + 1));
+        if (low && high && low->size() == 1 && high->size() == 1)
+            return {std::string(text.substr(0, equals)), low->front(), high->front()};
+    }
+    expected("NAME=A:B", text);
+}
+
 Viewpoint parse_viewpoint(std::string_view text) {
     const auto values = numbers(text);
     if (!values || values->size() < 2 || values->size() > 3)

@@ -9,6 +9,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/cli/adapt_command.h"
 #include "app/cli/fit_command.h"
 #include "app/cli/morph_selection.h"
 #include "app/cli/render_command.h"
@@ -38,6 +39,9 @@ PictureSize parse_size(std::string_view text);
 
 /// A range of frames, "A:B", two whole numbers, the second at least the first.
 FrameRange parse_frames(std::string_view text);
+
+/// The range of a constant, "NAME=A:B".
+ConstantRange parse_constant_range(std::string_view text);
 
 /// A viewpoint, "AZIMUTH,ELEVATION" or "AZIMUTH,ELEVATION,ZOOM".
 Viewpoint parse_viewpoint(std::string_view text);

@@ -115,6 +115,28 @@ void add_make(CLI::App& program) {
         "  interleaf make catenoid --distance 1.45 -o collapse");
 }
 
+void add_adapt(CLI::App& command, AdaptOptions& adapt) {
+    const std::string group = "Instead of keys: a domain that is refined where the shape needs it";
+    command.add_option("--adapt", adapt.shape, "A shape with constants; make --list names them")
+        ->type_name("SHAPE")
+        ->group(group);
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--range",
+            [&adapt](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) adapt.ranges.push_back(parse_constant_range(text));
+            },
+            "The range of a constant, an axis of the domain; two of these")
+        ->type_name("NAME=A:B")
+        ->allow_extra_args(false)
+        ->group(group);
+    add_text_option(command, "--tolerance",
+                    "Largest distance of a blend from the shape, as a fraction of the family's box diagonal",
+                    [&adapt](const std::string& text) { adapt.tolerance = parse_number(text); })
+        ->type_name("E")
+        ->group(group);
+}
+
 void add_family_command(CLI::App& program) {
     const auto options = std::make_shared<FamilyOptions>();
     CLI::App* command = program.add_subcommand("family", "Make a family folder from keys");
@@ -124,8 +146,7 @@ void add_family_command(CLI::App& program) {
                     "or a pattern",
                     extensions_in_words(&Format::holds_key_alone),
                     extensions_in_words(&Format::holds_mesh_as_key)),
-        options->keys)
-        ->required();
+        options->keys);
     command
         ->add_option_function<std::string>(
             "-o,--output", [options](const std::string& folder) { options->output = folder; },
@@ -139,13 +160,16 @@ void add_family_command(CLI::App& program) {
                     "Of bernstein: the degree of its pieces; without it, one piece for all keys",
                     [options](const std::string& text) { options->degree = parse_count(text); })
         ->type_name("N");
+    add_adapt(*command, options->adapt);
     add_form(*command, options->form);
     command->final_callback([options] { run_family(*options); });
     command->footer(
         "Examples:\n"
         "  interleaf family sphere.ilh star.ilh bone.ilh -o three-keys\n"
         "  interleaf family 'flow.*.obj' -o flow\n"
-        "  interleaf family flow --interpolation b-spline -o smooth-flow");
+        "  interleaf family flow --interpolation b-spline -o smooth-flow\n"
+        "  interleaf family --adapt star --range arm=0.2:1.5 --range sharpness=12:40 --tolerance 0.01 -o "
+        "stars");
 }
 
 void add_fit(CLI::App& program) {
