@@ -70,7 +70,7 @@ constexpr std::array<Format, 9> table = {{
      .parse_surface = parse_gltf},
     {.extension = ".html",
      .title = "web page",
-     .written = Carried{.fields = true, .colors = true, .hierarchy = true, .time = true},
+     .written = Carried{.fields = true, .colors = true, .time = true},
      .write = export_page},
 }};
 
