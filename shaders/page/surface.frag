@@ -1,6 +1,6 @@
 #version 300 es
-// Colors the surface by level or by a field, lights it, and draws edges of constant width, as surface.frag does
-// in the program.
+// Colors the surface by level or by a field, lights it, and draws edges of constant width, as surface.frag
+// does in the program.
 
 precision highp float;
 precision highp int;
@@ -35,7 +35,8 @@ vec3 color_at(float number) {
     return mix(colors[before], colors[before + 1], at - float(before));
 }
 
-// How much of a pixel a line covers that reaches so many pixels to each side, from the distance of its middle.
+// How much of a pixel a line covers that reaches so many pixels to each side, from the distance of its
+// middle.
 float covered(float pixels, float reach) { return clamp(reach + 0.5 - pixels, 0.0, 1.0); }
 
 vec3 encoded(vec3 light) {
@@ -51,7 +52,8 @@ void main() {
     if (coloring == 1) base = color_at(float(tag & 127u));
     if (coloring == 2) base = color_at(value.x);
     if (coloring == 3) base = clamp(value, 0.0, 1.0);
-    vec3 light = 1.05 * vec3(max(dot(n, key_direction), 0.0)) + vec3(0.16, 0.19, 0.25) * max(dot(n, fill_direction), 0.0)
+    vec3 light = vec3(1.05 * max(dot(n, key_direction), 0.0))
+               + vec3(0.16, 0.19, 0.25) * max(dot(n, fill_direction), 0.0)
                + mix(vec3(0.045), vec3(0.18), 0.5 + 0.5 * n.y);
     vec3 half_way = direction(key_direction + direction(-place));
     vec3 lit = base * light + 0.05 * pow(max(dot(n, half_way), 0.0), 40.0);

@@ -1,6 +1,7 @@
 #version 300 es
-// Morphs a union of keys, as surface.vert does in the program. There are no vertex arrays: the corner c of the
-// leaf t is vertex 3 t + c, and textures of 2048 columns hold leaves, positions, normal products and fields.
+// Morphs a union of keys, as surface.vert does in the program. There are no vertex arrays: the corner c of
+// the leaf t is vertex 3 t + c, and textures of 2048 columns hold leaves, positions, normal products and
+// fields.
 
 precision highp float;
 precision highp int;
@@ -11,7 +12,7 @@ const int most_keys = 4;
 
 uniform usampler2D leaves;    // three vertices, and the tag
 uniform sampler2D positions;  // key after key
-uniform sampler2D products;   // normal product after product, for i <= j in the order (0,0), (0,1), (1,1), ...
+uniform sampler2D products;   // normal product after product: (0,0), (0,1), (1,1), (0,2), ...
 uniform sampler2D fields;     // key after key: linear light, or a scalar in red
 uniform bool has_field;
 uniform int key_count;

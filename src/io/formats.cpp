@@ -71,7 +71,7 @@ constexpr std::array<Format, 12> table = {{
      .parse_surface = parse_gltf},
     {.extension = ".html",
      .title = "web page",
-     .written = Carried{.fields = true, .colors = true, .hierarchy = true, .time = true},
+     .written = Carried{.fields = true, .colors = true, .time = true},
      .write = export_page},
     {.extension = ".vtp",
      .title = "VTK polygons",

@@ -27,13 +27,15 @@ const Format& key_format_of(const fs::path& file) {
 /// Reads files of more than one format, one by one.
 std::variant<FileKeys, Misfit> read_mixture(std::span<const fs::path> files) {
     FileKeys all;
+    std::size_t number = 0;
     for (const fs::path& file : files) {
         auto read = key_format_of(file).read_keys(std::span(&file, 1), all.origin);
         if (auto* misfit = std::get_if<Misfit>(&read)) return std::move(*misfit);
         FileKeys& one = std::get<FileKeys>(read);
         if (one.origin) all.origin = one.origin;
-        if (one.names.empty()) one.names.push_back(family_format::utf8_of(file.stem()));
-        std::ranges::move(one.names, std::back_inserter(all.names));
+        if (one.sources.empty()) one.sources.push_back({family_format::utf8_of(file.stem()), 0});
+        for (KeySource& source : one.sources) all.sources.push_back({std::move(source.name), number});
+        ++number;
         std::ranges::move(one.keys, std::back_inserter(all.keys));
         std::ranges::move(one.remarks, std::back_inserter(all.remarks));
     }

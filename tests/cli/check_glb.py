@@ -2,8 +2,9 @@
 
 usage: check_glb.py INTERLEAF FAMILY...
 
-The script decodes the file by itself, from the glTF 2.0 specification. It checks the container and every accessor,
-then blends base and targets with random weights and compares the vertices with those of `interleaf export`.
+The script decodes the file by itself, from the glTF 2.0 specification. It checks the container and every
+accessor, then blends base and targets with random weights and compares the vertices with those of
+`interleaf export`.
 """
 
 import array
@@ -41,9 +42,10 @@ class Glb:
         accessor = self.document["accessors"][number]
         view = self.document["bufferViews"][accessor["bufferView"]]
         expect(view["byteOffset"] % 4 == 0, f"accessor {number} is not aligned")
-        expect(view["byteOffset"] + view["byteLength"] <= len(self.body), f"accessor {number} leaves the buffer")
+        end = view["byteOffset"] + view["byteLength"]
+        expect(end <= len(self.body), f"accessor {number} leaves the buffer")
         values = array.array(COMPONENTS[accessor["componentType"]])
-        values.frombytes(self.body[view["byteOffset"] : view["byteOffset"] + view["byteLength"]])
+        values.frombytes(self.body[view["byteOffset"] : end])
         width = WIDTHS[accessor["type"]]
         expect(len(values) == width * accessor["count"], f"accessor {number} has another count")
         if "min" in accessor:
@@ -97,7 +99,7 @@ def check(program, family):
             blended = base[n] + sum(weight * target[n] for weight, target in zip(values[1:], targets))
             worst = max(worst, abs(blended - expected) / box)
     expect(worst < 1e-6, f"{family}: a vertex is off by {worst} of the box")
-    print(f"{family}: {len(base) // 3} vertices, {len(targets)} targets, off by at most {worst:.2g} of the box")
+    print(f"{family}: {len(base) // 3} vertices, {len(targets)} targets, off by {worst:.2g} of the box")
 
 
 random.seed(SEED)

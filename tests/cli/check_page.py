@@ -2,8 +2,8 @@
 
 usage: check_page.py INTERLEAF FAMILY...
 
-The script checks the content policy and the hashes in it, decodes the keys, and compares their vertices with those
-of `interleaf export --weights KEY=1`.
+The script checks the content policy and the hashes in it, decodes the keys, and compares their vertices with
+those of `interleaf export --weights KEY=1`.
 """
 
 import base64
@@ -103,7 +103,7 @@ def check(program, family):
         subprocess.run([program, "export", family, "-o", file], check=True)
         page = Page(file.read_text(encoding="utf-8"))
     expect(page.links == [], f"the page links to {page.links}")
-    expect(page.policy.startswith("default-src 'none'; "), "the content policy allows more than the page needs")
+    expect(page.policy.startswith("default-src 'none'; "), "the content policy allows more than needed")
     for name in ("script", "style"):
         digest = base64.b64encode(hashlib.sha256(page.texts[name].encode()).digest()).decode()
         expect(f"{name}-src 'sha256-{digest}';" in page.policy, f"the hash of the {name} is wrong")

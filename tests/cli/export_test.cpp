@@ -96,7 +96,7 @@ TEST_CASE("an exported PLY announces the union and has the size that it announce
 
 TEST_CASE("standard output gets the same bytes as a file") {
     const ScratchFolder folder;
-    for (const std::string format : {"obj", "ply", "ilh"}) {
+    for (const std::string format : {"obj", "ply", "ilh", "glb", "html"}) {
         CAPTURE(format);
         REQUIRE(export_to(folder / ("u." + format), {"--at", "-0.2,0.1"}).status == 0);
         const Outcome outcome = export_to("-", {"--at", "-0.2,0.1", "--format", format});
@@ -131,6 +131,36 @@ TEST_CASE("export names the formats that it knows, and the formats that hold a k
     const Outcome family = export_to(folder / "family.json", {});
     CHECK(family.status == 2);
     CHECK_FALSE(std::filesystem::exists(folder / "family.json"));
+}
+
+TEST_CASE("an exported glTF file opens as the family") {
+    const ScratchFolder folder;
+    REQUIRE(run_interleaf({"export", INTERLEAF_FIVE_KEYS, "-o", folder / "five.glb"}).status == 0);
+    const Outcome info = run_interleaf({"info", folder / "five.glb"});
+    CHECK(contains(info.output, "Five keys"));
+    CHECK(contains(info.output, "timeline, seconds, linear"));
+    CHECK(contains(info.output, "parameter domain, 4 triangles"));
+    const Outcome blend =
+        run_interleaf({"export", folder / "five.glb", "--time", "3", "--format", "obj", "-o", "-"});
+    CHECK_MESSAGE(blend.status == 0, blend.errors);
+    const Outcome fitted = run_interleaf({"check", folder / "five.glb"});
+    CHECK_MESSAGE(fitted.status == 0, fitted.errors);
+}
+
+TEST_CASE("segments are for glTF and for linear timelines, and weights beyond 0 to 1 are told") {
+    const ScratchFolder folder;
+    CHECK(export_to(folder / "s.glb", {"--segments"}).status == 0);
+    const Outcome mesh = export_to(folder / "s.obj", {"--segments"});
+    CHECK(mesh.status == 2);
+    CHECK(contains(mesh.errors, "--segments: expected the format glb, got 'obj'"));
+    REQUIRE(run_interleaf({"family", INTERLEAF_FIVE_KEYS, "--interpolation", "spline", "-o", folder / "s"})
+                .status == 0);
+    const Outcome spline = run_interleaf({"export", folder / "s", "-o", folder / "s.glb"});
+    CHECK(spline.status == 0);
+    CHECK(contains(spline.errors, "s.glb: the animation has weights from -0."));
+    const Outcome segments = run_interleaf({"export", folder / "s", "--segments", "-o", folder / "t.glb"});
+    CHECK(segments.status == 2);
+    CHECK_FALSE(std::filesystem::exists(folder / "t.glb"));
 }
 
 TEST_CASE("points and times outside are clamped, and the default is time 0") {

@@ -1,5 +1,5 @@
-// glTF files. The parts of a .glb are its JSON and its buffer; any other file is one part. The text of a .gltf
-// cannot name files of the folder, because that folder holds only the file itself.
+// glTF files. The parts of a .glb are its JSON and its buffer; any other file is one part. The text of a
+// .gltf cannot name files of the folder, because that folder holds only the file itself.
 #include <algorithm>
 #include <cmath>
 #include <cstring>

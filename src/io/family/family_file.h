@@ -25,7 +25,7 @@ Family read_family(const std::filesystem::path& path, std::vector<std::string>* 
 /// Each key has its name, or else the name of its file. Timeline and domain are those of family_of_keys().
 /// \param changes       gets the remarks on the files, then a sentence for each key that was renumbered
 /// \throw MismatchError naming the file, if the roots of a key do not match the roots of the first key
-/// \pre   there is a file, and one key per file or one name per key
+/// \pre   there is a file, and one key per file or one source per key
 Family family_of_files(std::span<const std::filesystem::path> files, FileKeys read,
                        std::vector<std::string>* changes = nullptr);
 

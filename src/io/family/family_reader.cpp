@@ -328,7 +328,7 @@ Family read_family(const fs::path& path, std::vector<std::string>* changes) {
 
 Family family_of_files(std::span<const fs::path> files, FileKeys read, std::vector<std::string>* changes) {
     const auto name_of = [](const fs::path& file) { return family_format::utf8_of(file.stem()); };
-    const bool is_key_per_file = read.names.empty();
+    const bool is_key_per_file = read.sources.empty();
     std::vector<Key> keys;
     keys.reserve(read.keys.size());
     const glm::dvec3 origin = read.origin.value_or(glm::dvec3(0));
@@ -336,11 +336,11 @@ Family family_of_files(std::span<const fs::path> files, FileKeys read, std::vect
     if (changes != nullptr) changes->insert(changes->end(), read.remarks.begin(), read.remarks.end());
     for (Hierarchy& hierarchy : read.keys) {
         const std::size_t key = keys.size();
-        keys.push_back({is_key_per_file ? name_of(files[key]) : read.names[key], std::move(hierarchy)});
+        keys.push_back(
+            {is_key_per_file ? name_of(files[key]) : read.sources[key].name, std::move(hierarchy)});
     }
     const auto place_of = [&](std::size_t key) {
-        if (is_key_per_file) return files[key].string();
-        return fmt::format("{}: key {}", files.front().string(), in_quotes(read.names[key]));
+        return files[is_key_per_file ? key : read.sources[key].file].string();
     };
     synchronize_all(keys, {}, place_of, changes);
     const std::string name = files.size() == 1

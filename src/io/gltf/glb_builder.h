@@ -1,5 +1,5 @@
-// Builds a binary glTF 2.0 file (Khronos Group, glTF 2.0 specification, 2021): collects arrays, describes each
-// by an accessor and a buffer view of its own, and joins them with the JSON document.
+// Builds a binary glTF 2.0 file (Khronos Group, glTF 2.0 specification, 2021): collects arrays, describes
+// each by an accessor and a buffer view of its own, and joins them with the JSON document.
 #pragma once
 
 #include <cstddef>

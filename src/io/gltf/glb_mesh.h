@@ -15,8 +15,9 @@
 
 namespace interleaf {
 
-/// The attribute of each field: the color field `color`, or else the first color, is COLOR_0, and other colors
-/// follow as COLOR_1 and so on; a scalar is its name in capital letters after a low line. Each is unique.
+/// The attribute of each field: the color field `color`, or else the first color, is COLOR_0, and other
+/// colors follow as COLOR_1 and so on; a scalar is its name in capital letters after a low line. Each is
+/// unique.
 std::vector<std::string> attribute_names(std::span<const UnionField> fields);
 
 /// The size of the arrays that add_primitive() would add, in bytes.

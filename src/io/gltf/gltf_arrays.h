@@ -1,5 +1,5 @@
-// Reads the accessors of a glTF file as arrays of numbers: any component type, interleaved, normalized, sparse
-// (sections 3.6.2 and 5.1 of the specification).
+// Reads the accessors of a glTF file as arrays of numbers: any component type, interleaved, normalized,
+// sparse (sections 3.6.2 and 5.1 of the specification).
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// A glTF 2.0 file as bytes: the container, the JSON document and the buffers, which may be inside the file, in
-// data URIs, or in files of the same folder.
+// A glTF 2.0 file as bytes: the container, the JSON document and the buffers, which may be inside the file,
+// in data URIs, or in files of the same folder.
 #pragma once
 
 #include <cstddef>

@@ -11,12 +11,15 @@
 #include <glm/vec4.hpp>
 
 #include "io/gltf/gltf_constants.h"
+#include "io/mesh/polygon_mesh.h"
 
 namespace interleaf {
 
 namespace {
 
 enum Mode : std::uint32_t { triangle_list = 4, triangle_strip = 5, triangle_fan = 6, mode_count = 7 };
+
+constexpr std::string_view out_of_range = "is put beyond the range of floats by its node";
 
 /// A primitive that holds triangles, and where it is.
 struct Primitive {
@@ -138,8 +141,11 @@ void append_targets(const Primitive& primitive, GltfArrays& arrays, std::size_t 
         if (const auto position = target.optional_member(gltf::position)) {
             const std::vector<glm::vec3> deltas = vectors_at(arrays, *position);
             check_count(*position, deltas.size(), vertex_count);
-            for (const glm::vec3& delta : deltas)
-                mesh.deltas[t].emplace_back(glm::vec3(linear * glm::dvec3(delta)));
+            for (const glm::vec3& delta : deltas) {
+                const glm::dvec3 placed = linear * glm::dvec3(delta);
+                if (!is_place(placed)) target.fail(out_of_range);
+                mesh.deltas[t].emplace_back(placed);
+            }
         } else {
             arrays.charge(target, 3 * vertex_count);
             mesh.deltas[t].resize(mesh.positions.size(), glm::vec3(0));
@@ -176,8 +182,10 @@ GltfMesh read_meshes(const GltfFile& file, std::span<const MeshInstance> instanc
         const std::size_t first = mesh.positions.size();
         const std::vector<glm::vec3> positions = vectors_at(arrays, attributes.member(gltf::position));
         if (first + positions.size() >= no_index) file.root().fail("has more vertices than fit into 32 bits");
-        for (const glm::vec3& position : positions)
+        for (const glm::vec3& position : positions) {
             mesh.positions.emplace_back(primitive.matrix * glm::dvec4(position, 1));
+            if (!is_place(mesh.positions.back())) primitive.place.fail(out_of_range);
+        }
         append_triangles(primitive, corners_of(primitive, arrays, positions.size()),
                          static_cast<Index>(first), mesh.triangles);
         for (GltfAttribute& attribute : mesh.attributes)

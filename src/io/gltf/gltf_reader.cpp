@@ -42,7 +42,9 @@ GltfFile parse_named(std::string_view bytes, const fs::path& file) {
 /// What export_glb() wrote into the extras of mesh \p mesh; none in files of other programs.
 std::optional<JsonPlace> own_extras(const GltfFile& file, std::size_t mesh) {
     const auto extras = file.element("meshes", mesh).optional_member("extras");
-    return extras && extras->is_object() ? extras->optional_member(gltf::extras_member) : std::nullopt;
+    const auto own =
+        extras && extras->is_object() ? extras->optional_member(gltf::extras_member) : std::nullopt;
+    return own && own->is_object() && own->optional_member("base") ? own : std::nullopt;
 }
 
 /// The meshes that count: the first with targets or, without any, all.
@@ -128,8 +130,8 @@ std::vector<Field> fields_of_key(const GltfMesh& mesh, const std::map<std::strin
     return fields;
 }
 
-/// The roots of \p mesh, welded unless the file is \p own. A surface that welding makes no manifold stays as it
-/// is.
+/// The roots of \p mesh, welded unless the file is \p own. A surface that welding makes no manifold stays as
+/// it is.
 std::variant<RootComplex, Misfit> roots_of_mesh(GltfMesh& mesh, bool is_own, const std::string& name,
                                                 std::vector<std::string>& remarks) {
     std::string fault;
@@ -138,6 +140,7 @@ std::variant<RootComplex, Misfit> roots_of_mesh(GltfMesh& mesh, bool is_own, con
     for (GltfMesh* const each : {&welded, &mesh}) {
         drop_unused_vertices(*each);
         try {
+            if (each->triangles.empty()) throw InputError("no triangle has three different corners");
             RootComplex roots(static_cast<Index>(each->positions.size()), each->triangles);
             if (each == &welded) {
                 mesh = std::move(welded);
@@ -147,8 +150,6 @@ std::variant<RootComplex, Misfit> roots_of_mesh(GltfMesh& mesh, bool is_own, con
                 remarks.emplace_back("Welded vertices would make no manifold, so none were welded.");
             }
             return roots;
-        } catch (const RootError& error) {
-            if (fault.empty()) fault = error.what();
         } catch (const InputError& error) {
             if (fault.empty()) fault = error.what();
         }
@@ -203,7 +204,9 @@ std::variant<FileKeys, Misfit> keys_of_file(const GltfFile& file, std::optional<
         read.keys.push_back(unrefined(std::get<RootComplex>(roots), *positions));
         read.keys.back().fields = fields_of_key(mesh, names, key);
     }
-    if (key_count > 1) read.names = key_names(file, instances.front(), key_count - 1);
+    if (key_count > 1)
+        for (std::string& name : key_names(file, instances.front(), key_count - 1))
+            read.sources.push_back({std::move(name), 0});
     for (std::string& remark : read.remarks) remark = fmt::format("{}: {}", file.name, remark);
     return read;
 }
@@ -253,14 +256,16 @@ std::variant<FileKeys, Misfit> read_gltf_keys(std::span<const fs::path> files,
                                               std::optional<glm::dvec3> origin) {
     FileKeys all;
     all.origin = origin;
+    std::size_t number = 0;
     for (const fs::path& path : files) {
         auto read = keys_of_file(parse_named(read_text(path, max_gltf_size), path), all.origin);
         if (auto* misfit = std::get_if<Misfit>(&read)) return std::move(*misfit);
         FileKeys& one = std::get<FileKeys>(read);
         all.origin = one.origin;
-        if (one.names.empty()) one.names.push_back(family_format::utf8_of(path.stem()));
+        if (one.sources.empty()) one.sources.push_back({family_format::utf8_of(path.stem()), 0});
         std::ranges::move(one.keys, std::back_inserter(all.keys));
-        std::ranges::move(one.names, std::back_inserter(all.names));
+        for (KeySource& source : one.sources) all.sources.push_back({std::move(source.name), number});
+        ++number;
         std::ranges::move(one.remarks, std::back_inserter(all.remarks));
     }
     return all;

@@ -1,6 +1,6 @@
-// Reads glTF 2.0 files (.glb and .gltf): a mesh with morph targets as a family of keys with equal connectivity,
-// any other mesh as one key or as a mesh to fit a key to. Of a scene with morph targets, the first mesh that
-// has some counts.
+// Reads glTF 2.0 files (.glb and .gltf): a mesh with morph targets as a family of keys with equal
+// connectivity, any other mesh as one key or as a mesh to fit a key to. Of a scene with morph targets, the
+// first mesh that has some counts.
 #pragma once
 
 #include <filesystem>

@@ -86,8 +86,8 @@ struct Ratio {
     double confidence = 0;  ///< square of the sine of the angle between them; 0 if no ratio comes near
 };
 
-/// The ratio with which the sum of \p first and \p second, unit vectors, has the direction \p blend: the least
-/// squares solution of a first + b second = blend.
+/// The ratio with which the sum of \p first and \p second, unit vectors, has the direction \p blend: the
+/// least squares solution of a first + b second = blend.
 Ratio ratio_of(const glm::dvec3& first, const glm::dvec3& second, const glm::dvec3& blend) {
     constexpr double max_ratio = 16;
     constexpr double least_confidence = 1e-6;

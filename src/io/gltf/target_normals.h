@@ -1,8 +1,8 @@
-// Normals of morph targets. A glTF viewer blends normals linearly and normalizes the sum, but the normals of a
-// blend are a quadratic form in the weights (vertex_normals.h). So each key's normals get lengths: a blend of
-// two keys half and half, with the right ratio of lengths, has the exact normal as nearly as the two normals
-// can give it. Each vertex has as many ratios as there are pairs of keys that are blended, and fewer lengths,
-// so the lengths are a mean. docs/file-formats.md has the angles that are left.
+// Normals of morph targets. A glTF viewer blends normals linearly and normalizes the sum, but the normals of
+// a blend are a quadratic form in the weights (vertex_normals.h). So each key's normals get lengths: a blend
+// of two keys half and half, with the right ratio of lengths, has the exact normal as nearly as the two
+// normals can give it. Each vertex has as many ratios as there are pairs of keys that are blended, and fewer
+// lengths, so the lengths are a mean. docs/file-formats.md has the angles that are left.
 #pragma once
 
 #include <array>

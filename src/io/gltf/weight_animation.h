@@ -1,5 +1,5 @@
-// The timeline of a family as a glTF animation of morph weights: numbers at times, with straight lines between
-// them. The linear basis is exactly that; other bases and paths are sampled 30 times per second.
+// The timeline of a family as a glTF animation of morph weights: numbers at times, with straight lines
+// between them. The linear basis is exactly that; other bases and paths are sampled 30 times per second.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
-# Writes the files of the web page, and the hashes of its style and its script, into a C++ source:
-# cmake -D OUTPUT=FILE -P embed_page.cmake -- FILE...
+# Writes the files of the web page, and the hashes of its style and its script, into a C++ source. All .js
+# files together become one script, in their order, in a block of its own so that its names stay its own.
+#   cmake -D OUTPUT=FILE -P embed_page.cmake -- FILE...
 
 # The base64 form of the SHA-256 of a file.
 function(hash_of file result)
@@ -19,22 +20,35 @@ function(hash_of file result)
   set(${result} "${text}=" PARENT_SCOPE)
 endfunction()
 
+function(append_part name file)
+  file(READ ${file} source)
+  hash_of(${file} hash)
+  string(APPEND text "{\"${name}\", R\"part(${source})part\"},\n{\"${name} hash\", \"${hash}\"},\n")
+  set(text "${text}" PARENT_SCOPE)
+endfunction()
+
 set(text "#include \"io/page/embedded_page.h\"\n\nnamespace interleaf {\n\n")
 string(APPEND text "std::span<const EmbeddedPart> embedded_page() {\n")
 string(APPEND text "    static constexpr EmbeddedPart parts[] = {\n")
+set(script "\"use strict\";\n{\n")
 set(is_file FALSE)
 math(EXPR last "${CMAKE_ARGC} - 1")
 foreach(position RANGE ${last})
   set(argument "${CMAKE_ARGV${position}}")
-  if(is_file)
-    cmake_path(GET argument FILENAME name)
-    file(READ ${argument} source)
-    string(APPEND text "{\"${name}\", R\"part(${source})part\"},\n")
-    hash_of(${argument} hash)
-    string(APPEND text "{\"${name} hash\", \"${hash}\"},\n")
-  elseif(argument STREQUAL "--")
+  if(argument STREQUAL "--")
     set(is_file TRUE)
+  elseif(is_file)
+    cmake_path(GET argument FILENAME name)
+    if(name MATCHES "\\.js$")
+      file(READ ${argument} source)
+      string(APPEND script "${source}\n")
+    else()
+      append_part(${name} ${argument})
+    endif()
   endif()
 endforeach()
+string(APPEND script "}\n")
+file(WRITE ${OUTPUT}.js "${script}")
+append_part(script ${OUTPUT}.js)
 string(APPEND text "    };\n    return parts;\n}\n\n}  // namespace interleaf\n")
 file(WRITE ${OUTPUT} "${text}")

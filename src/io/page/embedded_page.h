@@ -7,7 +7,7 @@
 namespace interleaf {
 
 struct EmbeddedPart {
-    std::string_view name;  ///< "page.js"; "page.js hash" for the SHA-256 of that file in base64
+    std::string_view name;  ///< "page.css" or "script"; with " hash" behind it for the SHA-256 in base64
     std::string_view text;
 };
 

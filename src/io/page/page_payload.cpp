@@ -42,7 +42,8 @@ Box box_of_keys(const Family& family) {
     return box;
 }
 
-/// Appends the numbers as three planes of bytes, lowest bytes first, each number with its sign in the lowest bit.
+/// Appends the numbers as three planes of bytes, lowest bytes first, each number with its sign in the lowest
+/// bit.
 void append_planes(std::string& bytes, const Numbers& numbers) {
     for (const unsigned shift : {0U, 8U, 16U})
         for (const std::int32_t number : numbers) {
@@ -64,8 +65,8 @@ Numbers differences(std::span<const Index> indices) {
     return result;
 }
 
-/// What each number of a vertex differs by from the mean, rounded down, of the ends of the edge that the vertex
-/// bisects.
+/// What each number of a vertex differs by from the mean, rounded down, of the ends of the edge that the
+/// vertex bisects.
 /// \param vertices  of the union of the key alone, whose numbering is the key's
 Numbers residuals(const Numbers& numbers, std::span<const VertexOrigin> vertices) {
     Numbers result = numbers;

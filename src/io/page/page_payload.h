@@ -1,5 +1,5 @@
-// The keys of a family as a web page holds them: the hierarchies themselves, with positions and fields in whole
-// numbers, compressed with zlib. docs/file-formats.md describes the bytes.
+// The keys of a family as a web page holds them: the hierarchies themselves, with positions and fields in
+// whole numbers, compressed with zlib. docs/file-formats.md describes the bytes.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ struct PagePayload {
 /// The largest number of vertices of a key, so that differences of vertex numbers fit into three bytes.
 inline constexpr std::size_t max_page_vertices = std::size_t{1} << 22;
 
-/// The number of steps of positions along the longest side of the box of all keys, and of the range of a scalar.
-/// Positions are right to half a step.
+/// The number of steps of positions along the longest side of the box of all keys, and of the range of a
+/// scalar. Positions are right to half a step.
 inline constexpr double page_steps = 65535;
 
 /// \throw InputError if a key has more than max_page_vertices vertices

@@ -10,6 +10,7 @@
 #include "app/document/builtin_family.h"
 #include "app/sample_family.h"
 #include "io/family/family_file.h"
+#include "io/gltf/glb_export.h"
 #include "io/hierarchy/hierarchy_file.h"
 
 using namespace interleaf;
@@ -27,6 +28,7 @@ struct Samples {
         const Family family = sample_family();
         write_family(family, folder / "family");
         write_hierarchy(*family.keys[0].hierarchy, folder / "key.ilh");
+        export_glb({family, std::nullopt, {}}, {folder / "family.glb"});
         mesh("m.1.obj", tetrahedron);
         mesh("m.2.obj", tetrahedron);
         mesh("other.obj", "f 1 2 3\n");
@@ -92,6 +94,11 @@ TEST_CASE("files of keys are keys, and only meshes can be fitted instead") {
     CHECK(series.files == samples.paths({"m.1.obj", "m.2.obj"}));
     CHECK(series.family.keys.size() == 2);
     CHECK(keys({"m.*.obj"}).files.size() == 2);
+    const OpenedKeys gltf = keys({"family.glb"});
+    CHECK(gltf.family.keys.size() == sample_family().keys.size());
+    CHECK(gltf.family.timeline == sample_family().timeline);
+    CHECK(gltf.can_be_fitted());
+    CHECK(keys({"family.glb", "family.glb"}).family.keys.size() == 2 * gltf.family.keys.size());
 }
 
 TEST_CASE("a mesh of a format without keys makes all meshes ones to fit, without another reason") {
@@ -134,7 +141,7 @@ TEST_CASE("other files and mixtures are errors that say what was expected") {
     CHECK(contains(samples.error({"notes.txt"}),
                    "notes.txt: expected a folder, or a file that ends in .json, .ilh, .obj, .glb or .gltf"));
     CHECK(
-        contains(samples.error({"key.ilh", "notes.txt"}), "notes.txt: expected a file that ends in .ilh or"));
+        contains(samples.error({"key.ilh", "notes.txt"}), "notes.txt: expected a file that ends in .ilh, .obj"));
     CHECK(contains(samples.error({"key.ilh", "mesh.off"}),
                    "mesh.off: expected a file that ends in .ilh, .obj, .glb or .gltf"));
     CHECK(
@@ -158,6 +165,6 @@ TEST_CASE("a folder stands for its keys, or else for its meshes") {
     CHECK(files_in_folder(samples.folder / "family").empty());
     CHECK(files_in_folder(samples.folder.path()) == samples.paths({"key.ilh"}));
     fs::remove(samples.folder / "key.ilh");
-    CHECK(files_in_folder(samples.folder.path()).size() == 7);
+    CHECK(files_in_folder(samples.folder.path()).size() == 8);
     CHECK(std::holds_alternative<MeshesToFit>(samples.open({""})));
 }

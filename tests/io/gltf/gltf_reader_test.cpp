@@ -115,8 +115,15 @@ TEST_CASE("nodes place a mesh, and a mirror keeps the outside outside") {
     CHECK(std::ranges::count(key.positions, glm::vec3(8, 0, 0)) == 1);
     for (const auto& [a, b, c] : key.roots.triangles())
         CHECK(glm::cross(key.positions[b] - key.positions[a], key.positions[c] - key.positions[a]).z > 0);
+    square.node = R"(,"scale":[1e300,1e300,1])";
+    CHECK(contains(error_of(square.text()), "is put beyond the range of floats by its node"));
     square.node = R"(,"children":[0])";
     CHECK(contains(error_of(square.text()), "nodes[0]: has two parents"));
+}
+
+TEST_CASE("a mesh without area is a key, unwelded") {
+    const SquareText point{.positions = std::vector<glm::vec3>(6, glm::vec3(1)), .deltas = {}};
+    CHECK(read_text_as_family(point.text()).keys[0].hierarchy->vertex_count() == 6);
 }
 
 TEST_CASE("sparse targets, normalized integers and interleaved vertices are read") {
