@@ -1,6 +1,7 @@
 #include "app/cli/export_command.h"
 
 #include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -19,8 +20,18 @@ void run_export(const ExportOptions& options) {
     if (options.form.compressed && !format.is_exported_key())
         throw UsageError(fmt::format("--compress: expected the format {}, got '{}'",
                                      either_of(format_names(&Format::is_exported_key)), name));
+    if ((options.series.frames_per_second || options.series.mesh) && name != "pvd")
+        throw UsageError(fmt::format("--fps and --union: expected the format pvd, got '{}'", name));
     const Family family = open_family(options.morph.family);
-    format.write({family, chosen_weights(options.morph, family), options.form}, target_of(options.output));
+    std::vector<std::string> remarks;
+    format.write({.family = family,
+                  .weights = chosen_weights(options.morph, family),
+                  .form = options.form,
+                  .series = options.series,
+                  .remarks = &remarks},
+                 target_of(options.output));
+    for (const std::string& remark : remarks)
+        print_error(fmt::format("{}: {}", options.output.target, remark));
     if (!format.written->origin && family.origin != glm::dvec3(0))
         print_error(fmt::format("{}: {}", options.output.target, origin_sentence(family.origin)));
 }

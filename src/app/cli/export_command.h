@@ -1,16 +1,19 @@
-// `interleaf export`: writes the morphed union as a flat mesh, or as a key (paper, section 3.3).
+// `interleaf export`: writes the morphed union as a flat mesh, or as a key (paper, section 3.3), or the whole
+// timeline as a series of files.
 #pragma once
 
 #include "app/cli/morph_selection.h"
 #include "app/cli/output.h"
+#include "io/export/export.h"
 #include "io/hierarchy/hierarchy_file.h"
 
 namespace interleaf {
 
 struct ExportOptions {
     MorphSelection morph;
-    Output output;              ///< obj, ply or ilh
-    HierarchyFileOptions form;  ///< of an ilh file
+    Output output;               ///< one of the exported formats
+    HierarchyFileOptions form;   ///< of an ilh file
+    SeriesExportOptions series;  ///< of a pvd file
 };
 
 /// \throw InputError, UsageError, MachineError
