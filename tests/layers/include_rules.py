@@ -58,10 +58,11 @@ ROOMS = {
     "app": {
         "document": set(),
         "fitting": {"document"},
+        "importing": set(),
         "storage": {"document", "fitting"},
         "pictures": {"document"},
         "window": {"document", "fitting", "storage", "pictures"},
-        "cli": {"document", "fitting", "storage", "pictures", "window"},
+        "cli": {"document", "fitting", "importing", "storage", "pictures", "window"},
         "": {"cli"},
     },
 }

@@ -22,11 +22,14 @@ void run_export(const ExportOptions& options) {
                                      either_of(format_names(&Format::is_exported_key)), name));
     if (options.segments && name != "glb")
         throw UsageError(fmt::format("--segments: expected the format glb, got '{}'", name));
+    if ((options.series.frames_per_second || options.series.mesh) && name != "pvd")
+        throw UsageError(fmt::format("--fps and --union: expected the format pvd, got '{}'", name));
     const Family family = open_family(options.morph.family);
     std::vector<std::string> remarks;
     format.write({.family = family,
                   .weights = chosen_weights(options.morph, family),
                   .form = options.form,
+                  .series = options.series,
                   .segments = options.segments,
                   .remarks = &remarks},
                  target_of(options.output));

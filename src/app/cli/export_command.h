@@ -1,18 +1,20 @@
 // `interleaf export`: writes the morphed union as a flat mesh or as a key (paper, section 3.3), or the whole
-// family.
+// family, or its timeline as a series of files.
 #pragma once
 
 #include "app/cli/morph_selection.h"
 #include "app/cli/output.h"
+#include "io/export/export.h"
 #include "io/hierarchy/hierarchy_file.h"
 
 namespace interleaf {
 
 struct ExportOptions {
     MorphSelection morph;
-    Output output;
-    HierarchyFileOptions form;  ///< of an ilh file
-    bool segments = false;      ///< of a glb file: a mesh per interval of the timeline
+    Output output;               ///< one of the exported formats
+    HierarchyFileOptions form;   ///< of an ilh file
+    SeriesExportOptions series;  ///< of a pvd file
+    bool segments = false;       ///< of a glb file: a mesh per interval of the timeline
 };
 
 /// \throw InputError, UsageError, MachineError

@@ -92,18 +92,12 @@ Fitted fit_files(const FitCommandOptions& options, const HeldInterrupts& interru
     return fitted;
 }
 
-std::string folder_name(const std::filesystem::path& folder) {
-    const std::filesystem::path whole = folder.has_filename() ? folder : folder.parent_path();
-    const std::string name = std::filesystem::absolute(whole).lexically_normal().filename().string();
-    return name.empty() || name == "." ? "family" : name;
-}
-
 Family family_of(const FitCommandOptions& options, const Fitted& fitted) {
     std::vector<Key> keys;
     keys.reserve(fitted.meshes.size());
     for (std::size_t i = 0; i < fitted.meshes.size(); ++i)
         keys.push_back({options.meshes[i].stem().string(), fitted.meshes[i].key.hierarchy});
-    Family family = family_of_keys(folder_name(options.output), std::move(keys));
+    Family family = family_of_keys(family_name_for(options.output), std::move(keys));
     family.origin = fitted.origin;
     return family;
 }

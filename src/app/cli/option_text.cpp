@@ -67,6 +67,13 @@ Index parse_count(std::string_view text) {
     return *count;
 }
 
+unsigned parse_corner(std::string_view text) {
+    constexpr std::string_view corners[] = {"first", "second", "last"};
+    const auto* const found = std::ranges::find(corners, text);
+    if (found == std::end(corners)) expected("first, second or last", text);
+    return static_cast<unsigned>(found - corners);
+}
+
 unsigned parse_bits(std::string_view text) {
     const unsigned bits = parsed_number<unsigned>(text).value_or(0);
     if (bits < 8 || bits > 24) expected("a whole number from 8 to 24", text);

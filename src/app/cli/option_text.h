@@ -25,6 +25,9 @@ double parse_number(std::string_view text);
 /// A count, "20000" or "2e4".
 Index parse_count(std::string_view text);
 
+/// The corner of a triangle, 0 to 2: "first", "second" or "last".
+unsigned parse_corner(std::string_view text);
+
 /// The number of bits of a rounded coordinate, 8 to 24.
 unsigned parse_bits(std::string_view text);
 

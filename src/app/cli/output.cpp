@@ -39,4 +39,10 @@ OutputTarget key_target_of(const std::string& target) {
     return target_of(output);
 }
 
+std::string family_name_for(const std::filesystem::path& folder) {
+    const std::filesystem::path whole = folder.has_filename() ? folder : folder.parent_path();
+    const std::string name = std::filesystem::absolute(whole).lexically_normal().filename().string();
+    return name.empty() || name == "." ? "family" : name;
+}
+
 }  // namespace interleaf

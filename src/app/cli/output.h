@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,5 +30,8 @@ OutputTarget target_of(const Output& output);
 /// The target of a key: a file with the extension of an exported key format, or standard output for "-".
 /// \throw UsageError if the file has another extension
 OutputTarget key_target_of(const std::string& target);
+
+/// The name of a family that is written to \p folder: the name of the folder.
+std::string family_name_for(const std::filesystem::path& folder);
 
 }  // namespace interleaf

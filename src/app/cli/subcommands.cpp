@@ -10,6 +10,7 @@
 #include "app/cli/export_command.h"
 #include "app/cli/family_command.h"
 #include "app/cli/fit_command.h"
+#include "app/cli/import_command.h"
 #include "app/cli/info_command.h"
 #include "app/cli/lod_command.h"
 #include "app/cli/make_command.h"
@@ -23,19 +24,33 @@ namespace {
 
 void add_export(CLI::App& program) {
     const auto options = std::make_shared<ExportOptions>();
-    CLI::App* command = program.add_subcommand("export", "Write a blend as a mesh or as a key, or the whole family");
+    CLI::App* command =
+        program.add_subcommand("export", "Write a blend as a mesh or as a key, or the whole family");
     add_morph_selection(*command, options->morph);
     add_output(*command, options->output, format_names(&Format::is_exported));
     add_form(*command, options->form);
+    add_text_option(
+        *command, "--fps", "Of pvd: files per second of the time; by default one file per key",
+        [options](const std::string& text) { options->series.frames_per_second = parse_number(text); })
+        ->type_name("N");
+    add_text_option(*command, "--union",
+                    "Of pvd: the union of all keys in all files, or that of the two keys of each interval",
+                    [options](const std::string& text) {
+                        if (text != "all" && text != "interval")
+                            throw UsageError(fmt::format("expected all or interval, got '{}'", text));
+                        options->series.mesh = text == "all" ? SeriesUnion::all : SeriesUnion::interval;
+                    })
+        ->type_name("all|interval");
     command->add_flag("--segments", options->segments,
-                      "One mesh per interval of the timeline, for long timelines (glb)");
+                      "Of glb: one mesh per interval of the timeline, for long timelines");
     command->final_callback([options] { run_export(*options); });
     command->footer(
         "Each face begins with the vertex opposite its refinement edge.\n\n"
         "Examples:\n"
         "  interleaf export --at 0.3,0.4 -o u.obj\n"
         "  interleaf export --time 1.5 -o between.ilh --compress\n"
-        "  interleaf export family.json -o family.glb");
+        "  interleaf export family.json -o family.glb\n"
+        "  interleaf export flow -o flow.pvd");
 }
 
 void add_info(CLI::App& program) {
@@ -243,6 +258,55 @@ void add_fit(CLI::App& program) {
         "  interleaf fit bunny.ply cow.obj --rotate x,90 --rotate x,0 -o bunny-and-cow");
 }
 
+void add_import(CLI::App& program) {
+    const auto options = std::make_shared<ImportOptions>();
+    CLI::App* command = program.add_subcommand("import", "Make a family of a series of meshes from numerics");
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "SERIES",
+            [options](const std::vector<std::string>& files) {
+                options->series.assign(files.begin(), files.end());
+            },
+            "A .pvd file; or .vtu, .pvtu, .vtp, .vtk or mesh files in the order of time, or a pattern")
+        ->required();
+    command->add_option("-o,--output", options->output, "The folder to write")
+        ->required()
+        ->type_name("FOLDER");
+    add_text_option(
+        *command, "--tolerance",
+        "Sample the fields, instead of keeping the triangles of each step: the largest difference, "
+        "as a part of a field's range",
+        [options](const std::string& text) { options->choices.tolerance = parse_number(text); })
+        ->type_name("E");
+    add_text_option(*command, "--newest",
+                    "The corner of a triangle that is the newest vertex; by default tried out",
+                    [options](const std::string& text) { options->choices.newest = parse_corner(text); })
+        ->type_name("first|second|last");
+    command->add_option("--field", options->choices.fields, "A field that the keys get; by default all")
+        ->allow_extra_args(false)
+        ->type_name("NAME");
+    command
+        ->add_option("--displacement", options->choices.displacement,
+                     "A field that is added to the points, which themselves stay in place")
+        ->type_name("NAME");
+    command
+        ->add_option_function<std::string>(
+            "--roots", [options](const std::string& file) { options->choices.roots = file; },
+            "An .ilh file whose roots are the roots of the keys")
+        ->type_name("FILE");
+    add_text_option(*command, "--every", "Take only every N-th step",
+                    [options](const std::string& text) { options->every = parse_count(text); })
+        ->type_name("N")
+        ->default_str("1");
+    command->add_flag("--json", options->json, "Print the report as JSON");
+    add_form(*command, options->form);
+    command->final_callback([options] { run_import(*options); });
+    command->footer(
+        "Examples:\n"
+        "  interleaf import run.pvd -o run\n"
+        "  interleaf import 'step-*.vtk' --field u --tolerance 0.01 -o run --compress");
+}
+
 void add_lod(CLI::App& program) {
     const auto options = std::make_shared<LodOptions>();
     CLI::App* command = program.add_subcommand("lod", "Cut keys to a level of detail");
@@ -286,6 +350,7 @@ void add_subcommands(CLI::App& program, CheckResult& checked) {
     add_make(program);
     add_family_command(program);
     add_fit(program);
+    add_import(program);
     add_lod(program);
 }
 

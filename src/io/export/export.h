@@ -22,7 +22,7 @@ enum class SeriesUnion : std::uint8_t {
 };
 
 /// The files of a series, such as .pvd.
-struct SeriesOptions {
+struct SeriesExportOptions {
     std::optional<double> frames_per_second{};  ///< none for one file per key
     std::optional<SeriesUnion> mesh{};          ///< none for all, unless that is much larger than interval
 };
@@ -32,9 +32,9 @@ struct Export {
     const Family& family;
     std::optional<Weights>
         weights;  ///< of the chosen blend; none if nothing is chosen and the family has no default blend
-    HierarchyFileOptions form{};  ///< of key files
-    SeriesOptions series{};       ///< of formats with one file per time
-    bool segments = false;        ///< a mesh per interval of the timeline, in formats of the whole family
+    HierarchyFileOptions form{};   ///< of key files
+    SeriesExportOptions series{};  ///< of formats with one file per time
+    bool segments = false;         ///< a mesh per interval of the timeline, in formats of the whole family
 
     /// If given, receives sentences about content that the format holds only approximately, or otherwise than
     /// asked for.

@@ -10,7 +10,7 @@ namespace interleaf {
 void export_vtp(const Export& exported, const OutputTarget& target);
 void export_vtu(const Export& exported, const OutputTarget& target);
 
-/// Writes NAME.pvd, and NAME.0000.vtp and so on beside it (SeriesOptions). The .pvd file is written last.
+/// Writes NAME.pvd, and NAME.0000.vtp and so on beside it (SeriesExportOptions). The .pvd file is written last.
 /// Without a timeline, the one file is that of the chosen blend at time 0.
 /// \throw UsageError   as blend_of(); if the times are those of a path and there is no number of frames per
 ///                     second; if there are over 100,000 frames; or for standard output

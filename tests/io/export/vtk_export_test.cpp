@@ -68,7 +68,7 @@ struct Written {
     std::vector<std::string> remarks;
 };
 
-Written written_series(const Family& family, const SeriesOptions& options) {
+Written written_series(const Family& family, const SeriesExportOptions& options) {
     const ScratchFolder folder;
     const std::filesystem::path file = folder / "out.pvd";
     Written written;
@@ -187,7 +187,8 @@ TEST_CASE("unions of intervals are taken where that of all keys is much larger, 
 }
 
 TEST_CASE("a series needs a file, a timeline and a number of frames") {
-    const auto error = [](const Family& family, const SeriesOptions& options, const OutputTarget& target) {
+    const auto error = [](const Family& family, const SeriesExportOptions& options,
+                          const OutputTarget& target) {
         return text_of_thrown<UsageError>(
             [&] { export_pvd({.family = family, .weights = {}, .form = {}, .series = options}, target); });
     };

@@ -1,0 +1,45 @@
+// Imports a series of flat meshes, one file per time step, as a family with a timeline (sequence/series), for the
+// window and the command line.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "family/family.h"
+#include "io/series_files.h"
+#include "sequence/series/series.h"
+
+namespace interleaf {
+
+struct ImportChoices {
+    std::optional<double> tolerance{};  ///< SeriesOptions::tolerance
+    std::optional<unsigned> newest{};   ///< SeriesOptions::newest
+    std::vector<std::string> fields{};  ///< point fields that the keys get; all if empty
+    std::string displacement{};         ///< point field that is added to the points; none if empty
+    std::filesystem::path roots{};      ///< a key whose roots are those of all keys; none if empty
+};
+
+struct ImportedSeries {
+    Family family;  ///< one key per step, named as its file, at the time of the step
+    SeriesReport report;
+};
+
+/// The steps 0, \p every, 2 \p every, ... of \p series.
+/// \throw UsageError if \p every is 0
+SeriesFiles every_step(const SeriesFiles& series, std::size_t every);
+
+/// Imports \p series. Positions far from 0 get an origin (family/origin.h), that of the first step.
+/// \param name      of the family
+/// \param progress  as SeriesProgress; it may throw to end the work
+/// \throw InputError    naming the file, the place and what would help
+/// \throw UsageError    if a choice is out of its range
+/// \throw MachineError  if a file cannot be read
+ImportedSeries import_series(const SeriesFiles& series, std::string_view name, const ImportChoices& choices,
+                             const SeriesProgress& progress);
+
+}  // namespace interleaf
