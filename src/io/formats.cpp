@@ -25,7 +25,7 @@ std::variant<FileKeys, Misfit> read_hierarchies(std::span<const std::filesystem:
     return read;
 }
 
-constexpr std::array<Format, 12> table = {{
+constexpr std::array<Format, 15> table = {{
     {.extension = ".json",
      .title = "family file",
      .read = Carried{.fields = true, .colors = true, .hierarchy = true, .origin = true, .time = true},
@@ -75,15 +75,33 @@ constexpr std::array<Format, 12> table = {{
      .write = export_page},
     {.extension = ".vtp",
      .title = "VTK polygons",
+     .read = Carried{.fields = true, .origin = true},
      .written = Carried{.fields = true, .colors = true, .origin = true},
+     .is_step = true,
      .write = export_vtp},
     {.extension = ".vtu",
      .title = "VTK unstructured grid",
+     .read = Carried{.fields = true, .origin = true},
      .written = Carried{.fields = true, .colors = true, .origin = true},
+     .is_step = true,
      .write = export_vtu},
+    {.extension = ".pvtp",
+     .title = "VTK polygons in pieces",
+     .read = Carried{.fields = true, .origin = true},
+     .is_step = true},
+    {.extension = ".pvtu",
+     .title = "VTK unstructured grid in pieces",
+     .read = Carried{.fields = true, .origin = true},
+     .is_step = true},
+    {.extension = ".vtk",
+     .title = "legacy VTK",
+     .read = Carried{.fields = true, .origin = true},
+     .is_step = true},
     {.extension = ".pvd",
      .title = "ParaView collection",
+     .read = Carried{.fields = true, .origin = true, .time = true},
      .written = Carried{.fields = true, .colors = true, .origin = true, .time = true},
+     .is_step = true,
      .write = export_pvd},
 }};
 

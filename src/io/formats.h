@@ -48,18 +48,20 @@ struct Format {
     FamilyReader read_family = nullptr;     ///< null: a file holds no family
     KeyReader read_keys = nullptr;          ///< null: a file holds no key
     SurfaceParser parse_surface = nullptr;  ///< null: a file holds no mesh to fit a key to
+    bool is_step = false;                   ///< whether a file is a step of a series, or lists the steps
     ExportWriter write = nullptr;           ///< null: `export` does not write the format
 
     bool holds_family() const { return read_family != nullptr; }
     bool holds_key() const { return read_keys != nullptr; }
     bool holds_mesh() const { return parse_surface != nullptr; }
+    bool holds_series() const { return is_step; }
     bool holds_key_or_mesh() const { return holds_key() || holds_mesh(); }
     bool holds_mesh_as_key() const { return holds_key() && holds_mesh(); }
     bool holds_key_alone() const { return holds_key() && !holds_mesh(); }
     bool holds_mesh_alone() const { return holds_mesh() && !holds_key(); }
     bool holds_family_or_key() const { return holds_family() || holds_key(); }
-    bool opens_unfitted() const { return holds_family() || holds_key_alone(); }
-    bool is_openable() const { return holds_family() || holds_key_or_mesh(); }
+    bool opens_unfitted() const { return holds_family() || holds_key_alone() || holds_series(); }
+    bool is_openable() const { return holds_family() || holds_key_or_mesh() || holds_series(); }
     bool is_exported() const { return write != nullptr; }
     bool is_exported_key() const { return is_exported() && written->hierarchy; }
 };

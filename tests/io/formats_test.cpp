@@ -39,6 +39,7 @@ std::string contents_in_words(const Format& format) {
     if (format.holds_family()) parts.emplace_back("a family");
     if (format.holds_key()) parts.emplace_back("a key");
     if (format.holds_mesh()) parts.emplace_back("a mesh to fit");
+    if (format.holds_series()) parts.emplace_back("a step of a series");
     return either_of(parts);
 }
 
@@ -108,12 +109,12 @@ TEST_CASE("a row says what is carried exactly where there is a reader, and for e
 }
 
 TEST_CASE("extensions are listed in the table's order, in words with an or") {
-    CHECK(extensions_in_words(&Format::is_openable) == ".json, .ilh, .obj, .ply, .stl, .off, .glb or .gltf");
+    CHECK(extensions_in_words(&Format::is_openable) == ".json, .ilh, .obj, .ply, .stl, .off, .glb, .gltf, .vtp, .vtu, .pvtp, .pvtu, .vtk or .pvd");
     CHECK(extensions_in_words(&Format::holds_family_or_key) == ".json, .ilh, .obj, .glb or .gltf");
     CHECK(extensions_in_words(&Format::holds_key) == ".ilh, .obj, .glb or .gltf");
     CHECK(extensions_in_words(&Format::holds_mesh) == ".obj, .ply, .stl, .off, .glb or .gltf");
     CHECK(extensions_in_words(&Format::holds_mesh_as_key) == ".obj, .glb or .gltf");
-    CHECK(extensions_of(&Format::opens_unfitted) == std::vector<std::string>{".json", ".ilh", ".glb", ".gltf"});
+    CHECK(extensions_of(&Format::opens_unfitted) == std::vector<std::string>{".json", ".ilh", ".glb", ".gltf", ".vtp", ".vtu", ".pvtp", ".pvtu", ".vtk", ".pvd"});
     CHECK(is_called("A.STL", &Format::holds_mesh));
     CHECK_FALSE(is_called("A.STL", &Format::holds_key));
     CHECK_FALSE(is_called("A.txt", &Format::is_openable));

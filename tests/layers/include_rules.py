@@ -56,9 +56,9 @@ ROOMS = {
         "": {"widgets"},
     },
     "app": {
-        "document": set(),
-        "fitting": {"document"},
         "importing": set(),
+        "document": {"importing"},
+        "fitting": {"document"},
         "storage": {"document", "fitting"},
         "pictures": {"document"},
         "window": {"document", "fitting", "storage", "pictures"},

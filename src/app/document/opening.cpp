@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "app/document/builtin_family.h"
+#include "app/importing/series_import.h"
 #include "hierarchy/error.h"
 #include "io/family/family_file.h"
 #include "io/file/file_pattern.h"
@@ -49,6 +50,12 @@ Opening open_keys(std::vector<std::filesystem::path> files) {
     std::string reason = std::move(std::get<Misfit>(read).reason);
     if (files.size() < 2 || !are_called(files, &Format::holds_mesh)) throw InputError(reason);
     return MeshesToFit{std::move(files), std::move(reason)};
+}
+
+/// Imports the steps of a series from numerics.
+Opening open_series(std::vector<std::filesystem::path> files) {
+    ImportedSeries imported = import_series(series_files(files), files.front().stem().string(), {}, {});
+    return OpenedKeys{std::move(imported.family), std::move(imported.report.notes), std::move(files)};
 }
 
 /// The reason why \p meshes are not a family, for a command that does not fit meshes.
@@ -107,6 +114,7 @@ Opening open_files(std::span<const std::filesystem::path> paths) {
         return opened;
     }
     std::vector<std::filesystem::path> files = files_of(paths);
+    if (are_called(files, &Format::holds_series)) return open_series(std::move(files));
     if (must_be_fitted(files)) return MeshesToFit{std::move(files), ""};
     if (files.size() > 1) return open_keys(std::move(files));
 

@@ -36,8 +36,8 @@ FileRequest request_to_open(std::string title, std::string action, std::vector<F
 
 const std::vector<FileType>& DocumentFiles::openable_types() {
     static const std::vector<FileType> types{
-        {"Families, keys and meshes", extensions_of(&Format::is_openable)},
-        {"Families and keys", extensions_of(&Format::opens_unfitted)},
+        {"Families, keys, meshes and series", extensions_of(&Format::is_openable)},
+        {"Families, keys and series", extensions_of(&Format::opens_unfitted)},
         {"Meshes", extensions_of(&Format::holds_mesh)}};
     return types;
 }
