@@ -27,7 +27,8 @@ glm::dmat4 matrix_of(const JsonPlace& node) {
         const auto numbers = numbers_at<16>(*given);
         for (glm::length_t column = 0; column < 4; ++column)
             for (glm::length_t row = 0; row < 4; ++row)
-                matrix[column][row] = numbers[static_cast<std::size_t>(4 * column + row)];
+                matrix[column][row] =
+                    numbers[4 * static_cast<std::size_t>(column) + static_cast<std::size_t>(row)];
         return matrix;
     }
     if (const auto given = node.optional_member("translation")) {

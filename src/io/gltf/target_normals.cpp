@@ -136,8 +136,10 @@ void improve(std::vector<double>& lengths, std::size_t base, std::span<const Key
 TargetNormals target_normals(const UnionMesh& mesh, std::size_t base, std::span<const KeyPair> pairs) {
     const std::size_t key_count = mesh.key_count();
     std::vector<Buffer<glm::vec3>> areas;
+    areas.reserve(key_count);
     for (std::size_t key = 0; key < key_count; ++key) areas.push_back(area_normals(mesh, std::span(&key, 1)));
     std::vector<Buffer<glm::vec3>> blends;
+    blends.reserve(pairs.size());
     for (const KeyPair& pair : pairs) blends.push_back(area_normals(mesh, pair));
 
     TargetNormals normals{base_normals(mesh, base, areas[base]), {}};
