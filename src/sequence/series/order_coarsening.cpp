@@ -14,127 +14,134 @@ namespace {
 /// the lower number.
 class OrderCoarsening {
   public:
-    OrderCoarsening(const StepMesh& step, const OrderRule& rule) : step_(step), rule_(rule) {
-        const std::size_t count = step.triangles.size();
-        triangles_.reserve(count);
-        neighbors_.reserve(count);
+    OrderCoarsening(const StepMesh& step, const OrderRule& rule)
+        : step_(step), rule_(rule), vertices_(step.points.size()) {
+        const auto count = static_cast<Index>(step.triangles.size());
+        places_.reserve(count);
+        nodes_.reserve(count);
         for (Index t = 0; t < count; ++t) {
-            triangles_.push_back(step.oriented(t, rule.newest));
-            neighbors_.push_back(step.oriented_neighbors(t, rule.newest));
+            const auto& [corners, neighbors] = places_.emplace_back(
+                Place{step.oriented(t, rule.newest), step.oriented_neighbors(t, rule.newest)});
             nodes_.push_back(t);
-        }
-        corner_counts_.assign(step.points.size(), 0);
-        newest_counts_.assign(step.points.size(), 0);
-        triangle_at_.assign(step.points.size(), no_index);
-        for (Index t = 0; t < count; ++t) {
-            for (const Index vertex : triangles_[t]) {
-                ++corner_counts_[vertex];
-                triangle_at_[vertex] = t;
+            for (const Index corner : corners) {
+                ++vertices_[corner].triangle_count;
+                vertices_[corner].triangle = t;
             }
-            ++newest_counts_[triangles_[t][0]];
+            ++vertices_[corners[0]].newest_count;
         }
     }
 
     void coarsen() {
-        const auto vertex_count = static_cast<Index>(corner_counts_.size());
-        is_waiting_.assign(vertex_count, true);
-        for (Index vertex = 0; vertex < vertex_count; ++vertex) waiting_.push_back(vertex);
-        for (std::size_t next = 0; next < waiting_.size(); ++next) {
-            const Index vertex = waiting_[next];
-            is_waiting_[vertex] = false;
-            if (corner_counts_[vertex] == newest_counts_[vertex]) remove(vertex);
-        }
+        for (Index vertex = 0; vertex < vertices_.size(); ++vertex)
+            if (may_be_good(vertex)) waiting_.push_back(vertex);
+        for (std::size_t next = 0; next < waiting_.size(); ++next)
+            if (may_be_good(waiting_[next])) remove_if_good(waiting_[next]);
     }
 
-    std::size_t root_count() const { return triangles_.size() - merges_.size(); }
+    std::size_t root_count() const { return places_.size() - merges_.size(); }
 
     OrderedForest forest() const {
         OrderedForest forest;
         forest.deviation = merges_.empty() ? 0 : deviation_ / static_cast<double>(merges_.size());
-        forest.leaves.reserve(triangles_.size());
-        for (Index place = 0; place < triangles_.size(); ++place)
+        forest.leaves.reserve(places_.size());
+        for (Index place = 0; place < places_.size(); ++place)
             if (nodes_[place] != no_index) {
-                forest.roots.push_back(triangles_[place]);
+                forest.roots.push_back(places_[place].corners);
                 append_leaves(nodes_[place], forest.leaves);
             }
         return forest;
     }
 
   private:
+    /// A triangle, the newest vertex first, and its neighbors across the sides opposite its corners.
+    struct Place {
+        Triangle corners;
+        Triangle neighbors;
+    };
+    /// The triangles of a vertex: how many there are, of how many it is the newest vertex, and one of them.
+    struct Vertex {
+        std::uint32_t triangle_count = 0;
+        std::uint32_t newest_count = 0;
+        Index triangle = no_index;
+    };
     /// A parent: its children as nodes. Nodes are the triangles of the step, then the merges.
     struct Merge {
         Index first;
         Index second;
     };
 
-    Index next_around(Index triangle) const { return neighbors_[triangle][1]; }
-    Index previous_around(Index triangle) const { return neighbors_[triangle][2]; }
-
-    /// Removes \p vertex if it is good. It is the newest vertex of all its triangles.
-    void remove(Index vertex) {
-        const std::uint32_t count = corner_counts_[vertex];
-        Index start = triangle_at_[vertex];
-        if (count == 2) {
-            if (previous_around(start) != no_index) start = previous_around(start);
-            const Index second = next_around(start);
-            if (second == no_index || previous_around(start) != no_index || next_around(second) != no_index)
-                return;
-            if (triangles_[start][1] == triangles_[second][2]) return;
-            merge_pair(start, second);
-        } else if (count == 4) {
-            std::array<Index, 4> ring = {start, no_index, no_index, no_index};
-            for (std::size_t i = 1; i < 4; ++i) {
-                ring[i] = next_around(ring[i - 1]);
-                if (ring[i] == no_index) return;
-            }
-            if (next_around(ring[3]) != ring[0]) return;
-            turn_to_first_child(ring);
-            if (triangles_[ring[0]][1] == triangles_[ring[2]][1] ||
-                triangles_[ring[1]][1] == triangles_[ring[3]][1])
-                return;
-            const Index parent = merge_pair(ring[0], ring[1]);
-            const Index other = merge_pair(ring[2], ring[3]);
-            neighbors_[parent][refinement_side] = other;
-            neighbors_[other][refinement_side] = parent;
-        }
+    bool may_be_good(Index vertex) const {
+        const auto [count, newest_count, triangle] = vertices_[vertex];
+        return count == newest_count && (count == 2 || count == 4);
     }
 
-    void turn_to_first_child(std::array<Index, 4>& ring) const {
+    Index next_around(Index triangle) const { return places_[triangle].neighbors[1]; }
+    Index previous_around(Index triangle) const { return places_[triangle].neighbors[2]; }
+
+    /// Replaces the two or four triangles around \p vertex by their parents, unless they are open where they
+    /// should be closed. It is the newest vertex of all of them.
+    void remove_if_good(Index vertex) {
+        const Index start = vertices_[vertex].triangle;
+        if (vertices_[vertex].triangle_count == 2)
+            remove_at_boundary(start);
+        else
+            remove_inside(start);
+    }
+
+    void remove_at_boundary(Index start) {
+        const Index first = previous_around(start) == no_index ? start : previous_around(start);
+        const Index second = next_around(first);
+        if (second == no_index || previous_around(first) != no_index || next_around(second) != no_index)
+            return;
+        if (places_[first].corners[1] != places_[second].corners[2]) merge_pair(first, second);
+    }
+
+    void remove_inside(Index start) {
+        std::array<Index, 4> ring = {start, no_index, no_index, no_index};
+        for (std::size_t i = 1; i < 4; ++i) {
+            ring[i] = next_around(ring[i - 1]);
+            if (ring[i] == no_index) return;
+        }
+        if (next_around(ring[3]) != ring[0]) return;
+        const auto around = [&](std::size_t i) { return places_[ring[i]].corners[1]; };
+        if (around(0) == around(2) || around(1) == around(3)) return;
+
         std::rotate(ring.begin(), std::ranges::min_element(ring), ring.end());
         if (rule_.lowest_is_second) std::rotate(ring.begin(), ring.end() - 1, ring.end());
+        const Index parent = merge_pair(ring[0], ring[1]);
+        const Index other = merge_pair(ring[2], ring[3]);
+        places_[parent].neighbors[refinement_side] = other;
+        places_[other].neighbors[refinement_side] = parent;
     }
 
     /// Replaces two siblings by their parent, whose neighbor across the refinement edge stays unset.
     Index merge_pair(Index first, Index second) {
-        const Index vertex = triangles_[first][0];
-        const Triangle parent = merge(triangles_[first], triangles_[second]);
+        const Index vertex = places_[first].corners[0];
+        const Triangle parent = merge(places_[first].corners, places_[second].corners);
         deviation_ += deviation(vertex, parent[1], parent[2]);
         const Index place = std::min(first, second);
-        const Index freed = std::max(first, second);
-        const Triangle around = {no_index, neighbors_[first][0], neighbors_[second][0]};
+        const Triangle around = {no_index, places_[first].neighbors[0], places_[second].neighbors[0]};
         redirect(around[1], first, place);
         redirect(around[2], second, place);
-        merges_.push_back({nodes_[first], nodes_[second]});
-        nodes_[place] = static_cast<Index>(triangles_.size() + merges_.size() - 1);
-        nodes_[freed] = no_index;
-        triangles_[place] = parent;
-        neighbors_[place] = around;
+        places_[place] = {parent, around};
 
-        corner_counts_[vertex] -= 2;
-        newest_counts_[vertex] -= 2;
-        --corner_counts_[parent[0]];
-        ++newest_counts_[parent[0]];
+        merges_.push_back({nodes_[first], nodes_[second]});
+        nodes_[std::max(first, second)] = no_index;
+        nodes_[place] = static_cast<Index>(places_.size() + merges_.size() - 1);
+
+        vertices_[vertex].triangle_count -= 2;
+        vertices_[vertex].newest_count -= 2;
+        --vertices_[parent[0]].triangle_count;
+        ++vertices_[parent[0]].newest_count;
         for (const Index corner : parent) {
-            triangle_at_[corner] = place;
-            if (is_waiting_[corner]) continue;
-            is_waiting_[corner] = true;
-            waiting_.push_back(corner);
+            vertices_[corner].triangle = place;
+            if (may_be_good(corner)) waiting_.push_back(corner);
         }
         return place;
     }
 
     void redirect(Index triangle, Index from, Index to) {
-        if (triangle != no_index) std::ranges::replace(neighbors_[triangle], from, to);
+        if (triangle != no_index) std::ranges::replace(places_[triangle].neighbors, from, to);
     }
 
     double deviation(Index vertex, Index a, Index b) const {
@@ -154,12 +161,12 @@ class OrderCoarsening {
         while (!open.empty()) {
             const auto [node, level] = open.back();
             open.pop_back();
-            if (node < triangles_.size()) {
+            if (node < places_.size()) {
                 leaves.push_back({step_.oriented(node, rule_.newest),
                                   static_cast<std::uint8_t>(std::min(level, max_level + 1))});
                 continue;
             }
-            const Merge& children = merges_[node - triangles_.size()];
+            const Merge& children = merges_[node - places_.size()];
             open.push_back({children.second, level + 1});
             open.push_back({children.first, level + 1});
         }
@@ -167,16 +174,11 @@ class OrderCoarsening {
 
     const StepMesh& step_;
     OrderRule rule_;
-    std::vector<Triangle> triangles_;  ///< by place
-    std::vector<Triangle> neighbors_;  ///< by place, across the sides
-    std::vector<Index> nodes_;         ///< by place; no_index at freed places
+    std::vector<Place> places_;
+    std::vector<Vertex> vertices_;
+    std::vector<Index> nodes_;  ///< by place; no_index at freed places
     std::vector<Merge> merges_;
-    std::vector<std::uint32_t> corner_counts_;  ///< per vertex: its triangles
-    std::vector<std::uint32_t>
-        newest_counts_;               ///< per vertex: the triangles of which it is the newest vertex
-    std::vector<Index> triangle_at_;  ///< per vertex: one of its triangles
-    std::vector<Index> waiting_;      ///< vertices to look at, in order
-    std::vector<bool> is_waiting_;    ///< per vertex
+    std::vector<Index> waiting_;  ///< vertices that may be good, in order
     double deviation_ = 0;
 };
 

@@ -22,7 +22,7 @@ namespace {
 
 /// A key may have this many leaves per triangle of its step and of the roots, and more if it is small.
 constexpr std::size_t max_leaves_per_triangle = 64;
-constexpr std::size_t least_max_leaves = 1'000'000;
+constexpr std::size_t least_max_leaves = 200'000;
 
 /// The line that bisects a node has this width, relative to its length.
 constexpr double line_width = 1e-12;

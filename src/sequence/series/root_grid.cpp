@@ -7,26 +7,17 @@
 
 namespace interleaf {
 
-namespace {
-
-struct PlaneBox {
-    glm::dvec2 low;
-    glm::dvec2 high;
-};
-
-PlaneBox box_of(const PlaneTriangle& triangle) {
+RootGrid::Box RootGrid::box_of(const PlaneTriangle& triangle) {
     const auto& [a, b, c] = triangle.corners;
     return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
 
-}  // namespace
-
 RootGrid::RootGrid(std::span<const PlaneTriangle> roots)
     : roots_(roots),
       cells_per_axis_(static_cast<std::size_t>(std::sqrt(static_cast<double>(roots.size()))) + 1) {
-    PlaneBox whole = box_of(roots[0]);
+    Box whole = box_of(roots[0]);
     for (const PlaneTriangle& root : roots) {
-        const PlaneBox box = box_of(root);
+        const Box& box = boxes_.emplace_back(box_of(root));
         whole = {glm::min(whole.low, box.low), glm::max(whole.high, box.high)};
     }
     origin_ = whole.low;
@@ -36,7 +27,7 @@ RootGrid::RootGrid(std::span<const PlaneTriangle> roots)
     begins_.assign(cells_per_axis_ * cells_per_axis_ + 1, 0);
     const auto for_cells = [&](const auto& visit) {
         for (Index r = 0; r < roots.size(); ++r) {
-            const Cells cells = cells_of(roots[r]);
+            const Cells cells = cells_of(boxes_[r]);
             for (std::size_t row = cells.low[1]; row <= cells.high[1]; ++row)
                 for (std::size_t column = cells.low[0]; column <= cells.high[0]; ++column)
                     visit(row * cells_per_axis_ + column, r);
@@ -49,8 +40,7 @@ RootGrid::RootGrid(std::span<const PlaneTriangle> roots)
     for_cells([&](std::size_t cell, Index r) { entries_[places[cell]++] = r; });
 }
 
-RootGrid::Cells RootGrid::cells_of(const PlaneTriangle& triangle) const {
-    const PlaneBox box = box_of(triangle);
+RootGrid::Cells RootGrid::cells_of(const Box& box) const {
     const double last = static_cast<double>(cells_per_axis_ - 1);
     Cells cells{};
     for (int axis = 0; axis < 2; ++axis) {
@@ -66,18 +56,18 @@ RootGrid::Cells RootGrid::cells_of(const PlaneTriangle& triangle) const {
 
 void RootGrid::overlapping(const PlaneTriangle& triangle, std::vector<Index>& found) const {
     found.clear();
-    const PlaneBox box = box_of(triangle);
-    const Cells cells = cells_of(triangle);
+    const Box box = box_of(triangle);
+    const Cells cells = cells_of(box);
     for (std::size_t row = cells.low[1]; row <= cells.high[1]; ++row)
         for (std::size_t column = cells.low[0]; column <= cells.high[0]; ++column) {
             const std::size_t cell = row * cells_per_axis_ + column;
             for (Index entry = begins_[cell]; entry < begins_[cell + 1]; ++entry) {
                 // A root in several cells is looked at in the first of them that the triangle meets.
                 const Index r = entries_[entry];
-                const Cells own = cells_of(roots_[r]);
+                const Box& other = boxes_[r];
+                const Cells own = cells_of(other);
                 if (row != std::max(own.low[1], cells.low[1]) || column != std::max(own.low[0], cells.low[0]))
                     continue;
-                const PlaneBox other = box_of(roots_[r]);
                 const bool is_near = other.low.x <= box.high.x && box.low.x <= other.high.x &&
                                      other.low.y <= box.high.y && box.low.y <= other.high.y;
                 if (is_near && triangle.overlaps(roots_[r])) found.push_back(r);

@@ -20,14 +20,20 @@ class RootGrid {
     void overlapping(const PlaneTriangle& triangle, std::vector<Index>& found) const;
 
   private:
+    struct Box {
+        glm::dvec2 low;
+        glm::dvec2 high;
+    };
     /// Columns and rows from `low` to `high`, inclusive.
     struct Cells {
         std::array<std::size_t, 2> low;
         std::array<std::size_t, 2> high;
     };
-    Cells cells_of(const PlaneTriangle& triangle) const;
+    static Box box_of(const PlaneTriangle& triangle);
+    Cells cells_of(const Box& box) const;
 
     std::span<const PlaneTriangle> roots_;
+    std::vector<Box> boxes_;  ///< of the roots
     glm::dvec2 origin_;
     glm::dvec2 cells_per_length_;
     std::size_t cells_per_axis_;

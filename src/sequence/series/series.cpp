@@ -12,6 +12,7 @@
 #include "sequence/series/ordered_series.h"
 #include "sequence/series/plane_sampling.h"
 #include "sequence/series/step_reader.h"
+#include "sequence/series/surface_checks.h"
 
 namespace interleaf {
 
@@ -97,7 +98,8 @@ class Recovery {
             if (const Index misfit = coarsest->add(mesh); misfit != no_index)
                 refuse(step, mesh, misfit, first, coarsest->common_vertices(mesh));
         }
-        const SeriesRoots roots = coarsest->roots();
+        const SeriesRoots roots =
+            options_.roots != nullptr ? given_roots_of(*options_.roots) : roots_of(*coarsest);
         for (std::size_t step = 0; step < count_; ++step) {
             tell("recovering keys", 0.4 + 0.6 * part_of_steps(step));
             const StepMesh mesh = read_conforming(step);
@@ -108,9 +110,23 @@ class Recovery {
         finish();
     }
 
+    static SeriesRoots roots_of(const CoarsestMesh& coarsest) {
+        try {
+            return coarsest.roots();
+        } catch (const InputError& error) {
+            throw InputError(
+                fmt::format("the coarsest triangles of all steps are no surface: {}", error.what()));
+        }
+    }
+
     /// Says why \p step is not of one hierarchy with the earlier steps, and what would help.
     [[noreturn]] void refuse(std::size_t step, const StepMesh& mesh, Index triangle, const Domain& first,
                              std::size_t common_vertices) const {
+        try {
+            require_fans(mesh);
+        } catch (const InputError& error) {
+            throw step_error(step, error.what());
+        }
         const bool is_flat = flat_axis(mesh.points).has_value();
         const bool same_domain = first.is_about(domain_of(mesh.points, mesh.triangles));
         if (is_flat && !same_domain) throw step_error(step, "the mesh covers another domain than step 0");
@@ -191,7 +207,7 @@ class Recovery {
             throw InputError(
                 "each step has hanging vertices, so no step can be the roots: name a mesh of roots");
         if (coarsest && coarsest->triangle_count() < fewest->complex.triangle_count())
-            return coarsest->roots();
+            return roots_of(*coarsest);
         return *fewest;
     }
 

@@ -85,7 +85,6 @@ StepMesh clean_step(const FieldMesh& mesh, const SeriesFields& fields, std::vect
     StepMesh step = weld(mesh, fields, notes);
     find_neighbors(step);
     step.hanging = hanging_vertex(step);
-    if (!step.hanging) require_fans(step);
     orient(step);
     return step;
 }

@@ -73,7 +73,8 @@ SeriesFields fields_of(const FieldMesh& mesh, std::span<const std::string> names
 /// triangles do.
 /// \param notes  receives a sentence if the values of welded points differ
 /// \throw InputError  naming the place, if the mesh is no orientable manifold, is not finite, or lacks a field.
-///     A hanging vertex is no error, but is named in the result.
+///     A hanging vertex is no error, but is named in the result. A vertex where triangles meet that share no
+///     edge is not looked for: it stays a vertex of the roots, which are then no RootComplex.
 StepMesh clean_step(const FieldMesh& mesh, const SeriesFields& fields, std::vector<std::string>& notes);
 
 /// The axis, 0 to 2, along which all \p points are at one place; none if the points are not in such a plane.

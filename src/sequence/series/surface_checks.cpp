@@ -100,6 +100,23 @@ Component flood(StepMesh& step, Index seed, std::vector<bool>& is_reached) {
     return component;
 }
 
+/// Orients each triangle of a flat mesh by its own area.
+/// \return whether neighbors then agree. They do unless triangles are folded over each other
+bool orient_by_areas(StepMesh& step, int axis) {
+    for (Index t = 0; t < step.triangles.size(); ++t) {
+        const auto& [a, b, c] = step.triangles[t];
+        step.is_reversed[t] = area_vector(step.points[a], step.points[b], step.points[c])[axis] < 0;
+    }
+    for (Index t = 0; t < step.triangles.size(); ++t)
+        for (unsigned side = 0; side < 3; ++side) {
+            const Index neighbor = step.neighbors[t][side];
+            if (neighbor == no_index || neighbor < t) continue;
+            const bool differ = step.is_reversed[t] != step.is_reversed[neighbor];
+            if (differ != same_direction(step, t, side, neighbor)) return false;
+        }
+    return true;
+}
+
 /// Whether the orientation of \p component has to be exchanged.
 bool is_inside_out(const StepMesh& step, const Component& component, std::optional<unsigned> axis) {
     double sum = 0;
@@ -231,6 +248,8 @@ void require_fans(const StepMesh& step) {
 void orient(StepMesh& step) {
     step.is_reversed.assign(step.triangles.size(), false);
     const std::optional<unsigned> axis = flat_axis(step.points);
+    if (axis && orient_by_areas(step, static_cast<int>(*axis))) return;
+    step.is_reversed.assign(step.triangles.size(), false);
     std::vector<bool> is_reached(step.triangles.size(), false);
     for (Index seed = 0; seed < step.triangles.size(); ++seed) {
         if (is_reached[seed]) continue;

@@ -23,7 +23,8 @@ std::optional<glm::dvec3> hanging_vertex(const StepMesh& step);
 /// \pre  the neighbors are set
 void require_fans(const StepMesh& step);
 
-/// Sets which triangles of \p step are reversed, by flooding each component from its first triangle.
+/// Sets which triangles of \p step are reversed: by their areas if it is flat, or else by flooding each component
+/// from its first triangle.
 /// \throw InputError  naming a place, if a component cannot be oriented
 /// \pre  the neighbors are set
 void orient(StepMesh& step);
