@@ -8,7 +8,7 @@
 namespace interleaf {
 namespace {
 
-const std::vector<std::string> commands = {"view",  "render", "export", "info",
+const std::vector<std::string> commands = {"view",  "render", "export", "import", "info",
                                            "check", "make",   "family", "lod"};
 
 TEST_CASE("--version names the program and its version") {
