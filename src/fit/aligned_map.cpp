@@ -28,10 +28,20 @@ AlignedMap::AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, 
                        const glm::dmat3& rotation, bool is_of_large_triangles)
     : original(original_mesh),
       has_large_triangles(is_of_large_triangles),
+      is_matched(false),
       fine(std::move(fine_mesh)),
       points(std::move(map)),
       mean_cosine(align()),
       mapped(mesh(), rotated(rotation)) {}
+
+AlignedMap::AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map)
+    : original(original_mesh),
+      has_large_triangles(false),
+      is_matched(true),
+      fine(std::move(fine_mesh)),
+      points(std::move(map)),
+      mean_cosine(interleaf::mean_cosine(mesh(), points)),
+      mapped(mesh(), points) {}
 
 double AlignedMap::align() {
     rotate(points, rotation_to_surface(mesh(), points));
@@ -47,7 +57,7 @@ void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& sur
             const Progress& progress) {
     const double leaves = double(surface.leaves.size());
     SmoothingLimits limits;
-    if (map.is_refined()) {
+    if (map.is_refined() && !map.is_matched) {
         limits.tries = static_cast<std::size_t>(tries_per_leaf * leaves);
     } else if (map.has_large_triangles &&
                double(count_faulty_leaves(map.mapped, surface)) > faulty_part_of_many * leaves) {

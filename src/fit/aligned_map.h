@@ -16,8 +16,8 @@
 
 namespace interleaf {
 
-/// Aligns the map to space (alignment.h), and then rotates it.
 struct AlignedMap {
+    /// Aligns the map to space (alignment.h), and then rotates it.
     /// \param original_mesh  must outlive this object
     /// \param fine_mesh      a finer mesh of the same surface (surface_refinement.h), to which \p map
     ///                       belongs; without triangles if \p map belongs to \p original_mesh
@@ -26,6 +26,9 @@ struct AlignedMap {
     /// \param is_of_large_triangles  whether \p original_mesh is one for which a finer mesh is tried
     AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
                const glm::dmat3& rotation, bool is_of_large_triangles);
+
+    /// A map that is in its final position, because it is matched to another body's map.
+    AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map);
     AlignedMap(const AlignedMap&) = delete;
     AlignedMap& operator=(const AlignedMap&) = delete;
 
@@ -34,6 +37,7 @@ struct AlignedMap {
 
     const SurfaceMesh& original;
     const bool has_large_triangles;
+    const bool is_matched;
     const SurfaceMesh fine;
     std::vector<glm::dvec3> points;
     const double mean_cosine;  ///< of the aligned map, before the rotation
@@ -44,7 +48,7 @@ struct AlignedMap {
     std::span<const glm::dvec3> rotated(const glm::dmat3& rotation);
 };
 
-/// Calls smooth_leaves(). Limits its work on a refined mesh, and on a mesh of large triangles if most of its
+/// Calls smooth_leaves(). Limits its work on a refined mesh that is not matched, and on a mesh of large triangles if most of its
 /// leaves are faulty.
 void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& surface,
             const Progress& progress);

@@ -35,6 +35,11 @@ constexpr double second_map_begins = 0.9;
 /// The fraction of the way from a clean mesh to its key at which the map is judged.
 constexpr double judged_at = 0.87;
 
+/// The same of the map before it is matched to a model's, and the fraction of the way from there to judged_at that
+/// matching takes.
+constexpr double mapped_at = 0.3;
+constexpr double matching_ends = 0.85;
+
 void check_options(const FitOptions& options) {
     if (options.leaves && options.tolerance)
         throw UsageError("a number of leaves and a tolerance exclude each other");
@@ -88,6 +93,8 @@ FittedKey key_of(JudgedMap judged, const FitOptions& options, std::vector<StageT
     report.mesh_triangles = map.original.triangles.size();
     report.map_method = judged.method;
     report.mean_cosine = map.mean_cosine;
+    key.fine_mesh = map.fine;
+    key.points = map.points;
     report.at_20000_leaves = report.quality = judged.quality;
     report.times = std::move(times);
     Stopwatch stopwatch(report.times);
@@ -106,6 +113,36 @@ FittedKey key_of(JudgedMap judged, const FitOptions& options, std::vector<StageT
     return key;
 }
 
+bool is_accepted(const JudgedMap& judged, const FitLimits& limits) {
+    return fault_of_fit(judged.quality, judged.surface.leaves.size(), limits).empty();
+}
+
+/// Matches an accepted map to the model's, if the options name a model. Keeps the map where the matched map gives
+/// no key that is accepted.
+std::optional<MatchReport> match_to_model(JudgedMap& judged, const FitOptions& options, Stopwatch& stopwatch,
+                                          const Progress& progress) {
+    if (options.model == nullptr || !is_accepted(judged, options.limits)) return std::nullopt;
+    const AlignedMap& map = *judged.map;
+    MatchedMap matched = match(*options.model, map.mesh(), map.points, options.rotation, options.matching,
+                               part_of(progress, 0, matching_ends));
+    stopwatch.lap("matching");
+    if (!matched.report.fault.empty()) return std::move(matched.report);
+    auto in_place =
+        std::make_unique<AlignedMap>(map.original, std::move(matched.mesh), std::move(matched.points));
+    JudgedMap judged_match =
+        judge(std::move(in_place), options.roots, stopwatch, part_of(progress, matching_ends, 1));
+    if (is_accepted(judged_match, options.limits)) {
+        judged_match.method = judged.method;
+        judged = std::move(judged_match);
+    } else {
+        matched.report.after = matched.report.before;
+        matched.report.fault =
+            "no good key: " +
+            fault_of_fit(judged_match.quality, judged_match.surface.leaves.size(), options.limits);
+    }
+    return std::move(matched.report);
+}
+
 /// Maps a clean mesh, samples it, and accepts or refuses the key.
 FittedKey fit_clean(const SurfaceMesh& mesh, Keeps keeps, const FitOptions& options,
                     const Progress& progress) {
@@ -114,9 +151,12 @@ FittedKey fit_clean(const SurfaceMesh& mesh, Keeps keeps, const FitOptions& opti
     JudgedMap judged = choose_map(
         mesh,
         {.roots = options.roots, .rotation = options.rotation, .keeps = keeps, .limits = options.limits},
-        stopwatch, part_of(progress, 0, judged_at));
+        stopwatch, part_of(progress, 0, options.model ? mapped_at : judged_at));
+    std::optional<MatchReport> match =
+        match_to_model(judged, options, stopwatch, part_of(progress, mapped_at, judged_at));
     FittedKey key = key_of(std::move(judged), options, std::move(times), part_of(progress, judged_at, 1));
     key.report.map_keeps = keeps;
+    key.report.match = std::move(match);
     return key;
 }
 

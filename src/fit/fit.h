@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "fit/clean_up/clean_up.h"
+#include "fit/correspondence/match.h"
 #include "fit/fit_quality.h"
 #include "fit/mesh/progress.h"
 #include "fit/mesh/stopwatch.h"
@@ -36,6 +37,10 @@ struct FitOptions {
 
     FitLimits limits{};
 
+    /// The body whose map this mesh's map is matched to; must outlive the fit. No other body if null.
+    const MatchedBody* model = nullptr;
+    MatchOptions matching{};
+
     bool keep_largest = false;  ///< keeps the largest part, however much area is lost
     bool fill_holes = false;    ///< fills holes, however much area that adds
 };
@@ -46,9 +51,10 @@ struct FitReport {
     std::size_t mesh_triangles = 0;
     MapMethod map_method = MapMethod::progressive;
     Keeps map_keeps = Keeps::shapes;
-    double mean_cosine = 0;      ///< between directions on the sphere and directions in space (alignment.h)
-    FitQuality at_20000_leaves;  ///< the basis of acceptance
-    FitQuality quality;          ///< of the key
+    double mean_cosine = 0;  ///< between directions on the sphere and directions in space (alignment.h)
+    std::optional<MatchReport> match{};  ///< if the options name a model
+    FitQuality at_20000_leaves;          ///< the basis of acceptance
+    FitQuality quality;                  ///< of the key
     /// The largest distance between the key and the input mesh, with all parts and holes of that mesh, as a
     /// fraction of the diagonal of its box.
     double hausdorff_as_brought = 0;
@@ -60,6 +66,12 @@ struct FittedKey {
     Hierarchy hierarchy;  ///< with the field "color" if the mesh has colors
     FitReport report;
     SurfaceMesh mesh;  ///< the cleaned mesh, which the key represents; empty from fit_mapped()
+
+    /// The mesh whose map the key is sampled by, if it is a finer mesh of the same surface; else empty.
+    SurfaceMesh fine_mesh;
+    std::vector<glm::dvec3> points;  ///< that map: of the unit sphere, one per vertex
+
+    const SurfaceMesh& mapped_mesh() const { return fine_mesh.triangles.empty() ? mesh : fine_mesh; }
 };
 
 /// The name of the mapping method, for people and reports.

@@ -17,7 +17,7 @@ namespace interleaf {
 namespace {
 
 /// Number of places on each mesh, besides its vertices, if the places are spread evenly.
-constexpr double places = 100000;
+constexpr double places_per_mesh = 100000;
 
 /// Maximum number of parts per edge in the grid over one triangle.
 constexpr double max_parts = 64;
@@ -75,14 +75,14 @@ Distances distances(const MeshView& from, const SurfaceDistance& distance, const
     double area = 0;
     for (const Triangle& triangle : from.triangles) area += doubled_area(corners_of(from, triangle)) / 2;
     // A grid of right triangles with this side has about that many places.
-    const double spacing = std::sqrt(area / places);
+    const double spacing = std::sqrt(area / places_per_mesh);
     double length_of_needles = 0;
     for (const Triangle& triangle : from.triangles) {
         const TriangleCorners corners = corners_of(from, triangle);
         const LongTriangle along(corners);
         if (is_needle(along, doubled_area(corners), spacing)) length_of_needles += along.length();
     }
-    const double strip_length = std::max(spacing, length_of_needles / places);
+    const double strip_length = std::max(spacing, length_of_needles / places_per_mesh);
 
     Distances found;
     ProgressMeter meter(progress);
@@ -90,7 +90,8 @@ Distances distances(const MeshView& from, const SurfaceDistance& distance, const
     std::size_t count = 0;
     Index nearest = no_index;
     const auto measure = [&](const glm::dvec3& place) {
-        meter.set_part(begin + std::min(0.5, double(++count) / (places + double(from.positions.size())) / 2));
+        meter.set_part(
+            begin + std::min(0.5, double(++count) / (places_per_mesh + double(from.positions.size())) / 2));
         meter.step();
         const double here = distance(place, nearest);
         found.largest = std::max(found.largest, here);

@@ -308,6 +308,7 @@ TEST_CASE("a command line that makes no sense exits with 2") {
         {"fit", mesh, "-o", key, "--leaves", "100", "--tolerance", "0.1"},
         {"fit", mesh, "-o", key, "--leaves", "11"},
         {"fit", mesh, "-o", key, "--tolerance", "0"},
+        {"fit", mesh, "-o", key, "--match", "sometimes"},
         {"fit", mesh, "-o", key, "--roots", "dodecahedron"},
         {"fit", mesh, "-o", key, "--rotate", "w,90"},
         {"fit", mesh, "-o", key, "--rotate", "x,90", "--rotate", "x,90"},

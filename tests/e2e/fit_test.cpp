@@ -164,6 +164,10 @@ TEST_CASE("in the offer, the keyboard chooses leaves, roots and the turn of each
     wait_for_offered(viewer, "leaves", "2000");
 
     go_to_row(viewer, "roots");
+    go_to_row(viewer, "match");
+    CHECK(viewer.state()["offer"]["match_parts"] == true);
+    viewer.press(XK_space);
+    wait_for_offered(viewer, "match_parts", false);
     go_to_row(viewer, "size");
     viewer.press(XK_space);
     wait_for_offered(viewer, "same_size", false);
@@ -261,7 +265,7 @@ TEST_CASE("the offer shows what is lost and added, and Fit waits until the user 
         };
     };
     viewer.wait_for("a remark about parts", fault_with("A key is made of one part"));
-    for (const char* row : {"roots", "size", "center", "meshes", "up", "axis", "degrees", "parts"})
+    for (const char* row : {"roots", "match", "size", "center", "meshes", "up", "axis", "degrees", "parts"})
         go_to_row(viewer, row);
     viewer.press(XK_Return);
     CHECK(viewer.state()["offer"].is_object());

@@ -31,7 +31,8 @@ ROOMS = {
         "clean_up": {"mesh"},
         "sphere_map": {"mesh"},
         "sampling": {"mesh", "sphere_map"},
-        "": {"mesh", "clean_up", "sphere_map", "sampling"},
+        "correspondence": {"mesh", "sphere_map", "sampling"},
+        "": {"mesh", "clean_up", "sphere_map", "sampling", "correspondence"},
     },
     "sequence": {"": set(), "series": set()},
     "io": {

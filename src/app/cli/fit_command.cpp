@@ -1,5 +1,6 @@
 #include "app/cli/fit_command.h"
 
+#include <optional>
 #include <span>
 #include <utility>
 #include <variant>
@@ -75,7 +76,8 @@ Fitted fit_files(const FitCommandOptions& options, const HeldInterrupts& interru
                              .fill_holes = options.fill_holes},
                  .rotations = {},
                  .ups = options.ups,
-                 .placing = options.placing};
+                 .placing = options.placing,
+                 .matches = options.matches};
     for (const AxisTurn& rotation : options.rotations) task.rotations.push_back(matrix_of(rotation));
     MeshFitter fitter(std::move(task));
     Fitted fitted;
@@ -110,6 +112,22 @@ Json json_of(const FitQuality& quality) {
             {"euler", quality.euler}};
 }
 
+Json json_of(const MatchFigures& figures) {
+    return {{"mean_cosine", figures.mean_cosine},
+            {"distortion", figures.distortion},
+            {"stretched_area", figures.stretched}};
+}
+
+/// Null for a mesh that was not to be matched.
+Json json_of(const std::optional<MatchReport>& match) {
+    if (!match) return nullptr;
+    return {{"is_matched", match->fault.empty()},
+            {"fault", match->fault},
+            {"passes", match->passes},
+            {"before", json_of(match->before)},
+            {"after", json_of(match->after)}};
+}
+
 Json json_of(const std::filesystem::path& file, const FittedMesh& mesh) {
     const FittedKey& key = mesh.key;
     const FitReport& report = key.report;
@@ -128,11 +146,24 @@ Json json_of(const std::filesystem::path& file, const FittedMesh& mesh) {
             {"area", {{"dropped", report.clean_up.dropped_area}, {"made", report.clean_up.made_area}}},
             {"map", {{"method", name_of(report.map_method)}, {"keeps", name_of(report.map_keeps)}}},
             {"mean_cosine", report.mean_cosine},
+            {"match", json_of(report.match)},
             {"key", {{"leaves", key.hierarchy.leaf_count()}, {"vertices", key.hierarchy.vertex_count()}}},
             {"quality", json_of(report.quality)},
             {"hausdorff_as_brought", report.hausdorff_as_brought},
             {"quality_at_20000_leaves", json_of(report.at_20000_leaves)},
             {"seconds", seconds}};
+}
+
+void print_match(const MatchReport& match) {
+    if (!match.fault.empty()) {
+        fmt::print("  not matched to the first mesh: {}\n", match.fault);
+        return;
+    }
+    fmt::print(
+        "  matched to the first mesh: normals agree by {:.3f} (before: {:.3f}), distortion {:.3g}, "
+        "{:.2g} % of the area stretched over 8 times, passes: {}\n",
+        match.after.mean_cosine, match.before.mean_cosine, match.after.distortion,
+        100 * match.after.stretched, match.passes);
 }
 
 void print_report(const std::filesystem::path& file, const FittedMesh& mesh) {
@@ -150,6 +181,7 @@ void print_report(const std::filesystem::path& file, const FittedMesh& mesh) {
     if (report.hausdorff_as_brought != report.quality.hausdorff)
         fmt::print("  at most {:.3g} % of its box diagonal from the input mesh\n",
                    100 * report.hausdorff_as_brought);
+    if (report.match) print_match(*report.match);
     fmt::print("  least angle {:.3g} degrees, flipped leaves: {}, {:.2g} s\n", report.quality.min_angle,
                report.quality.flipped_leaves, whole);
 }

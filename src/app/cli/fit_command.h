@@ -22,6 +22,7 @@ struct FitCommandOptions {
     std::vector<AxisTurn> rotations;  ///< empty, or one per mesh
     std::vector<UpAxis> ups;          ///< empty, or one per mesh
     PlacingOptions placing;
+    bool matches = true;        ///< matches the maps of all meshes but the first to that of the first
     bool keep_largest = false;  ///< keeps only the largest of several parts
     bool fill_holes = false;    ///< fills holes of any size
     bool json = false;          ///< prints the report as JSON

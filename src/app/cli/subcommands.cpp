@@ -238,6 +238,15 @@ void add_fit(CLI::App& program) {
             "The axis of a mesh that points up: x, y or z; once per mesh")
         ->allow_extra_args(false)
         ->type_name("AXIS");
+    add_text_option(*command, "--match",
+                    "Whether like parts of the meshes come to like places of the roots: auto or none",
+                    [options](const std::string& text) {
+                        if (text != "auto" && text != "none")
+                            throw UsageError(fmt::format("expected auto or none, got '{}'", text));
+                        options->matches = text == "auto";
+                    })
+        ->type_name("HOW")
+        ->default_str("auto");
     command->add_flag("--same-size", options->placing.same_size,
                       "Scale all meshes to the size of the first, which is the square root of its area");
     command->add_flag("--same-center", options->placing.same_center,

@@ -29,6 +29,7 @@ CleanMesh MeshFitter::clean_next(SurfaceFile surface, const Progress& progress) 
 
 FittedMesh MeshFitter::fit_next(const Progress& progress) {
     constexpr double fitting_begins = 0.1;
+    constexpr double fitting_ends = 0.97;
     const std::filesystem::path& file = task_.meshes[next_];
     SurfaceFile surface = read_surface(file);
     FittedMesh fitted;
@@ -44,8 +45,12 @@ FittedMesh MeshFitter::fit_next(const Progress& progress) {
         place(clean, *task_.reference, task_.placing);
         fitted.warning = fault_of_placing(*task_.reference, extent_of(clean.mesh));
         if (!task_.rotations.empty()) task_.options.rotation = task_.rotations[next_];
+        task_.options.model = model_.get();
         fitted.key = fit(std::move(clean), task_.options, [&](std::string_view stage, double part) {
-            return !progress || progress(stage, fitting_begins + (1 - fitting_begins) * part);
+            return !progress || progress(stage, fitting_begins + (fitting_ends - fitting_begins) * part);
+        });
+        keep_model(fitted.key, [&](std::string_view stage, double part) {
+            return !progress || progress(stage, fitting_ends + (1 - fitting_ends) * part);
         });
     } catch (const InputError& error) {
         // The remarks on reading the file may explain the error.
@@ -58,6 +63,14 @@ FittedMesh MeshFitter::fit_next(const Progress& progress) {
     if (next_ == 0 && origin() != glm::dvec3(0)) fitted.remarks.push_back(origin_sentence(origin()));
     ++next_;
     return fitted;
+}
+
+void MeshFitter::keep_model(FittedKey& key, const Progress& progress) {
+    if (task_.matches && next_ == 0 && task_.meshes.size() > 1)
+        model_ =
+            model_of(key.mapped_mesh(), key.points, task_.options.rotation, task_.options.matching, progress);
+    key.fine_mesh = {};
+    key.points = {};
 }
 
 std::vector<Key> keys_of(const Comparisons& fitted) {

@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -14,6 +15,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "app/document/fit_comparison.h"
+#include "fit/correspondence/match.h"
 #include "fit/fit.h"
 #include "fit/placement.h"
 #include "io/mesh/surface_file.h"
@@ -27,6 +29,7 @@ struct FitTask {
     std::vector<glm::dmat3> rotations;  ///< one per mesh; empty for no rotation
     std::vector<UpAxis> ups;            ///< one per mesh; empty if y is up in all
     PlacingOptions placing;
+    bool matches = false;  ///< matches the maps of all meshes but the first to that of the first
 
     /// The origin and the extent of existing keys that the new keys must match; by default those of the first
     /// mesh.
@@ -54,10 +57,13 @@ class MeshFitter {
     glm::dvec3 origin() const { return task_.origin.value_or(glm::dvec3(0)); }
 
   private:
+    /// Keeps the first body as the model of the others, if they are to be matched.
+    void keep_model(FittedKey& key, const Progress& progress);
     CleanMesh clean_next(SurfaceFile surface, const Progress& progress);
 
     FitTask task_;
     std::size_t next_ = 0;
+    std::unique_ptr<const MatchedBody> model_;
 };
 
 /// Fitted keys, each with its mesh.

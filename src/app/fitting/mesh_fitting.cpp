@@ -170,6 +170,7 @@ void MeshFitting::start(double now) {
                          .rotations = std::move(rotations),
                          .ups = ups_of(choices),
                          .placing = placing_of(choices),
+                         .matches = choices.match_parts,
                          .origin = origin_,
                          .reference = reference_});
 }

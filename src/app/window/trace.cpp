@@ -85,6 +85,7 @@ Json json_of(const FitDialog& offer) {
               {"roots", choices.roots},
               {"turns", Json::array()},
               {"ups", Json::array()},
+              {"match_parts", choices.match_parts},
               {"same_size", choices.same_size},
               {"same_center", choices.same_center},
               {"keep_largest", choices.keep_largest},

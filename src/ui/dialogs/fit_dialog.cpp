@@ -64,6 +64,7 @@ void FitDialog::open(std::size_t mesh_count, bool can_be_placed) {
     *this = FitDialog();
     choices_.turns.resize(mesh_count);
     choices_.ups.assign(mesh_count, 1);
+    choices_.match_parts = mesh_count > 1;
     choices_.same_size = choices_.same_center = can_be_placed;
     is_open_ = is_new_ = true;
     focus(Place::number);
@@ -101,7 +102,7 @@ std::optional<bool> FitDialog::show(const Rect& area, const FitOfferShown& shown
         ImGui::Dummy({0, std::round(spacing / 2)});
         show_limit(shown);
         show_roots(shown);
-        if (shown.can_be_placed) show_placing();
+        if (shown.can_be_placed) show_placing(shown);
         show_up(shown);
         show_turn(shown);
         show_changes(shown);
@@ -118,8 +119,8 @@ std::optional<bool> FitDialog::show(const Rect& area, const FitOfferShown& shown
 }
 
 std::string_view FitDialog::row() const {
-    constexpr std::string_view names[] = {"limit", "number",  "roots", "size",  "center", "meshes", "up",
-                                          "axis",  "degrees", "parts", "holes", "fit",    "cancel"};
+    constexpr std::string_view names[] = {"limit", "number", "roots",   "match", "size",  "center", "meshes",
+                                          "up",    "axis",   "degrees", "parts", "holes", "fit",    "cancel"};
     return names[static_cast<std::size_t>(focus_)];
 }
 
@@ -147,7 +148,7 @@ void FitDialog::move_focus(int by, const FitOfferShown& shown) {
     constexpr int places = static_cast<int>(Place::cancel) + 1;
     const auto is_passed = [&](Place place) {
         return (place == Place::roots && shown.roots.size() < 2) ||
-               (place == Place::meshes && shown.meshes.size() < 2) ||
+               ((place == Place::meshes || place == Place::match) && shown.meshes.size() < 2) ||
                ((place == Place::size || place == Place::center) && !shown.can_be_placed) ||
                (place == Place::parts && shown.parts_remark.empty()) ||
                (place == Place::holes && shown.holes_remark.empty());
@@ -188,6 +189,7 @@ void FitDialog::step_choice(int by, const FitOfferShown& shown) {
     }
     if (focus_ == Place::roots) choices_.roots = step(choices_.roots, shown.roots.size());
     if (focus_ == Place::meshes) select_mesh(step(mesh_, shown.meshes.size()));
+    if (focus_ == Place::match) choices_.match_parts = !choices_.match_parts;
     if (focus_ == Place::size) choices_.same_size = !choices_.same_size;
     if (focus_ == Place::center) choices_.same_center = !choices_.same_center;
     if (focus_ == Place::parts) choices_.keep_largest = !choices_.keep_largest;
@@ -264,8 +266,12 @@ void FitDialog::show_toggle(const char* label, bool& value, Place place) {
     mark_focus(place);
 }
 
-void FitDialog::show_placing() {
+void FitDialog::show_placing(const FitOfferShown& shown) {
     row_label("Match");
+    if (shown.meshes.size() > 1) {
+        show_toggle("Match parts", choices_.match_parts, Place::match);
+        ImGui::SameLine(0, scaled(16));
+    }
     show_toggle("Same size", choices_.same_size, Place::size);
     ImGui::SameLine(0, scaled(16));
     show_toggle("Same center", choices_.same_center, Place::center);

@@ -27,6 +27,7 @@ struct FitChoices {
     std::size_t roots = 0;          ///< index into FitOfferShown::roots
     std::vector<Turn> turns;        ///< one per mesh
     std::vector<std::size_t> ups;   ///< one per mesh: the axis that points up; 0, 1, 2 for X, Y, Z
+    bool match_parts = false;       ///< of all meshes with those of the first
     bool same_size = false;
     bool same_center = false;
     bool keep_largest = false;  ///< even if other parts are large
@@ -49,7 +50,7 @@ struct FitOfferShown {
 class FitDialog {
   public:
     /// \param can_be_placed  whether there are other meshes or keys to match in size and center; if so, both
-    ///     are matched at first
+    ///     are matched at first. Parts are matched at first if there are several meshes
     /// \pre is_open() is false
     void open(std::size_t mesh_count, bool can_be_placed);
 
@@ -58,8 +59,8 @@ class FitDialog {
     /// The current choices. The caller derives the argument of the next show() from them.
     const FitChoices& choices() const { return choices_; }
 
-    /// The row that has the keyboard: "limit", "number", "roots", "size", "center", "meshes", "up", "axis",
-    /// "degrees", "parts", "holes", "fit" or "cancel".
+    /// The row that has the keyboard: "limit", "number", "roots", "match", "size", "center", "meshes", "up",
+    /// "axis", "degrees", "parts", "holes", "fit" or "cancel".
     std::string_view row() const;
 
     /// What was wrong with the choices in the last show(), so that "Fit" was disabled; "" if nothing was.
@@ -81,6 +82,7 @@ class FitDialog {
         limit,
         number,
         roots,
+        match,
         size,
         center,
         meshes,
@@ -104,7 +106,7 @@ class FitDialog {
     void show_meshes(const FitOfferShown& shown);
     void show_limit(const FitOfferShown& shown);
     void show_roots(const FitOfferShown& shown);
-    void show_placing();
+    void show_placing(const FitOfferShown& shown);
     void show_up(const FitOfferShown& shown);
     void show_turn(const FitOfferShown& shown);
     void show_changes(const FitOfferShown& shown);

@@ -1,0 +1,167 @@
+// How well automatic matching (fit/correspondence) makes two bodies correspond, for pairs of meshes, without and
+// with matching.
+//
+// Usage: bench_correspondence FOLDER... or bench_correspondence A B [A B ...]: a folder stands for the pairs
+// NAME-1.obj, NAME-2.obj in it. Prints two lines of JSON per pair. Lengths are percent of the box diagonal of the
+// first mesh.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "json_line.h"
+#include <glm/geometric.hpp>
+
+#include "fit/fit.h"
+#include "fit/mesh/surface_distance.h"
+#include "hierarchy/error.h"
+#include "hierarchy/union_mesh.h"
+#include "io/read_files.h"
+
+namespace {
+
+using namespace interleaf;
+using Json = nlohmann::ordered_json;
+using MeshPair = std::pair<std::filesystem::path, std::filesystem::path>;
+
+std::vector<MeshPair> pairs_in(const std::filesystem::path& folder) {
+    std::vector<MeshPair> pairs;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string stem = entry.path().stem().string();
+        if (!stem.ends_with("-1")) continue;
+        const std::filesystem::path second =
+            folder / (stem.substr(0, stem.size() - 1) + "2" + entry.path().extension().string());
+        if (std::filesystem::exists(second)) pairs.emplace_back(entry.path(), second);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+std::vector<MeshPair> pairs_of(std::span<char* const> names) {
+    std::vector<MeshPair> pairs;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (std::filesystem::is_directory(names[i])) {
+            const std::vector<MeshPair> more = pairs_in(names[i]);
+            pairs.insert(pairs.end(), more.begin(), more.end());
+        } else if (i + 1 < names.size()) {
+            pairs.emplace_back(names[i], names[i + 1]);
+            ++i;
+        }
+    }
+    return pairs;
+}
+
+double area_of(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions) {
+    double area = 0;
+    for (const auto& [a, b, c] : triangles)
+        area += glm::length(glm::cross(positions[b] - positions[a], positions[c] - positions[a])) / 2;
+    return area;
+}
+
+CleanMesh read_clean(const std::filesystem::path& file) {
+    SurfaceFile surface = read_surface(file);
+    return clean_up({std::move(surface.positions), std::move(surface.triangles), {}}, {});
+}
+
+/// The figures of two keys that correspond.
+Json figures_of(const FittedKey& first, const FittedKey& second) {
+    const std::vector<const Hierarchy*> keys = {&first.hierarchy, &second.hierarchy};
+    const UnionMesh both = unite(keys);
+    const std::vector<Triangle> triangles(both.triangles.begin(), both.triangles.end());
+    const std::vector<glm::dvec3> a(both.positions[0].begin(), both.positions[0].end());
+    const std::vector<glm::dvec3> b(both.positions[1].begin(), both.positions[1].end());
+    std::vector<glm::dvec3> half;
+    for (std::size_t v = 0; v < a.size(); ++v) half.push_back((a[v] + b[v]) / 2.0);
+
+    const MeshView mesh{first.mesh.triangles, first.mesh.positions};
+    const double percent = 100 / box_diagonal(first.mesh);
+    const double area_a = area_of(triangles, a);
+    const double area_b = area_of(triangles, b);
+    double cosine = 0;
+    double stretched = 0;
+    double whole = 0;
+    for (const auto& [i, j, k] : triangles) {
+        const glm::dvec3 u = glm::cross(a[j] - a[i], a[k] - a[i]) / area_a;
+        const glm::dvec3 v = glm::cross(b[j] - b[i], b[k] - b[i]) / area_b;
+        const double length_u = glm::length(u);
+        const double length_v = glm::length(v);
+        const double weight = length_u + length_v;
+        whole += weight;
+        if (length_u > 0 && length_v > 0) cosine += weight * glm::dot(u, v) / length_u / length_v;
+        if (length_u > 8 * length_v || length_v > 8 * length_u) stretched += weight;
+    }
+    return {{"half_way", percent * hausdorff_distance({triangles, half}, mesh, {})},
+            {"keys", percent * hausdorff_distance({triangles, b}, mesh, {})},
+            {"cosine", cosine / whole},
+            {"half_area", 2 * area_of(triangles, half) / (area_a + area_b)},
+            {"stretched", 100 * stretched / whole}};
+}
+
+Json key_figures(const FittedKey& key) {
+    double seconds = 0;
+    for (const StageTime& time : key.report.times) seconds += time.seconds;
+    return {{"hausdorff", 100 * key.report.quality.hausdorff},
+            {"angle", key.report.quality.min_angle},
+            {"flipped", key.report.quality.flipped_leaves},
+            {"seconds", seconds}};
+}
+
+void measure_pair(const MeshPair& pair) {
+    const std::string name = pair.first.stem().string() + " " + pair.second.stem().string();
+    const FittedKey first = fit(read_clean(pair.first), {});
+    const FittedKey second = fit(read_clean(pair.second), {});
+    Json none = {{"pair", name}, {"match", "none"}};
+    none.update(figures_of(first, second));
+    none.update(key_figures(second));
+    bench::print_line(none);
+    std::fflush(stdout);
+
+    FitOptions options;
+    std::unique_ptr<const MatchedBody> model;
+    const double modeling = bench::seconds_of(
+        [&] { model = model_of(first.mapped_mesh(), first.points, glm::dmat3(1), options.matching, {}); });
+    options.model = model.get();
+    const std::clock_t start = std::clock();
+    const FittedKey matched = fit(read_clean(pair.second), options);
+    const double fitting = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    const MatchReport& report = *matched.report.match;
+    Json with = {{"pair", name}, {"match", report.fault.empty() ? "auto" : report.fault}};
+    with.update(figures_of(first, matched));
+    with.update(key_figures(matched));
+    with.update({{"passes", report.passes},
+                 {"energy", {report.before.energy, report.after.energy}},
+                 {"distortion", report.after.distortion},
+                 {"model_seconds", modeling},
+                 {"processor_seconds", fitting}});
+    for (const StageTime& time : matched.report.times)
+        if (time.stage == "matching") with["match_seconds"] = time.seconds;
+    bench::print_line(with);
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<MeshPair> pairs = pairs_of(std::span(argv + 1, static_cast<std::size_t>(argc - 1)));
+    if (pairs.empty()) {
+        std::fprintf(stderr, "usage: %s FOLDER... | A B [A B ...]\n", argv[0]);
+        return 2;
+    }
+    int failures = 0;
+    for (const MeshPair& pair : pairs) {
+        try {
+            measure_pair(pair);
+        } catch (const InputError& error) {
+            std::fprintf(stderr, "%s: %s\n", pair.first.string().c_str(), error.what());
+            ++failures;
+        }
+    }
+    return failures > 0 ? 1 : 0;
+}

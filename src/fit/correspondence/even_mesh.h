@@ -1,0 +1,33 @@
+// Gives a mapped surface a mesh of about equal edges: halves long edges, then collapses short ones.
+//
+// New vertices lie on the old triangles, in space and on the sphere, so the map stays the same map. Collapses
+// change the surface by less than a fraction of an edge, and keep all triangles positive on the sphere.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "fit/correspondence/sphere_mesh.h"
+#include "fit/mesh/progress_meter.h"
+#include "hierarchy/triangle.h"
+
+namespace interleaf {
+
+/// The edge of a mesh of equilateral triangles with \p vertices vertices and area 1.
+double even_edge(double vertices);
+
+/// Halves the longest edges until none is longer than an even mesh of \p vertices vertices allows, or until eight
+/// times as many vertices are added.
+/// \return the ends of the halved edges; their middles follow the vertices of \p mesh, in this order
+/// \pre the triangles of \p mesh are a closed surface of area 1
+/// \throw Cancelled
+std::vector<std::array<Index, 2>> split_long_edges(SphereMesh& mesh, std::size_t vertices,
+                                                   ProgressMeter& meter);
+
+/// An even mesh of the same mapped surface with about \p vertices vertices.
+/// \param mesh  area 1; its map is one to one
+/// \throw Cancelled
+SphereMesh even_mesh(SphereMesh mesh, std::size_t vertices, ProgressMeter& meter);
+
+}  // namespace interleaf

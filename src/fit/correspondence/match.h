@@ -1,0 +1,64 @@
+// Matches the map of one body to that of another, the model, so that like parts lie at like places of the
+// sphere, and blends of the two bodies make sense half way.
+//
+// A map to the sphere depends on the mesh: two meshes of one body have different maps, and one rotation cannot
+// make them agree. So an even mesh of the model moves over the surface of the other body until the two agree
+// best (moving_mesh.h), from coarse to fine (Schmidt, Pieper and Kobbelt 2023 optimize maps over spheres for a
+// like energy). Each vertex of the other body then takes over the model's point on the sphere (pull_back.h).
+// There are no landmarks; all bodies should stand alike.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "fit/correspondence/matched_body.h"
+#include "fit/correspondence/moving_mesh.h"
+#include "fit/mesh/progress.h"
+#include "fit/mesh/surface_mesh.h"
+
+namespace interleaf {
+
+struct MatchOptions {
+    std::size_t vertices = 8000;  ///< of the even meshes
+    int max_passes = 10;          ///< from coarse to fine; at least 1
+    double enough = 1.01;         ///< no further pass once the distortion is below this
+};
+
+struct MatchReport {
+    MatchFigures before;  ///< of the given map
+    MatchFigures after;   ///< of the matched map; of the given map if that is kept
+    int passes = 0;
+    std::string fault;  ///< why the given map is kept, in words; empty if the body is matched
+};
+
+struct MatchedMap {
+    SurfaceMesh mesh;  ///< the given mesh with long edges halved, without colors; empty if there is a fault
+    std::vector<glm::dvec3> points;  ///< of the unit sphere, one per vertex of that mesh
+    MatchReport report;
+};
+
+/// A body to which others are matched.
+/// \param mesh    clean
+/// \param points  the map of \p mesh by which its key is sampled: one point per vertex
+/// \param turn    the rotation of that map after the alignment
+/// \throw InputError  if the surface has no area
+/// \throw Cancelled
+std::unique_ptr<const MatchedBody> model_of(const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
+                                            const glm::dmat3& turn, const MatchOptions& options,
+                                            const Progress& progress);
+
+/// Matches a map to that of \p model. The same input gives the same bits. Never rotate the result: it is in the
+/// position of the model's map.
+/// \param mesh    clean
+/// \param points  a map of \p mesh to the sphere, one to one and aligned: one point per vertex
+/// \param turn    applied to the body before it is compared: the rotation of its map after the alignment
+/// \throw Cancelled
+MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
+                 const glm::dmat3& turn, const MatchOptions& options, const Progress& progress);
+
+}  // namespace interleaf

@@ -1,0 +1,190 @@
+// Tests of automatic matching, on bodies whose correspondence is known: star shapes on two unlike meshes.
+#include "fit/correspondence/match.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+#include "fit/correspondence/coarsening.h"
+#include "fit/correspondence/even_mesh.h"
+#include "fit/fit.h"
+#include "fit/mesh/half_edge_mesh.h"
+#include "fit/star_shapes.h"
+
+using namespace interleaf;
+using interleaf::testing::MappedMesh;
+
+namespace {
+
+const MatchOptions quick = {.vertices = 1500, .max_passes = 4};
+
+glm::dmat3 turn_about_z(double sine) {
+    const double cosine = std::sqrt(1 - sine * sine);
+    return {{cosine, sine, 0}, {-sine, cosine, 0}, {0, 0, 1}};
+}
+
+/// A body with a nose, two ears and a tail.
+double radius_of(const glm::dvec3& u) {
+    const auto bump = [&](const glm::dvec3& at, double height, double width) {
+        const glm::dvec3 away = u - glm::normalize(at);
+        return height / (1 + glm::dot(away, away) / (width * width));
+    };
+    return 1 + bump({1, 0, 0.2}, 0.6, 0.3) + bump({0.3, 0.5, 1}, 0.4, 0.2) + bump({0.3, -0.5, 1}, 0.4, 0.2) +
+           bump({-1, 0, -0.3}, 0.8, 0.25);
+}
+
+/// The body on a mesh that is turned against the sphere by \p mesh_turn, denser towards one side by \p pull.
+MappedMesh body_on_mesh(unsigned divisions, const glm::dmat3& mesh_turn, double pull) {
+    MappedMesh body = testing::unit_sphere_mesh(divisions);
+    for (std::size_t v = 0; v < body.points.size(); ++v) {
+        body.points[v] = glm::normalize(mesh_turn * body.points[v] + pull * glm::dvec3(0.3, -0.8, 0.5));
+        body.mesh.positions[v] = radius_of(body.points[v]) * body.points[v];
+    }
+    return body;
+}
+
+/// The mean distance between each vertex's own direction and its point in the matched map.
+double mean_error(const MappedMesh& body, const MatchedMap& matched) {
+    double sum = 0;
+    for (std::size_t v = 0; v < body.points.size(); ++v)
+        sum += glm::distance(body.points[v], matched.points[v]);
+    return sum / double(body.points.size());
+}
+
+/// A map of the same body that is wrong: drawn to one side and turned.
+std::vector<glm::dvec3> wrong_map(const MappedMesh& body, const glm::dmat3& turn) {
+    std::vector<glm::dvec3> points;
+    for (const glm::dvec3& point : body.points)
+        points.push_back(glm::normalize(turn * point + glm::dvec3(0, 0.25, 0.1)));
+    return points;
+}
+
+}  // namespace
+
+TEST_CASE("matching finds the known correspondence of a body on unlike meshes, and flips nothing") {
+    struct Case {
+        unsigned divisions;
+        double sine;  ///< of the wrong turn, up to 20 degrees
+        double pull;
+    };
+    for (const Case& each : {Case{3, 0.1, 0.0}, Case{4, -0.34, 0.2}, Case{4, 0.25, -0.3}}) {
+        CAPTURE(each.divisions);
+        CAPTURE(each.sine);
+        const MappedMesh first = body_on_mesh(4, glm::dmat3(1), 0);
+        const MappedMesh second = body_on_mesh(each.divisions, turn_about_z(0.6), each.pull);
+        const std::vector<glm::dvec3> given = wrong_map(second, turn_about_z(each.sine));
+        double before = 0;
+        for (std::size_t v = 0; v < given.size(); ++v) before += glm::distance(given[v], second.points[v]);
+        before /= double(given.size());
+
+        const auto model = model_of(first.mesh, first.points, glm::dmat3(1), quick, {});
+        const MatchedMap matched = match(*model, second.mesh, given, glm::dmat3(1), quick, {});
+        REQUIRE(matched.report.fault.empty());
+        const double after = mean_error(second, matched);
+        MESSAGE(doctest::toString(each.divisions) << " divisions: mean error " << before << " before, "
+                                                  << after << " after, passes: " << matched.report.passes);
+        CHECK(after < 0.35 * before);
+        CHECK(after < 0.06);
+        CHECK(fault_of_map(matched.mesh, matched.points).empty());
+        CHECK(matched.report.after.energy < matched.report.before.energy);
+        CHECK(matched.report.after.mean_cosine > 0.97);
+        CHECK(matched.report.after.stretched < 0.01);
+    }
+}
+
+TEST_CASE("the matched map is one of the same surface: the given vertices come first, in place") {
+    const MappedMesh first = body_on_mesh(3, glm::dmat3(1), 0);
+    const MappedMesh second = body_on_mesh(2, turn_about_z(0.5), 0.1);
+    const auto model = model_of(first.mesh, first.points, glm::dmat3(1), quick, {});
+    const MatchedMap matched = match(*model, second.mesh, second.points, glm::dmat3(1), quick, {});
+    REQUIRE(matched.report.fault.empty());
+    REQUIRE(matched.mesh.positions.size() > second.mesh.positions.size());
+    CHECK(std::equal(second.mesh.positions.begin(), second.mesh.positions.end(),
+                     matched.mesh.positions.begin()));
+    CHECK(matched.points.size() == matched.mesh.positions.size());
+    const MatchedMap again = match(*model, second.mesh, second.points, glm::dmat3(1), quick, {});
+    CHECK(matched.points == again.points);
+}
+
+TEST_CASE("matching keeps the given map where no match agrees better") {
+    const MappedMesh body = body_on_mesh(4, glm::dmat3(1), 0);
+    const auto model = model_of(body.mesh, body.points, glm::dmat3(1), quick, {});
+    const MatchedMap matched = match(*model, body.mesh, body.points, glm::dmat3(1), quick, {});
+    CHECK(matched.report.before.distortion < 1.01);
+    if (!matched.report.fault.empty()) {
+        CHECK(matched.mesh.triangles.empty());
+        CHECK(matched.report.after.energy == matched.report.before.energy);
+    } else {
+        CHECK(matched.report.after.energy < matched.report.before.energy);
+    }
+}
+
+TEST_CASE("matching can be cancelled, and its progress never falls") {
+    const MappedMesh first = body_on_mesh(3, glm::dmat3(1), 0);
+    const MappedMesh second = body_on_mesh(3, turn_about_z(0.5), 0.1);
+    const auto model = model_of(first.mesh, first.points, glm::dmat3(1), quick, {});
+    double last = 0;
+    bool falls = false;
+    match(*model, second.mesh, second.points, glm::dmat3(1), quick, [&](std::string_view, double part) {
+        falls = falls || part < last;
+        last = part;
+        return true;
+    });
+    CHECK_FALSE(falls);
+    CHECK(last > 0.8);
+    CHECK_THROWS_AS(match(*model, second.mesh, second.points, glm::dmat3(1), quick,
+                          [](std::string_view, double part) { return part < 0.5; }),
+                    Cancelled);
+}
+
+TEST_CASE("an even mesh has the wanted number of vertices, and its map is one to one") {
+    for (const std::size_t vertices : {300, 3000}) {
+        const MappedMesh body = body_on_mesh(4, turn_about_z(0.3), 0.3);
+        const SphereMesh whole = normalized(body.mesh, body.points, glm::dmat3(1));
+        const Progress none;
+        ProgressMeter meter(none);
+        const SphereMesh even = even_mesh(whole, vertices, meter);
+        CHECK(even.positions.size() <= vertices);
+        CHECK(even.positions.size() > 0.7 * double(vertices));
+        const SurfaceMesh mesh{.positions = even.positions, .triangles = even.triangles, .colors = {}};
+        CHECK(fault_of_map(mesh, even.points).empty());
+    }
+}
+
+TEST_CASE("undoing all collapses of a coarsening restores the mesh") {
+    const MappedMesh body = body_on_mesh(3, glm::dmat3(1), 0.2);
+    const SphereMesh whole = normalized(body.mesh, body.points, glm::dmat3(1));
+    HalfEdgeMesh mesh(static_cast<Index>(whole.positions.size()), whole.triangles);
+    const Progress none;
+    ProgressMeter meter(none);
+    const std::vector<Index> collapses =
+        coarsen(mesh, 50, {.positions = whole.positions, .points = whole.points, .variation = 3}, meter);
+    CHECK(collapses.size() > whole.positions.size() / 2);
+    for (auto half_edge = collapses.rbegin(); half_edge != collapses.rend(); ++half_edge)
+        mesh.undo_collapse(*half_edge);
+    for (Index t = 0; t < mesh.triangle_capacity(); ++t)
+        for (Index k = 0; k < 3; ++k) CHECK(mesh.origin(3 * t + k) == whole.triangles[t][k]);
+}
+
+TEST_CASE("fit with a model matches the key, and without one fits as before") {
+    const MappedMesh first = body_on_mesh(3, glm::dmat3(1), 0);
+    const MappedMesh second = body_on_mesh(3, turn_about_z(0.5), 0.2);
+    const FittedKey alone = fit(first.mesh, {.leaves = 2000});
+    CHECK_FALSE(alone.report.match);
+    REQUIRE(alone.points.size() == alone.mapped_mesh().positions.size());
+    // The model's map is drawn to one side, so that the two maps do not agree by themselves.
+    const std::vector<glm::dvec3> drawn = wrong_map({alone.mapped_mesh(), alone.points}, turn_about_z(0.2));
+    const auto model = model_of(alone.mapped_mesh(), drawn, glm::dmat3(1), quick, {});
+    FitOptions options{.leaves = 2000};
+    options.model = model.get();
+    options.matching = quick;
+    const FittedKey matched = fit(second.mesh, options);
+    REQUIRE(matched.report.match);
+    CHECK(matched.report.match->fault == "");
+    CHECK(matched.report.match->after.energy < matched.report.match->before.energy);
+    CHECK(matched.report.quality.hausdorff < 0.005);
+}
