@@ -74,7 +74,7 @@ struct Row {
     int optimized;  ///< "Mem. opt.": vertex information is stored once for each refined root
     int flat;       ///< "size of non-hier. rep.", the mesh of the leaves
     BaseSurface base;
-    Surface surface;
+    PlainSurface surface;
 };
 
 constexpr std::array<Row, 4> table = {{

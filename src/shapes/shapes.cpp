@@ -19,9 +19,6 @@
 namespace interleaf {
 namespace {
 
-/// Converts the overloaded names of the surfaces.
-using PlainSurface = glm::dvec3 (*)(const glm::dvec3& u);
-
 const std::array<Shape, 6> all_shapes = {{
     {"icosahedron", "the 20 roots alone, on the unit sphere", unit_sphere, nullptr},
     {"bone", "a bone with two knobs at each end", unit_sphere, PlainSurface(bone_surface), bone_constants,

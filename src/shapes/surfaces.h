@@ -16,6 +16,9 @@ namespace interleaf {
 /// unless stated otherwise.
 using Surface = std::function<glm::dvec3(const glm::dvec3& u)>;
 
+/// The same, as a plain function.
+using PlainSurface = glm::dvec3 (*)(const glm::dvec3& u);
+
 /// A family of surfaces, one per set of constants.
 /// \param constants  one per constant that the family names
 using ParametricSurface = glm::dvec3 (*)(const glm::dvec3& u, std::span<const double> constants);
