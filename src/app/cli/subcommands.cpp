@@ -11,6 +11,7 @@
 #include "app/cli/family_command.h"
 #include "app/cli/fit_command.h"
 #include "app/cli/info_command.h"
+#include "app/cli/landmarks_command.h"
 #include "app/cli/lod_command.h"
 #include "app/cli/make_command.h"
 #include "app/cli/option_text.h"
@@ -238,13 +239,11 @@ void add_fit(CLI::App& program) {
                     [options](const std::string& text) { options->tolerance = parse_number(text); })
         ->type_name("E")
         ->excludes(leaves);
-    command
-        ->add_option(
-            "--roots", options->roots,
-            fmt::format("Root triangles: cube, icosahedron, octahedron, or an {} file around its center",
-                        extensions_in_words(&Format::holds_mesh_as_key)))
-        ->type_name("NAME")
-        ->default_str("cube");
+    CLI::Option* roots = command->add_option(
+        "--roots", options->roots,
+        fmt::format("Root triangles: cube, icosahedron, octahedron, or an {} file around its center",
+                    extensions_in_words(&Format::holds_mesh_as_key)));
+    roots->type_name("NAME")->default_str("cube");
     command
         ->add_option_function<std::vector<std::string>>(
             "--rotate",
@@ -267,6 +266,27 @@ void add_fit(CLI::App& program) {
                       "Scale all meshes to the size of the first, which is the square root of its area");
     command->add_flag("--same-center", options->placing.same_center,
                       "Move the centroid of the area of all meshes to that of the first");
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--landmarks",
+            [options](const std::vector<std::string>& files) {
+                options->landmarks.assign(files.begin(), files.end());
+            },
+            "A file of named points of a mesh, see `landmarks`; equal names correspond; once per mesh")
+        ->allow_extra_args(false)
+        ->type_name("FILE");
+    command
+        ->add_option(
+            "--onto", options->onto,
+            "A family made with landmarks: new keys get its roots, and its landmarks in their places")
+        ->type_name("FAMILY")
+        ->excludes(roots);
+    add_text_option(
+        *command, "--place",
+        "How landmarks place a mesh in space: similarity, rigid or keep; by default similarity, for "
+        "three landmarks or more",
+        [options](const std::string& text) { options->landmark_placing = parse_placing(text); })
+        ->type_name("HOW");
     command->add_flag("--keep-largest", options->keep_largest,
                       "Keep only the largest of several parts, even if over 2 % of the area is lost");
     command->add_flag("--fill-holes", options->fill_holes,
@@ -280,7 +300,31 @@ void add_fit(CLI::App& program) {
     command->footer(
         "Examples:\n"
         "  interleaf fit bunny.ply -o bunny.ilh\n"
-        "  interleaf fit bunny.ply cow.obj --rotate x,90 --rotate x,0 -o bunny-and-cow");
+        "  interleaf fit bunny.ply cow.obj --rotate x,90 --rotate x,0 -o bunny-and-cow\n"
+        "  interleaf fit cow.obj camel.off --landmarks cow.json --landmarks camel.json -o cow-and-camel");
+}
+
+void add_landmarks(CLI::App& program) {
+    const auto options = std::make_shared<LandmarksOptions>();
+    CLI::App* command = program.add_subcommand("landmarks", "Propose landmarks of a mesh: its extremities");
+    command
+        ->add_option_function<std::string>(
+            "MESH", [options](const std::string& file) { options->mesh = file; },
+            fmt::format("A mesh: an {} file", extensions_in_words(&Format::holds_mesh)))
+        ->required();
+    command->add_option("-o,--output", options->output, "The .json file to write, or - for standard output")
+        ->required()
+        ->type_name("FILE");
+    add_text_option(*command, "--max", "At most N landmarks",
+                    [options](const std::string& text) { options->max_count = parse_count(text); })
+        ->type_name("N")
+        ->default_str("16");
+    command->final_callback([options] { run_landmarks(*options); });
+    command->footer(
+        "Give the points that correspond on several meshes the same names, then fit them with "
+        "--landmarks.\n\n"
+        "Example:\n"
+        "  interleaf landmarks cow.obj -o cow.json");
 }
 
 void add_lod(CLI::App& program) {
@@ -326,6 +370,7 @@ void add_subcommands(CLI::App& program, CheckResult& checked) {
     add_make(program);
     add_family_command(program);
     add_fit(program);
+    add_landmarks(program);
     add_lod(program);
 }
 

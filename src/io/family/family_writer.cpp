@@ -117,7 +117,7 @@ std::string interpolation_text(const Interpolation& interpolation) {
 
 /// Whether readers of version 1 would not understand \p family, or would lose a part of it.
 bool needs_version_2(const Family& family) {
-    return family.origin != glm::dvec3(0) || family.path ||
+    return family.origin != glm::dvec3(0) || family.path || !family.landmarks.empty() ||
            (family.timeline && family.timeline->interpolation().basis != Basis::linear);
 }
 
@@ -153,6 +153,14 @@ std::string domain_text(const ParameterDomain& domain, const Family& family) {
     return fmt::format("  \"domain\": {{\n{}\n  }}", joined(members, ",\n"));
 }
 
+std::vector<ordered_json> directions_json(const Family& family) {
+    std::vector<ordered_json> landmarks;
+    landmarks.reserve(family.landmarks.size());
+    for (const auto& [name, direction] : family.landmarks)
+        landmarks.push_back({{"name", name}, {"direction", {direction.x, direction.y, direction.z}}});
+    return landmarks;
+}
+
 /// The text of family.json.
 /// \param files  one per key
 std::string family_text(const Family& family, const std::vector<KeyFile>& files) {
@@ -169,6 +177,7 @@ std::string family_text(const Family& family, const std::vector<KeyFile>& files)
     };
     if (family.timeline) members.push_back(timeline_text(*family.timeline, family));
     if (family.domain) members.push_back(domain_text(*family.domain, family));
+    if (!family.landmarks.empty()) members.push_back(array_text("  ", "landmarks", directions_json(family)));
     if (family.origin != glm::dvec3(0))
         members.push_back(fmt::format(
             "  \"origin\": {}", ordered_json{family.origin.x, family.origin.y, family.origin.z}.dump()));
