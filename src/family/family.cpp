@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 
 #include "text/characters.h"
 #include <fmt/core.h>
+#include <glm/geometric.hpp>
 
 #include "family/names.h"
 #include "hierarchy/checker.h"
@@ -61,6 +64,21 @@ void check_path(const Family& family, std::vector<std::string>& violations) {
         violations.emplace_back("the path drives the blend over time, but the family has no path");
 }
 
+void check_landmarks(const Family& family, std::vector<std::string>& violations) {
+    constexpr double rounding = 1e-9;
+    for (std::size_t i = 0; i < family.landmarks.size(); ++i) {
+        const auto& [name, direction] = family.landmarks[i];
+        if (name.empty() || !is_printable(name))
+            violations.push_back(
+                fmt::format("landmark {} has no name of UTF-8 without control characters", i));
+        if (std::ranges::find(family.landmarks, name, &LandmarkDirection::name) !=
+            family.landmarks.begin() + std::ptrdiff_t(i))
+            violations.push_back(fmt::format("two landmarks are called \"{}\"", name));
+        if (!(std::abs(glm::dot(direction, direction) - 1) < rounding))
+            violations.push_back(fmt::format("the direction of landmark {} is not a unit vector", i));
+    }
+}
+
 }  // namespace
 
 std::optional<std::size_t> find_key(const Family& family, std::string_view name) {
@@ -77,6 +95,7 @@ std::vector<std::string> check(const Family& family) {
     check_roots(family, violations);
     check_references(family, violations);
     check_path(family, violations);
+    check_landmarks(family, violations);
     return violations;
 }
 

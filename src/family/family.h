@@ -15,6 +15,7 @@
 #include "family/shared_hierarchy.h"
 #include "family/timeline.h"
 #include "family/weights.h"
+#include "hierarchy/landmark.h"
 #include "hierarchy/union_mesh.h"
 
 namespace interleaf {
@@ -41,6 +42,10 @@ struct Family {
     /// have only one of them.
     TimeSource time_source = TimeSource::keys;
 
+    /// Named points on the sphere of the roots, at which all keys have the same part of their bodies. Names are
+    /// unique and not empty.
+    std::vector<LandmarkDirection> landmarks{};
+
     glm::dvec3 origin{0};  ///< the point that was subtracted from all positions (origin.h)
 };
 
@@ -49,7 +54,7 @@ std::optional<std::size_t> find_key(const Family& family, std::string_view name)
 
 /// Every violation of a family's invariants, one sentence per violation. There is at least one key. Names are
 /// unique and not empty. All keys have the same root complex (constraints (B); the violation names the keys).
-/// Timeline and domain refer to existing keys. A path goes through a domain, and drives only where there is one.
+/// Landmarks have unique names and unit vectors. Timeline and domain refer to existing keys. A path goes through a domain, and drives only where there is one.
 std::vector<std::string> check(const Family& family);
 
 /// The union of the active keys of \p weights, with one position stream per weight, in their order.

@@ -25,13 +25,13 @@ constexpr double tries_of_worst_per_leaf = 0.1;
 }  // namespace
 
 AlignedMap::AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
-                       const glm::dmat3& rotation, bool is_of_large_triangles)
+                       const std::optional<glm::dmat3>& rotation, bool is_of_large_triangles)
     : original(original_mesh),
       has_large_triangles(is_of_large_triangles),
       is_matched(false),
       fine(std::move(fine_mesh)),
       points(std::move(map)),
-      mean_cosine(align()),
+      mean_cosine(align(rotation.has_value())),
       mapped(mesh(), rotated(rotation)) {}
 
 AlignedMap::AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map)
@@ -43,13 +43,13 @@ AlignedMap::AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, 
       mean_cosine(interleaf::mean_cosine(mesh(), points)),
       mapped(mesh(), points) {}
 
-double AlignedMap::align() {
-    rotate(points, rotation_to_surface(mesh(), points));
+double AlignedMap::align(bool is_turned) {
+    if (is_turned) rotate(points, rotation_to_surface(mesh(), points));
     return interleaf::mean_cosine(mesh(), points);
 }
 
-std::span<const glm::dvec3> AlignedMap::rotated(const glm::dmat3& rotation) {
-    rotate(points, rotation);
+std::span<const glm::dvec3> AlignedMap::rotated(const std::optional<glm::dmat3>& rotation) {
+    if (rotation) rotate(points, *rotation);
     return points;
 }
 

@@ -1,6 +1,7 @@
 // A surface with its map to the sphere, turned into the position in which it is sampled.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,10 +23,10 @@ struct AlignedMap {
     /// \param fine_mesh      a finer mesh of the same surface (surface_refinement.h), to which \p map
     ///                       belongs; without triangles if \p map belongs to \p original_mesh
     /// \param map            points of the unit sphere, one per vertex, one to one
-    /// \param rotation       applied after the alignment
+    /// \param rotation       applied after the alignment; none for a map that is in position already
     /// \param is_of_large_triangles  whether \p original_mesh is one for which a finer mesh is tried
     AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
-               const glm::dmat3& rotation, bool is_of_large_triangles);
+               const std::optional<glm::dmat3>& rotation, bool is_of_large_triangles);
 
     /// A map that is in its final position, because it is matched to another body's map.
     AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map);
@@ -44,8 +45,8 @@ struct AlignedMap {
     const MappedSurface mapped;
 
   private:
-    double align();
-    std::span<const glm::dvec3> rotated(const glm::dmat3& rotation);
+    double align(bool is_turned);
+    std::span<const glm::dvec3> rotated(const std::optional<glm::dmat3>& rotation);
 };
 
 /// Calls smooth_leaves(). Limits its work on a refined mesh that is not matched, and on a mesh of large triangles if most of its

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include "fit/aligned_map.h"
+#include "fit/landmark_fitting.h"
+#include "fit/landmarks/pinned_map.h"
 #include "fit/map_choice.h"
 #include "fit/sampling/sampled_colors.h"
 #include "fit/sampling/surface_sampling.h"
@@ -48,6 +51,7 @@ void check_options(const FitOptions& options) {
         throw UsageError(fmt::format("{} leaves are too few: there are {} roots", *options.leaves, roots));
     if (options.tolerance && !(*options.tolerance >= min_tolerance))
         throw UsageError(fmt::format("the tolerance must be at least {}", min_tolerance));
+    check_directions(options.landmarks);
 }
 
 /// Samples and smooths.
@@ -80,12 +84,18 @@ std::pair<SampledSurface, FitQuality> sample_within(const AlignedMap& map, const
 }
 
 /// Accepts or refuses a map, samples it as the options demand, and makes the key.
-FittedKey key_of(JudgedMap judged, const FitOptions& options, std::vector<StageTime> times,
-                 const Progress& progress) {
+/// \param pins  null for none
+FittedKey key_of(JudgedMap judged, const FitOptions& options, const LandmarkPins* pins,
+                 std::vector<StageTime> times, const Progress& progress) {
     const AlignedMap& map = *judged.map;
     SampledSurface surface = std::move(judged.surface);
     const std::string fault = fault_of_fit(judged.quality, surface.leaves.size(), options.limits);
-    if (!fault.empty()) throw InputError(fmt::format("no good key: {}", fault));
+    if (!fault.empty()) {
+        const std::string text = fmt::format("no good key: {}{}", fault,
+                                             pins != nullptr ? advice_on(judged.agreement, pins->names) : "");
+        if (pins != nullptr && judged.agreement.is_doubtful()) throw LandmarkError(text);
+        throw InputError(text);
+    }
 
     FittedKey key;
     FitReport& report = key.report;
@@ -110,6 +120,11 @@ FittedKey key_of(JudgedMap judged, const FitOptions& options, std::vector<StageT
     }
     key.hierarchy = hierarchy_from_leaves(options.roots.complex, surface.leaves, surface.positions,
                                           sampled_colors(map.original, map.mapped, surface));
+    report.landmarks = fitted_landmarks(options.landmarks, map, {key.hierarchy, options.roots});
+    report.landmark_faults = faults_of_places(report.landmarks);
+    if (pins != nullptr)
+        for (std::string& text : faults_of(judged.agreement, pins->names))
+            report.landmark_faults.push_back(std::move(text));
     return key;
 }
 
@@ -144,17 +159,22 @@ std::optional<MatchReport> match_to_model(JudgedMap& judged, const FitOptions& o
 }
 
 /// Maps a clean mesh, samples it, and accepts or refuses the key.
-FittedKey fit_clean(const SurfaceMesh& mesh, Keeps keeps, const FitOptions& options,
+/// \param pins  of vertices of \p mesh; null for none
+FittedKey fit_clean(const SurfaceMesh& mesh, const LandmarkPins* pins, Keeps keeps, const FitOptions& options,
                     const Progress& progress) {
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
-    JudgedMap judged = choose_map(
-        mesh,
-        {.roots = options.roots, .rotation = options.rotation, .keeps = keeps, .limits = options.limits},
-        stopwatch, part_of(progress, 0, options.model ? mapped_at : judged_at));
+    JudgedMap judged = choose_map(mesh,
+                                  {.roots = options.roots,
+                                   .rotation = options.rotation,
+                                   .keeps = keeps,
+                                   .limits = options.limits,
+                                   .pins = pins},
+                                  stopwatch, part_of(progress, 0, options.model ? mapped_at : judged_at));
     std::optional<MatchReport> match =
         match_to_model(judged, options, stopwatch, part_of(progress, mapped_at, judged_at));
-    FittedKey key = key_of(std::move(judged), options, std::move(times), part_of(progress, judged_at, 1));
+    FittedKey key =
+        key_of(std::move(judged), options, pins, std::move(times), part_of(progress, judged_at, 1));
     key.report.map_keeps = keeps;
     key.report.match = std::move(match);
     return key;
@@ -190,7 +210,7 @@ FittedKey fit_mapped(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, co
     auto map = std::make_unique<AlignedMap>(mesh, SurfaceMesh{}, std::move(points), options.rotation, false);
     stopwatch.lap("alignment");
     JudgedMap judged = judge(std::move(map), options.roots, stopwatch, part_of(progress, 0, 0.5));
-    return key_of(std::move(judged), options, std::move(times), part_of(progress, 0.5, 1));
+    return key_of(std::move(judged), options, nullptr, std::move(times), part_of(progress, 0.5, 1));
 }
 
 std::string_view name_of(MapMethod method) {
@@ -218,13 +238,20 @@ FittedKey fit(CleanMesh clean, const FitOptions& options, const Progress& progre
 
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
+    const std::optional<PinnedMesh> pinned = pinned_mesh(clean.mesh, options.landmarks);
+    const SurfaceMesh& mesh = pinned ? pinned->mesh : clean.mesh;
+    const LandmarkPins* const pins = pinned ? &pinned->pins : nullptr;
     FittedKey key;
     try {
-        key = fit_clean(clean.mesh, Keeps::shapes, options, part_of(progress, 0, second_map_begins));
+        key = fit_clean(mesh, pins, Keeps::shapes, options, part_of(progress, 0, second_map_begins));
+    } catch (const LandmarkError&) {
+        throw;
     } catch (const InputError&) {
         stopwatch.lap("first attempt");
-        key = fit_clean(clean.mesh, Keeps::areas, options, part_of(progress, second_map_begins, 1));
+        key = fit_clean(mesh, pins, Keeps::areas, options, part_of(progress, second_map_begins, 1));
     }
+    key.report.mesh_vertices = clean.mesh.positions.size();
+    key.report.mesh_triangles = clean.mesh.triangles.size();
     key.report.hausdorff_as_brought = distance_as_brought(clean, key, {});
     key.report.clean_up = std::move(clean.report);
     key.mesh = std::move(clean.mesh);

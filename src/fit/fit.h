@@ -13,12 +13,14 @@
 #include "fit/clean_up/clean_up.h"
 #include "fit/correspondence/match.h"
 #include "fit/fit_quality.h"
+#include "fit/landmarks/landmark_report.h"
 #include "fit/mesh/progress.h"
 #include "fit/mesh/stopwatch.h"
 #include "fit/mesh/surface_mesh.h"
 #include "fit/sphere_map/sphere_roots.h"
 #include "fit/sphere_map/spherical_map.h"
 #include "hierarchy/hierarchy.h"
+#include "hierarchy/landmark.h"
 
 namespace interleaf {
 
@@ -41,6 +43,11 @@ struct FitOptions {
     const MatchedBody* model = nullptr;
     MatchOptions matching{};
 
+    /// Points of the surface or near it. Either all have directions, and the map brings them exactly there; then
+    /// \a rotation means nothing. Or none has, and the map is the same as without landmarks; the report then says
+    /// where the map has put them.
+    std::vector<Landmark> landmarks{};
+
     bool keep_largest = false;  ///< keeps the largest part, however much area is lost
     bool fill_holes = false;    ///< fills holes, however much area that adds
 };
@@ -58,6 +65,9 @@ struct FitReport {
     /// The largest distance between the key and the input mesh, with all parts and holes of that mesh, as a
     /// fraction of the diagonal of its box.
     double hausdorff_as_brought = 0;
+
+    std::vector<FittedLandmark> landmarks;     ///< in the order of FitOptions
+    std::vector<std::string> landmark_faults;  ///< sentences about landmarks that are probably wrong
 
     std::vector<StageTime> times;
 };
@@ -80,8 +90,9 @@ std::string_view name_of(Keeps keeps);
 
 /// Tries a map that keeps shapes first. If that map gives no good key, tries one that keeps areas.
 /// \throw InputError  saying what is wrong with the mesh, what the clean-up would change without consent, or
-///                    why no key represents the mesh well enough
-/// \throw UsageError  if both leaves and tolerance are given, or one is out of its range
+///                    why no key represents the mesh well enough, or which landmark prevents it
+/// \throw UsageError  if both leaves and tolerance are given, or one is out of its range; if only some of the
+///                    landmarks have directions
 /// \throw Cancelled   when \p progress says so
 FittedKey fit(SurfaceMesh mesh, const FitOptions& options, const Progress& progress = {});
 

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "fit/landmarks/pinned_map.h"
 #include "fit/mesh/progress_meter.h"
 #include "fit/sampling/leaf_smoothing.h"
 #include "fit/sphere_map/surface_refinement.h"
@@ -64,6 +65,7 @@ struct Candidate {
     std::size_t faulty = 0;  ///< number of leaves that need smoothing
     FitQuality shapes{};     ///< of that surface, without distances
     MapMethod method = MapMethod::progressive;
+    LandmarkAgreement agreement{};
 
     double faulty_part() const { return double(faulty) / double(surface.leaves.size()); }
     /// As a fraction of the flipped leaves for which the map would be refused.
@@ -87,16 +89,18 @@ JudgedMap judged(Candidate candidate, const SphereRoots& roots, const FitLimits&
         const FitQuality quality = quality_of(*candidate.map, candidate.surface, part_of(progress, 0, 0.2));
         stopwatch.lap("measuring");
         if (quality.hausdorff > far_from_accepted * limits.hausdorff)
-            return {std::move(candidate.map), std::move(candidate.surface), quality, candidate.method};
+            return {std::move(candidate.map), std::move(candidate.surface), quality, candidate.method,
+                    candidate.agreement};
     }
     smooth(*candidate.map, roots, candidate.surface, part_of(progress, 0.2, 0.4));
     stopwatch.lap("smoothing");
     const FitQuality quality = quality_of(*candidate.map, candidate.surface, part_of(progress, 0.4, 1));
     stopwatch.lap("measuring");
-    return {std::move(candidate.map), std::move(candidate.surface), quality, candidate.method};
+    return {std::move(candidate.map), std::move(candidate.surface), quality, candidate.method,
+            candidate.agreement};
 }
 
-/// Maps a mesh of the surface, centers the map, checks it and samples it.
+/// Maps a mesh of the surface, centers the map unless it is pinned, checks it and samples it.
 /// \param fine  the mesh to map; without triangles for the original mesh
 Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, const MapChoiceOptions& options,
                     Stopwatch& stopwatch, const Progress& progress) {
@@ -104,17 +108,30 @@ Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, const MapChoi
     const SurfaceMesh& mesh = is_refined ? fine : original;
     const bool has_large_triangles = triangle_shapes(original).large >= large_part;
     constexpr double crowded = 0.01;
-    SphericalMap map =
-        map_to_sphere(mesh, part_of(progress, 0, 0.9), options.keeps, is_refined ? crowded : 0);
-    stopwatch.lap("map to the sphere");
-    center_map(mesh, map.points);
-    if (const std::string fault = fault_of_map(mesh, map.points); !fault.empty())
-        throw InputError(fmt::format("the centered map to the sphere is not valid: {}", fault));
-    stopwatch.lap("centering");
     Candidate made;
-    made.method = map.method;
-    made.map = std::make_unique<AlignedMap>(original, std::move(fine), std::move(map.points),
-                                            options.rotation, has_large_triangles);
+    std::vector<glm::dvec3> points;
+    std::optional<glm::dmat3> rotation;
+    if (options.pins != nullptr) {
+        PinnedMap map =
+            map_to_pins(mesh, *options.pins, {.keeps = options.keeps, .crowded = is_refined ? crowded : 0},
+                        part_of(progress, 0, 0.9));
+        stopwatch.lap("map to the sphere");
+        made.agreement = map.agreement;
+        points = std::move(map.points);
+    } else {
+        SphericalMap map =
+            map_to_sphere(mesh, part_of(progress, 0, 0.9), options.keeps, is_refined ? crowded : 0);
+        stopwatch.lap("map to the sphere");
+        center_map(mesh, map.points);
+        if (const std::string fault = fault_of_map(mesh, map.points); !fault.empty())
+            throw InputError(fmt::format("the centered map to the sphere is not valid: {}", fault));
+        stopwatch.lap("centering");
+        made.method = map.method;
+        points = std::move(map.points);
+        rotation = options.rotation;
+    }
+    made.map = std::make_unique<AlignedMap>(original, std::move(fine), std::move(points), rotation,
+                                            has_large_triangles);
     stopwatch.lap("alignment");
     made.surface = sampled(*made.map, options.roots, part_of(progress, 0.9, 1));
     made.faulty = count_faulty_leaves(made.map->mapped, made.surface);
@@ -191,6 +208,8 @@ JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
     const auto try_to_map = [&](SurfaceMesh fine, double begin, double end) -> std::optional<Candidate> {
         try {
             return candidate(mesh, std::move(fine), options, stopwatch, part_of(progress, begin, end));
+        } catch (const LandmarkError&) {
+            throw;
         } catch (const InputError& error) {
             fault = error.what();
             return std::nullopt;

@@ -13,6 +13,7 @@
 
 #include "fit/aligned_map.h"
 #include "fit/fit_quality.h"
+#include "fit/landmarks/landmark_agreement.h"
 #include "fit/mesh/progress.h"
 #include "fit/mesh/stopwatch.h"
 #include "fit/mesh/surface_mesh.h"
@@ -27,6 +28,9 @@ struct MapChoiceOptions {
     glm::dmat3 rotation;  ///< applied after the alignment
     Keeps keeps = Keeps::shapes;
     FitLimits limits{};
+    /// Vertices of the mesh that lie at given directions; null for none. The map is then neither centered nor
+    /// turned.
+    const LandmarkPins* pins = nullptr;
 };
 
 /// A map, with the key by which the map is judged.
@@ -35,6 +39,7 @@ struct JudgedMap {
     SampledSurface surface;  ///< of judged_leaves(), smoothed
     FitQuality quality;      ///< of that surface
     MapMethod method = MapMethod::progressive;
+    LandmarkAgreement agreement{};  ///< where there are pins
 };
 
 /// Number of leaves of the key by which a map is judged: 20,000, or the number of roots if that is larger.
@@ -45,7 +50,7 @@ JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots,
                 const Progress& progress);
 
 /// Maps, centers, checks, samples and judges a clean mesh.
-/// \throw InputError  if no map is one to one
+/// \throw InputError  if no map is one to one; a LandmarkError (pinned_map.h) at once
 /// \throw Cancelled
 JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, Stopwatch& stopwatch,
                      const Progress& progress);

@@ -73,15 +73,15 @@ TEST_CASE("a family of compressed keys is the same family in fewer bytes") {
 
 TEST_CASE("keys in another numbering get the roots of the first key, and check and family report it") {
     const ScratchFolder folder;
-    const Hierarchy star = read_hierarchy(names[1]);
+    const Hierarchy star_key = read_hierarchy(names[1]);
     // The same key with its root vertices in reverse order.
-    const Index count = star.roots.vertex_count();
+    const Index count = star_key.roots.vertex_count();
     std::vector<Triangle> triangles;
-    for (const auto& [a, b, c] : star.roots.triangles())
+    for (const auto& [a, b, c] : star_key.roots.triangles())
         triangles.push_back({count - 1 - a, count - 1 - b, count - 1 - c});
-    Hierarchy reversed = star;
+    Hierarchy reversed = star_key;
     reversed.roots = RootComplex(count, triangles);
-    for (Index v = 0; v < count; ++v) reversed.positions[v] = star.positions[count - 1 - v];
+    for (Index v = 0; v < count; ++v) reversed.positions[v] = star_key.positions[count - 1 - v];
     std::filesystem::create_directory(folder / "f");
     write_hierarchy(reversed, folder / "f/star.ilh");
     std::filesystem::copy_file(names[0], folder / "f/sphere.ilh");
@@ -99,8 +99,8 @@ TEST_CASE("keys in another numbering get the roots of the first key, and check a
     CHECK(contains(made.errors, "key star: its roots were renumbered to match key sphere"));
     CHECK(content(folder / "g/sphere.ilh") == content(names[0]));
     const Family family = read_family(folder / "g");
-    CHECK(family.keys[1].hierarchy->roots == star.roots);
-    CHECK(family.keys[1].hierarchy->leaf_count() == star.leaf_count());
+    CHECK(family.keys[1].hierarchy->roots == star_key.roots);
+    CHECK(family.keys[1].hierarchy->leaf_count() == star_key.leaf_count());
     CHECK(contains(run_interleaf({"check", folder / "g"}).output, "sound, 2 keys\n"));
 }
 

@@ -1,10 +1,14 @@
 #include "app/cli/fit_command.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
 #include <variant>
 
+#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -19,11 +23,33 @@
 #include "hierarchy/error.h"
 #include "io/family/family_file.h"
 #include "io/formats.h"
+#include "io/landmarks/landmark_file.h"
+#include "io/mesh/mesh_file.h"
 
 namespace interleaf {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+void check_landmark_options(const FitCommandOptions& options) {
+    if (options.landmarks.empty()) {
+        if (options.landmark_placing.value_or(LandmarkPlacing::keep) != LandmarkPlacing::keep)
+            throw UsageError("fit: --place needs --landmarks, once per mesh");
+        if (!options.onto.empty()) throw UsageError("fit: --onto needs --landmarks, once per mesh");
+        return;
+    }
+    if (options.landmarks.size() != options.meshes.size())
+        throw UsageError(fmt::format("fit: {} times --landmarks for {} meshes, expected it once per mesh",
+                                     options.landmarks.size(), options.meshes.size()));
+    if ((options.placing.same_size || options.placing.same_center) &&
+        options.landmark_placing != LandmarkPlacing::keep)
+        throw UsageError(
+            "fit: landmarks give size and place, so --same-size and --same-center need --place keep");
+    for (std::size_t i = options.onto.empty() ? 1 : 0; i < options.rotations.size(); ++i)
+        if (options.rotations[i].degrees != 0)
+            throw UsageError(
+                "fit: landmarks turn all meshes after the first, expected --rotate x,0 for these");
+}
 
 void check_options(const FitCommandOptions& options) {
     if (options.json && options.output == "-")
@@ -36,6 +62,7 @@ void check_options(const FitCommandOptions& options) {
         throw UsageError(
             fmt::format("fit: {} times --up for {} meshes, expected it once per mesh (y for no turn)",
                         options.ups.size(), options.meshes.size()));
+    check_landmark_options(options);
     if (options.meshes.size() == 1) {
         key_target_of(options.output);
     } else if (options.output == "-") {
@@ -59,6 +86,29 @@ SphereRoots roots_named(const std::string& name) {
     }
 }
 
+/// Gives \p task the landmarks, the roots, the origin and the first key of the family in \p path.
+void aim_at(const std::string& path, FitTask& task) {
+    const Family family = read_family(path);
+    if (family.landmarks.empty())
+        throw InputError(
+            fmt::format("{}: has no landmarks, expected a family that fit has made with --landmarks", path));
+    task.options.roots = roots_of(family).roots;
+    task.first_key = *family.keys.front().hierarchy;
+    for (const auto& [name, direction] : family.landmarks)
+        task.targets.push_back(
+            {name, point_in_direction(*task.first_key, task.options.roots, direction), direction});
+    task.origin = family.origin;
+    task.reference = extent_of(surface_of(*task.first_key));
+}
+
+/// Landmarks as a family keeps them. A family knows its sphere only if its roots have a name.
+std::vector<LandmarkDirection> kept_landmarks(const FitCommandOptions& options, const FitReport& first) {
+    std::vector<LandmarkDirection> landmarks;
+    if (options.onto.empty() && find_roots(options.roots) == nullptr) return landmarks;
+    for (const FittedLandmark& each : first.landmarks) landmarks.push_back({each.name, each.direction});
+    return landmarks;
+}
+
 /// The fitted meshes of a command.
 struct Fitted {
     std::vector<FittedMesh> meshes;
@@ -77,8 +127,12 @@ Fitted fit_files(const FitCommandOptions& options, const HeldInterrupts& interru
                  .rotations = {},
                  .ups = options.ups,
                  .placing = options.placing,
-                 .matches = options.matches};
+                 .matches = options.matches,
+                 .landmark_placing = options.landmark_placing};
+    for (const std::filesystem::path& file : options.landmarks)
+        task.landmarks.push_back(read_landmarks(file).landmarks);
     for (const AxisTurn& rotation : options.rotations) task.rotations.push_back(matrix_of(rotation));
+    if (!options.onto.empty()) aim_at(options.onto, task);
     MeshFitter fitter(std::move(task));
     Fitted fitted;
     ProgressLine line;
@@ -101,6 +155,7 @@ Family family_of(const FitCommandOptions& options, const Fitted& fitted) {
         keys.push_back({options.meshes[i].stem().string(), fitted.meshes[i].key.hierarchy});
     Family family = family_of_keys(family_name_for(options.output), std::move(keys));
     family.origin = fitted.origin;
+    family.landmarks = kept_landmarks(options, fitted.meshes.front().key.report);
     return family;
 }
 
@@ -128,6 +183,29 @@ Json json_of(const std::optional<MatchReport>& match) {
             {"after", json_of(match->after)}};
 }
 
+Json vector_json(const glm::dvec3& vector) {
+    return {vector.x, vector.y, vector.z};
+}
+
+/// What the landmarks of a mesh did.
+Json landmarks_json(const FittedMesh& mesh) {
+    Json landmarks = Json::array();
+    for (const FittedLandmark& each : mesh.key.report.landmarks)
+        landmarks.push_back({{"name", each.name},
+                             {"position", vector_json(each.position)},
+                             {"direction", vector_json(each.direction)},
+                             {"from_mesh", each.from_mesh},
+                             {"off_in_key", each.off_in_key}});
+    return landmarks;
+}
+
+Json json_of(const Similarity& placement) {
+    Json rows = Json::array();
+    for (int row = 0; row < 3; ++row)
+        rows.push_back({placement.rotation[0][row], placement.rotation[1][row], placement.rotation[2][row]});
+    return {{"scale", placement.scale}, {"rotation", rows}, {"moved", vector_json(placement(glm::dvec3(0)))}};
+}
+
 Json json_of(const std::filesystem::path& file, const FittedMesh& mesh) {
     const FittedKey& key = mesh.key;
     const FitReport& report = key.report;
@@ -138,20 +216,38 @@ Json json_of(const std::filesystem::path& file, const FittedMesh& mesh) {
         whole += time.seconds;
     }
     seconds["whole"] = whole;
-    return {{"file", file.string()},
-            {"mesh", {{"vertices", report.mesh_vertices}, {"triangles", report.mesh_triangles}}},
-            {"remarks", mesh.remarks},
-            {"warning", mesh.warning},
-            {"clean_up", report.clean_up.sentences()},
-            {"area", {{"dropped", report.clean_up.dropped_area}, {"made", report.clean_up.made_area}}},
-            {"map", {{"method", name_of(report.map_method)}, {"keeps", name_of(report.map_keeps)}}},
-            {"mean_cosine", report.mean_cosine},
-            {"match", json_of(report.match)},
-            {"key", {{"leaves", key.hierarchy.leaf_count()}, {"vertices", key.hierarchy.vertex_count()}}},
-            {"quality", json_of(report.quality)},
-            {"hausdorff_as_brought", report.hausdorff_as_brought},
-            {"quality_at_20000_leaves", json_of(report.at_20000_leaves)},
-            {"seconds", seconds}};
+    Json json = {
+        {"file", file.string()},
+        {"mesh", {{"vertices", report.mesh_vertices}, {"triangles", report.mesh_triangles}}},
+        {"remarks", mesh.remarks},
+        {"warning", mesh.warning},
+        {"clean_up", report.clean_up.sentences()},
+        {"area", {{"dropped", report.clean_up.dropped_area}, {"made", report.clean_up.made_area}}},
+        {"map", {{"method", name_of(report.map_method)}, {"keeps", name_of(report.map_keeps)}}},
+        {"mean_cosine", report.mean_cosine},
+        {"key", {{"leaves", key.hierarchy.leaf_count()}, {"vertices", key.hierarchy.vertex_count()}}},
+        {"quality", json_of(report.quality)},
+        {"hausdorff_as_brought", report.hausdorff_as_brought},
+        {"quality_at_20000_leaves", json_of(report.at_20000_leaves)},
+        {"seconds", seconds}};
+    if (report.landmarks.empty()) return json;
+    json["landmarks"] = landmarks_json(mesh);
+    json["landmark_warnings"] = mesh.landmark_warnings;
+    json["placement"] = mesh.placement ? json_of(*mesh.placement) : Json();
+    json["distortion_at_90_percent"] = mesh.distortion ? Json(mesh.distortion->at_90_percent) : Json();
+    return json;
+}
+
+void print_landmarks(const FittedMesh& mesh) {
+    for (const FittedLandmark& each : mesh.key.report.landmarks)
+        fmt::print("  landmark {}: {:.2g} % of the box diagonal off in the key\n", shown_text(each.name),
+                   100 * each.off_in_key);
+    if (!mesh.placement) return;
+    const Similarity& placement = *mesh.placement;
+    const double trace = placement.rotation[0][0] + placement.rotation[1][1] + placement.rotation[2][2];
+    const double degrees = std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0)) * 180 / std::numbers::pi;
+    fmt::print("  placed by its landmarks: scaled by {:.3g}, turned by {:.3g} degrees\n", placement.scale,
+               degrees);
 }
 
 void print_match(const MatchReport& match) {
@@ -184,13 +280,17 @@ void print_report(const std::filesystem::path& file, const FittedMesh& mesh) {
     if (report.match) print_match(*report.match);
     fmt::print("  least angle {:.3g} degrees, flipped leaves: {}, {:.2g} s\n", report.quality.min_angle,
                report.quality.flipped_leaves, whole);
+    print_landmarks(mesh);
 }
 
 void print_reports(const FitCommandOptions& options, const std::vector<FittedMesh>& fitted) {
-    for (std::size_t i = 0; i < fitted.size(); ++i)
+    for (std::size_t i = 0; i < fitted.size(); ++i) {
+        for (const std::string& warning : fitted[i].landmark_warnings)
+            print_error(fmt::format("{}: warning: {}", options.meshes[i].string(), warning));
         if (!fitted[i].warning.empty())
             print_error(fmt::format("{}: warning: {}; --same-size and --same-center bring meshes together",
                                     options.meshes[i].string(), fitted[i].warning));
+    }
     if (options.output == "-") return;
     Json meshes = Json::array();
     for (std::size_t i = 0; i < fitted.size(); ++i) {

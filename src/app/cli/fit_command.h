@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/fitting/axis_turn.h"
+#include "fit/landmarks/landmark_targets.h"
 #include "fit/placement.h"
 #include "hierarchy/triangle.h"
 #include "io/hierarchy/hierarchy_file.h"
@@ -22,7 +23,10 @@ struct FitCommandOptions {
     std::vector<AxisTurn> rotations;  ///< empty, or one per mesh
     std::vector<UpAxis> ups;          ///< empty, or one per mesh
     PlacingOptions placing;
-    bool matches = true;        ///< matches the maps of all meshes but the first to that of the first
+    bool matches = true;  ///< matches the maps of all meshes but the first to that of the first
+    std::vector<std::filesystem::path> landmarks;  ///< empty, or one file per mesh
+    std::optional<LandmarkPlacing> landmark_placing;
+    std::string onto;           ///< a family whose landmarks and roots the keys get; empty for none
     bool keep_largest = false;  ///< keeps only the largest of several parts
     bool fill_holes = false;    ///< fills holes of any size
     bool json = false;          ///< prints the report as JSON

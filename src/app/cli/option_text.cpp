@@ -160,6 +160,13 @@ UpAxis parse_up(std::string_view text) {
     expected("X, Y or Z", text);
 }
 
+LandmarkPlacing parse_placing(std::string_view text) {
+    if (text == "similarity") return LandmarkPlacing::similarity;
+    if (text == "rigid") return LandmarkPlacing::rigid;
+    if (text == "keep") return LandmarkPlacing::keep;
+    expected("similarity, rigid or keep", text);
+}
+
 Shading parse_shading(std::string_view text) {
     const std::optional<Shading> shading = shading_named(text);
     if (!shading) expected("smooth or flat", text);

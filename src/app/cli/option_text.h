@@ -55,6 +55,9 @@ AxisTurn parse_axis_turn(std::string_view text);
 /// The axis that points up: "X", "Y" or "Z", in either case.
 UpAxis parse_up(std::string_view text);
 
+/// How landmarks place a mesh: "similarity", "rigid" or "keep".
+LandmarkPlacing parse_placing(std::string_view text);
+
 Shading parse_shading(std::string_view text);
 
 /// A coloring: "plain", "level", "origin", "checker", or the name of a field. "field:NAME" means a field with

@@ -24,7 +24,8 @@ Family along_source(Family family, std::optional<TimeSource> along) {
 }
 
 /// Opens the window. For meshes, the window shows the built-in family and offers to fit the meshes.
-void show(Opening opened, const std::vector<std::filesystem::path>& sources, const ViewOptions& view) {
+/// \param opened  is emptied
+void show(Opening& opened, const std::vector<std::filesystem::path>& sources, const ViewOptions& view) {
     const auto run = [&view](Family family, const std::vector<std::filesystem::path>& from,
                              std::vector<std::filesystem::path> meshes) {
         run_viewer(along_source(std::move(family), view.along), from, std::move(meshes), view.viewer);
@@ -41,7 +42,7 @@ void run_view(const ViewOptions& options) {
     const std::vector<std::filesystem::path> files = files_of(options.family);
     Opening opened = open_files(files);
     try {
-        show(std::move(opened), files, options);
+        show(opened, files, options);
     } catch (const DisplayError& error) {
         const bool has_display =
             std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;

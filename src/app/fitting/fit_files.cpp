@@ -27,6 +27,54 @@ CleanMesh MeshFitter::clean_next(SurfaceFile surface, const Progress& progress) 
                     progress);
 }
 
+/// Sets the landmarks of the next mesh in the options, and places the mesh by them.
+void MeshFitter::aim_landmarks(CleanMesh& clean, FittedMesh& fitted) {
+    if (task_.landmarks.empty()) return;
+    std::vector<Landmark> landmarks = std::move(task_.landmarks[next_]);
+    std::vector<glm::dvec3> positions;
+    positions.reserve(landmarks.size());
+    for (const Landmark& landmark : landmarks) positions.push_back(landmark.position);
+    if (!task_.ups.empty()) turn_up(positions, task_.ups[next_]);
+    for (std::size_t k = 0; k < landmarks.size(); ++k) landmarks[k].position = positions[k] - origin();
+
+    if (task_.targets.empty()) {
+        const auto has_direction = [](const Landmark& landmark) { return landmark.direction.has_value(); };
+        if (!std::ranges::all_of(landmarks, has_direction))
+            for (Landmark& landmark : landmarks) landmark.direction.reset();
+    } else {
+        AimedLandmarks aimed = aim(landmarks, task_.targets);
+        fitted.placement = placement_of(aimed, task_.landmark_placing);
+        fitted.remarks.insert(fitted.remarks.end(), aimed.remarks.begin(), aimed.remarks.end());
+        landmarks = std::move(aimed.landmarks);
+    }
+    if (fitted.placement) {
+        for (SurfaceMesh* part : {&clean.mesh, &clean.dropped})
+            for (glm::dvec3& position : part->positions) position = (*fitted.placement)(position);
+        for (Landmark& landmark : landmarks) landmark.position = (*fitted.placement)(landmark.position);
+    }
+    task_.options.landmarks = std::move(landmarks);
+}
+
+/// Compares the next key with the first one, or makes it the first one.
+void MeshFitter::judge_landmarks(FittedMesh& fitted) {
+    const FitReport& report = fitted.key.report;
+    if (report.landmarks.empty()) return;
+    fitted.landmark_warnings = report.landmark_faults;
+    if (task_.targets.empty()) {
+        task_.targets = targets_of(report.landmarks);
+        task_.first_key = fitted.key.hierarchy;
+        return;
+    }
+    std::vector<glm::dvec3> places;
+    places.reserve(report.landmarks.size());
+    for (const FittedLandmark& each : report.landmarks)
+        places.push_back(std::ranges::find(task_.targets, each.name, &Landmark::name)->position);
+    fitted.distortion = morph_distortion(*task_.first_key, fitted.key.hierarchy, places);
+    const std::string fault =
+        fault_of_distortion(*fitted.distortion, report.landmarks[fitted.distortion->worst].name);
+    if (!fault.empty()) fitted.landmark_warnings.push_back(fault);
+}
+
 FittedMesh MeshFitter::fit_next(const Progress& progress) {
     constexpr double fitting_begins = 0.1;
     constexpr double fitting_ends = 0.97;
@@ -41,6 +89,7 @@ FittedMesh MeshFitter::fit_next(const Progress& progress) {
             return !progress || progress(stage, fitting_begins * part);
         });
         stopwatch.lap("clean-up");
+        aim_landmarks(clean, fitted);
         if (!task_.reference) task_.reference = extent_of(clean.mesh);
         place(clean, *task_.reference, task_.placing);
         fitted.warning = fault_of_placing(*task_.reference, extent_of(clean.mesh));
@@ -52,6 +101,7 @@ FittedMesh MeshFitter::fit_next(const Progress& progress) {
         keep_model(fitted.key, [&](std::string_view stage, double part) {
             return !progress || progress(stage, fitting_ends + (1 - fitting_ends) * part);
         });
+        judge_landmarks(fitted);
     } catch (const InputError& error) {
         // The remarks on reading the file may explain the error.
         std::string text = fmt::format("{}: {}", file.string(), error.what());
@@ -66,7 +116,8 @@ FittedMesh MeshFitter::fit_next(const Progress& progress) {
 }
 
 void MeshFitter::keep_model(FittedKey& key, const Progress& progress) {
-    if (task_.matches && next_ == 0 && task_.meshes.size() > 1)
+    // Landmarks already say which places correspond.
+    if (task_.matches && task_.landmarks.empty() && next_ == 0 && task_.meshes.size() > 1)
         model_ =
             model_of(key.mapped_mesh(), key.points, task_.options.rotation, task_.options.matching, progress);
     key.fine_mesh = {};

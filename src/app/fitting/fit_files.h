@@ -17,6 +17,8 @@
 #include "app/document/fit_comparison.h"
 #include "fit/correspondence/match.h"
 #include "fit/fit.h"
+#include "fit/landmarks/landmark_report.h"
+#include "fit/landmarks/landmark_targets.h"
 #include "fit/placement.h"
 #include "io/mesh/surface_file.h"
 
@@ -31,6 +33,15 @@ struct FitTask {
     PlacingOptions placing;
     bool matches = false;  ///< matches the maps of all meshes but the first to that of the first
 
+    /// Per mesh, its landmarks as in its file; empty for a fit without. The landmarks of the first mesh are the
+    /// targets of all others (fit/landmarks/landmark_targets.h), unless there are targets already.
+    std::vector<std::vector<Landmark>> landmarks{};
+    std::optional<LandmarkPlacing> landmark_placing{};
+
+    /// The targets of an existing family, with directions, and its first key; both or none.
+    std::vector<Landmark> targets{};
+    std::optional<Hierarchy> first_key{};
+
     /// The origin and the extent of existing keys that the new keys must match; by default those of the first
     /// mesh.
     std::optional<glm::dvec3> origin{};
@@ -41,6 +52,9 @@ struct FittedMesh {
     FittedKey key;
     std::vector<std::string> remarks;  ///< sentences about how the file was read
     std::string warning;               ///< on size and place relative to the first mesh; "" for none
+    std::vector<std::string> landmark_warnings{};  ///< sentences about landmarks that are probably wrong
+    std::optional<Similarity> placement{};         ///< by landmarks; the key is in the new place
+    std::optional<MorphDistortion> distortion{};   ///< against the first key, with landmarks
 };
 
 /// Reads, cleans up, places and fits the meshes of a task, one after the other.
@@ -60,6 +74,8 @@ class MeshFitter {
     /// Keeps the first body as the model of the others, if they are to be matched.
     void keep_model(FittedKey& key, const Progress& progress);
     CleanMesh clean_next(SurfaceFile surface, const Progress& progress);
+    void aim_landmarks(CleanMesh& clean, FittedMesh& fitted);
+    void judge_landmarks(FittedMesh& fitted);
 
     FitTask task_;
     std::size_t next_ = 0;

@@ -1,6 +1,8 @@
 #include "fit/mesh/space_triangle.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -64,6 +66,35 @@ double squared_distance_to_triangle(const glm::dvec3& point, const TriangleCorne
     }
     return std::min({squared_distance_to_segment(a, b - a), squared_distance_to_segment(b, c - b),
                      squared_distance_to_segment(c, a - c)});
+}
+
+glm::dvec3 nearest_place(const glm::dvec3& point, const TriangleCorners& corners) {
+    const glm::dvec3 a = corners[0] - point;
+    const glm::dvec3 b = corners[1] - point;
+    const glm::dvec3 c = corners[2] - point;
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const glm::dvec3 inside(glm::dot(glm::cross(b, c), normal), glm::dot(glm::cross(c, a), normal),
+                            glm::dot(glm::cross(a, b), normal));
+    const double sum = inside.x + inside.y + inside.z;
+    if (sum > 0 && inside.x >= 0 && inside.y >= 0 && inside.z >= 0) return inside / sum;
+
+    glm::dvec3 nearest(1, 0, 0);
+    double least = std::numeric_limits<double>::infinity();
+    for (int side = 0; side < 3; ++side) {
+        const int from = (side + 1) % 3;
+        const int to = (side + 2) % 3;
+        const glm::dvec3 edge = corners[std::size_t(to)] - corners[std::size_t(from)];
+        const glm::dvec3 start = corners[std::size_t(from)] - point;
+        const double squared = glm::dot(edge, edge);
+        const double part = squared > 0 ? glm::clamp(-glm::dot(start, edge) / squared, 0.0, 1.0) : 0;
+        const glm::dvec3 offset = start + part * edge;
+        if (glm::dot(offset, offset) >= least) continue;
+        least = glm::dot(offset, offset);
+        nearest = glm::dvec3(0);
+        nearest[from] = 1 - part;
+        nearest[to] = part;
+    }
+    return nearest;
 }
 
 }  // namespace interleaf

@@ -56,4 +56,8 @@ constexpr auto barycentric_grid() {
 /// degenerate (Ericson, Real-Time Collision Detection, 2005, section 5.1.5: the regions of its plane).
 double squared_distance_to_triangle(const glm::dvec3& point, const TriangleCorners& corners);
 
+/// The barycentric coordinates of the place on that triangle that is nearest to \p point: not negative, sum 1
+/// up to rounding.
+glm::dvec3 nearest_place(const glm::dvec3& point, const TriangleCorners& corners);
+
 }  // namespace interleaf

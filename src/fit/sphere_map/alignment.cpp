@@ -2,8 +2,9 @@
 
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <glm/geometric.hpp>
+
+#include "fit/sphere_map/rotation_fit.h"
 
 namespace interleaf {
 namespace {
@@ -35,24 +36,7 @@ std::vector<glm::dvec3> weighted_directions(const SurfaceMesh& mesh) {
 }  // namespace
 
 glm::dmat3 rotation_to_surface(const SurfaceMesh& mesh, std::span<const glm::dvec3> points) {
-    const std::vector<glm::dvec3> directions = weighted_directions(mesh);
-    Eigen::Matrix3d s = Eigen::Matrix3d::Zero();  // s(i, j) is the sum of u_i d_j
-    for (std::size_t v = 0; v < points.size(); ++v)
-        s += Eigen::Vector3d(points[v].x, points[v].y, points[v].z) *
-             Eigen::RowVector3d(directions[v].x, directions[v].y, directions[v].z);
-
-    // The best rotation, as a quaternion (w, x, y, z), is the eigenvector of the largest eigenvalue.
-    Eigen::Matrix4d n;
-    n << s(0, 0) + s(1, 1) + s(2, 2), s(1, 2) - s(2, 1), s(2, 0) - s(0, 2), s(0, 1) - s(1, 0),
-        s(1, 2) - s(2, 1), s(0, 0) - s(1, 1) - s(2, 2), s(0, 1) + s(1, 0), s(2, 0) + s(0, 2),
-        s(2, 0) - s(0, 2), s(0, 1) + s(1, 0), s(1, 1) - s(0, 0) - s(2, 2), s(1, 2) + s(2, 1),
-        s(0, 1) - s(1, 0), s(2, 0) + s(0, 2), s(1, 2) + s(2, 1), s(2, 2) - s(0, 0) - s(1, 1);
-    const Eigen::Vector4d best = Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(n).eigenvectors().col(3);
-    const Eigen::Matrix3d r = Eigen::Quaterniond(best(0), best(1), best(2), best(3)).normalized().matrix();
-    glm::dmat3 rotation;
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row) rotation[column][row] = r(row, column);
-    return rotation;
+    return fit_rotation(points, weighted_directions(mesh)).rotation;
 }
 
 double mean_cosine(const SurfaceMesh& mesh, std::span<const glm::dvec3> points) {

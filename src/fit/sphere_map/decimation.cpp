@@ -31,9 +31,10 @@ struct Collapse {
 
 class Decimation {
   public:
-    Decimation(HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions)
+    Decimation(HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions, std::span<const char> kept)
         : mesh_(mesh),
           positions_(positions),
+          kept_(kept),
           stamp_(mesh.vertex_capacity()),
           place_in_ring_(mesh.vertex_capacity(), no_index) {}
 
@@ -60,19 +61,23 @@ class Decimation {
 
   private:
     struct Entry {
+        bool is_kept;
         double cost;
         Index vertex;
         Index stamp;
         Index half_edge;
         bool operator<(const Entry& other) const {
-            return std::tie(other.cost, other.vertex, other.stamp) < std::tie(cost, vertex, stamp);
+            return std::tie(other.is_kept, other.cost, other.vertex, other.stamp) <
+                   std::tie(is_kept, cost, vertex, stamp);
         }
     };
 
     void push(Index vertex) {
         const Collapse best = cheapest(vertex);
         ++stamp_[vertex];
-        if (best.half_edge != no_index) queue_.push({best.cost, vertex, stamp_[vertex], best.half_edge});
+        if (best.half_edge == no_index) return;
+        queue_.push(
+            {!kept_.empty() && kept_[vertex] != 0, best.cost, vertex, stamp_[vertex], best.half_edge});
     }
 
     /// The half-edge to collapse next; none if the cheapest entry is out of date.
@@ -188,6 +193,7 @@ class Decimation {
 
     HalfEdgeMesh& mesh_;
     std::span<const glm::dvec3> positions_;
+    std::span<const char> kept_;
     std::priority_queue<Entry> queue_;
     Index max_degree_ = 16;  // vertices of larger degree wait; a fan would take quadratic time
     std::vector<Index> stamp_;
@@ -200,9 +206,9 @@ class Decimation {
 }  // namespace
 
 std::vector<Index> decimate(HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions, ProgressMeter& meter,
-                            double last_part) {
+                            double last_part, std::span<const char> kept) {
     assert(mesh.vertex_capacity() >= 4);
-    return Decimation(mesh, positions).run(meter, last_part);
+    return Decimation(mesh, positions, kept).run(meter, last_part);
 }
 
 }  // namespace interleaf

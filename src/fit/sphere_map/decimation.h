@@ -19,9 +19,10 @@ namespace interleaf {
 
 /// Collapses \p mesh to four vertices. Counts one step of \p meter per vertex, up to the fraction
 /// \p last_part of the whole.
+/// \param kept  per vertex, not 0 for vertices that go only when no other vertex can; empty for none
 /// \return the collapsed half-edges, in order
 /// \pre    \p mesh is a simplicial complex and a sphere; no coordinate in \p positions is beyond about 1e30
 std::vector<Index> decimate(HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions, ProgressMeter& meter,
-                            double last_part);
+                            double last_part, std::span<const char> kept = {});
 
 }  // namespace interleaf

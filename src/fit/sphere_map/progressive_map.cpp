@@ -1,145 +1,22 @@
 #include "fit/sphere_map/progressive_map.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <numbers>
 #include <utility>
 
-#include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include "fit/sphere_map/decimation.h"
-#include "fit/sphere_map/relaxation.h"
+#include "fit/sphere_map/progressive_mapping.h"
 
 namespace interleaf {
-namespace {
-
-/// The fraction of the whole time that the collapses take.
-constexpr double collapse_part = 0.1;
-
-class ProgressiveMapping {
-  public:
-    ProgressiveMapping(HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
-                       const ProgressiveOptions& options, ProgressMeter& meter)
-        : mesh_(mesh),
-          positions_(positions),
-          options_(options),
-          meter_(meter),
-          vertex_area_(solid_angles_wanted(mesh, positions)),
-          points_(mesh.vertex_capacity()),
-          relaxation_(mesh, positions, vertex_area_, points_, options.keeps) {}
-
-    ProgressiveMap run() {
-        meter_.enter("collapsing edges", 0);
-        collapses_ = decimate(mesh_, positions_, meter_, collapse_part);
-        gather_areas();
-        meter_.enter("mapping to the sphere", collapse_part);
-        place_tetrahedron();
-        const std::size_t count = mesh_.vertex_capacity();
-        std::size_t relaxed = 0;  // number of vertices at the last relaxation
-        for (restored_ = 4; restored_ < count;) {
-            if (double(restored_) >= options_.growth * double(relaxed)) {
-                relax_all();
-                relaxed = restored_;
-            }
-            if (restore_next()) continue;
-            // Vertices added since the last relaxation may crowd the neighborhood.
-            if (relaxed == restored_) return failure();
-            relax_all();
-            relaxed = restored_;
-        }
-        relax_all();
-        return {std::move(points_), {}};
-    }
-
-  private:
-    /// A removed vertex leaves its area to the vertex onto which it moved, so that the sphere has room for a
-    /// limb before the limb's vertices return.
-    void gather_areas() {
-        for (const Index half_edge : collapses_) {
-            double& kept = vertex_area_[mesh_.origin(mesh_.twin(half_edge))];
-            other_area_.push_back(kept);
-            kept += vertex_area_[mesh_.origin(half_edge)];
-        }
-    }
-
-    /// Puts the four remaining vertices at the corners of a regular tetrahedron.
-    void place_tetrahedron() {
-        const double height = 1 / std::sqrt(3.0);
-        const std::array<glm::dvec3, 4> corners = {
-            glm::dvec3(1, 1, 1) * height, glm::dvec3(-1, -1, 1) * height, glm::dvec3(1, -1, -1) * height,
-            glm::dvec3(-1, 1, -1) * height};
-        Index triangle = 0;
-        while (!mesh_.has_triangle(triangle)) ++triangle;
-        // Seen from corner 3, corners 0, 1, 2 run clockwise; so they run counter-clockwise from outside.
-        for (Index k = 0; k < 3; ++k) points_[mesh_.origin(3 * triangle + k)] = corners[k];
-        points_[mesh_.origin(HalfEdgeMesh::previous(mesh_.twin(3 * triangle)))] = corners[3];
-    }
-
-    /// Restores the last collapsed vertex, or changes nothing if there is no room for the vertex.
-    bool restore_next() {
-        const Index half_edge = collapses_.back();
-        const Index vertex = mesh_.origin(half_edge);
-        const Index kept = mesh_.origin(mesh_.twin(half_edge));
-        std::swap(vertex_area_[kept], other_area_.back());
-        mesh_.undo_collapse(half_edge);
-        relaxation_.update_shapes_at(vertex, blend_);
-        // The vertex onto which it had moved is in the closure of the kernel, because all triangles in the
-        // place of the star belonged to that vertex.
-        if (!relaxation_.put_into_kernel(vertex, points_[kept])) {
-            mesh_.collapse(half_edge);
-            std::swap(vertex_area_[kept], other_area_.back());
-            relaxation_.update_shapes_at(kept, blend_);
-            return false;
-        }
-        relaxation_.relax_star(vertex);
-        if (options_.crowded > 0 && relaxation_.min_share(vertex) < options_.crowded)
-            relaxation_.relax_around(vertex, options_.moves_where_crowded, meter_);
-        collapses_.pop_back();
-        other_area_.pop_back();
-        ++restored_;
-        meter_.set_part(collapse_part +
-                        (0.9 - collapse_part) * double(restored_) / double(mesh_.vertex_capacity()));
-        meter_.step(100);
-        return true;
-    }
-
-    ProgressiveMap failure() {
-        const Index vertex = mesh_.origin(collapses_.back());
-        for (; !collapses_.empty(); collapses_.pop_back()) mesh_.undo_collapse(collapses_.back());
-        return {{},
-                fmt::format("no room on the sphere for vertex {}, after {} of {}", vertex, restored_,
-                            mesh_.vertex_capacity())};
-    }
-
-    /// Coarse meshes only resemble the surface, so their shapes count less.
-    void relax_all() {
-        constexpr double coarse_blend = 10;
-        constexpr double max_blend = 0.5;
-        blend_ = std::min(max_blend, options_.blend + coarse_blend / double(restored_));
-        relaxation_.update_shapes(blend_);
-        relaxation_.sweep(options_.sweeps, meter_);
-    }
-
-    HalfEdgeMesh& mesh_;
-    std::span<const glm::dvec3> positions_;
-    ProgressiveOptions options_;
-    ProgressMeter& meter_;
-    std::vector<double> vertex_area_;
-    std::vector<glm::dvec3> points_;
-    Relaxation relaxation_;
-    std::vector<Index> collapses_;
-    std::vector<double> other_area_;  // of the kept vertex, without the removed one's; a collapse
-    std::size_t restored_ = 0;        // vertices that are on the sphere
-    double blend_ = 0;
-};
-
-}  // namespace
 
 ProgressiveMap map_progressively(HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
                                  const ProgressiveOptions& options, ProgressMeter& meter) {
-    return ProgressiveMapping(mesh, positions, options, meter).run();
+    ProgressiveMapping mapping(mesh, positions, options, meter);
+    mapping.collapse();
+    if (mapping.raise(mesh.vertex_capacity())) return {std::move(mapping.points()), {}};
+    std::string failure = mapping.failure();
+    mapping.restore_mesh();
+    return {{}, std::move(failure)};
 }
 
 std::vector<double> solid_angles_wanted(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions) {

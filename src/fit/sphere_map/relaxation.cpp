@@ -27,6 +27,7 @@ Relaxation::Relaxation(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> pos
       cotangent_(3 * std::size_t(mesh.triangle_capacity())),
       area_(mesh.triangle_capacity()),
       is_active_(mesh.vertex_capacity()),
+      is_pinned_(mesh.vertex_capacity()),
       star_(glm::dvec3(0, 0, 1), keeps) {}
 
 void Relaxation::update_shape(Index triangle, double blend) {
@@ -68,6 +69,7 @@ void Relaxation::gather(Index vertex, const glm::dvec3& center) {
 }
 
 double Relaxation::relax(Index vertex) {
+    if (is_pinned_[vertex]) return 0;
     gather(vertex, points_[vertex]);
     const NewtonStep step = star_.newton_step();
     if (step.gain > 0) points_[vertex] = star_.frame().point_at(step.place);
@@ -158,7 +160,7 @@ bool Relaxation::untangle(int sweeps, ProgressMeter& meter) {
             gather(vertex, points_[vertex]);
             if (star_.has_center_in_kernel()) continue;
             is_sound = false;
-            put_into_kernel(vertex, points_[vertex]);
+            if (!is_pinned_[vertex]) put_into_kernel(vertex, points_[vertex]);
         }
         if (is_sound) return true;
     }

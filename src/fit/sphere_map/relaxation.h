@@ -22,6 +22,9 @@ class Relaxation {
     Relaxation(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions,
                std::span<const double> vertex_area, std::span<glm::dvec3> points, Keeps keeps = Keeps::areas);
 
+    /// From now on, \p vertex stays where it is: only put_into_kernel() moves it.
+    void pin(Index vertex) { is_pinned_[vertex] = 1; }
+
     /// Computes the rest shapes of all triangles anew, blended towards equilateral so that needles and
     /// triangles without area do not demand the impossible.
     /// \param blend  0 to 1
@@ -29,7 +32,7 @@ class Relaxation {
     /// The same for the triangles at \p vertex.
     void update_shapes_at(Index vertex, double blend);
 
-    /// Moves \p vertex by one Newton step.
+    /// Moves \p vertex by one Newton step, unless it is pinned.
     /// \return the relative decrease of the energy of its star
     double relax(Index vertex);
 
@@ -53,7 +56,7 @@ class Relaxation {
     void sweep(int sweeps, ProgressMeter& meter);
 
     /// Moves vertices that lie outside the kernels of their stars into these kernels, in at most \p sweeps
-    /// sweeps. Counts one step of \p meter per vertex and sweep.
+    /// sweeps. Pinned vertices stay; their neighbors have to make room. Counts one step of \p meter per vertex and sweep.
     /// \return whether no such vertex is left
     bool untangle(int sweeps, ProgressMeter& meter);
 
@@ -69,6 +72,7 @@ class Relaxation {
     std::vector<double> cotangent_;  // per half-edge, of the rest angle opposite it
     std::vector<double> area_;       // per triangle, as a part of 4 pi
     std::vector<char> is_active_;
+    std::vector<char> is_pinned_;
     std::vector<Index> waiting_;  // active vertices, in the order in which they are moved
     SphericalStar star_;
 };

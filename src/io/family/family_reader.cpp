@@ -18,6 +18,7 @@
 #include "io/file/file_pattern.h"
 #include "io/file/input_file.h"
 #include "io/hierarchy/hierarchy_file.h"
+#include "io/landmarks/landmark_file.h"
 #include "io/text/joined_text.h"
 #include "io/text/json_place.h"
 
@@ -238,6 +239,21 @@ DomainPath path_at(const JsonPlace& place) {
     }
 }
 
+std::vector<LandmarkDirection> family_landmarks_at(const JsonPlace& place) {
+    if (place.size() > max_landmarks)
+        place.fail(fmt::format("has {} landmarks, expected at most {}", place.size(), max_landmarks));
+    std::vector<LandmarkDirection> landmarks;
+    landmarks.reserve(place.size());
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        const JsonPlace name = place.element(i).member("name");
+        LandmarkDirection landmark{key_name_at(name), direction_at(place.element(i).member("direction"))};
+        if (std::ranges::find(landmarks, landmark.name, &LandmarkDirection::name) != landmarks.end())
+            name.fail_expecting("a name that no other landmark has");
+        landmarks.push_back(std::move(landmark));
+    }
+    return landmarks;
+}
+
 /// Reads the members `path` and `path_drives` of the domain at \p place into \p family.
 void read_path(const JsonPlace& place, Family& family) {
     if (const auto path = place.optional_member("path")) family.path = path_at(*path);
@@ -281,6 +297,9 @@ Family read_family_json(const fs::path& file, std::vector<std::string>* changes)
     if (const auto violations = check(family); !violations.empty()) keys.fail(joined(violations, "; "));
 
     read_composition(root, family);
+    if (const auto landmarks = root.optional_member("landmarks");
+        landmarks && root.member("version").number() > 1)
+        family.landmarks = family_landmarks_at(*landmarks);
     return family;
 }
 

@@ -118,7 +118,7 @@ std::string interpolation_text(const Interpolation& interpolation) {
 
 /// Whether readers of version 1 would not understand \p family, or would lose a part of it.
 bool needs_version_2(const Family& family) {
-    return family.origin != glm::dvec3(0) || family.path ||
+    return family.origin != glm::dvec3(0) || family.path || !family.landmarks.empty() ||
            (family.timeline && family.timeline->interpolation().basis != Basis::linear);
 }
 
@@ -154,6 +154,14 @@ std::string domain_text(const ParameterDomain& domain, const Family& family) {
     return fmt::format("  \"domain\": {{\n{}\n  }}", joined(members, ",\n"));
 }
 
+std::vector<ordered_json> directions_json(const Family& family) {
+    std::vector<ordered_json> landmarks;
+    landmarks.reserve(family.landmarks.size());
+    for (const auto& [name, direction] : family.landmarks)
+        landmarks.push_back({{"name", name}, {"direction", {direction.x, direction.y, direction.z}}});
+    return landmarks;
+}
+
 /// The members of family.json from `version` on that do not concern files.
 /// \param keys  the member `keys`
 std::vector<std::string> composition_members(const Family& family, std::string_view keys) {
@@ -178,8 +186,9 @@ std::string family_text(const Family& family, const std::vector<KeyFile>& files)
     keys.reserve(family.keys.size());
     for (std::size_t i = 0; i < family.keys.size(); ++i)
         keys.push_back({{"name", family.keys[i].name}, {"file", files[i].mark.name}});
-    return fmt::format("{{\n  \"format\": \"{}\",\n{}\n}}\n", family_format::name,
-                       joined(composition_members(family, array_text("  ", "keys", keys)), ",\n"));
+    std::vector<std::string> members = composition_members(family, array_text("  ", "keys", keys));
+    if (!family.landmarks.empty()) members.push_back(array_text("  ", "landmarks", directions_json(family)));
+    return fmt::format("{{\n  \"format\": \"{}\",\n{}\n}}\n", family_format::name, joined(members, ",\n"));
 }
 
 /// \pre no other process saves into \p folder

@@ -6,6 +6,8 @@
 #include "scratch_folder.h"
 #include "thrown_errors.h"
 #include <doctest/doctest.h>
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
 
 #include "io/hierarchy/hierarchy_file.h"
 #include "io/mesh/mesh_file.h"
@@ -202,6 +204,36 @@ TEST_CASE("an origin is read from version 2 on, and no version 2 is written for 
     const KeyFolder keys;
     CHECK(keys.family(with_origin("[1, -2.5, 3e6]")).origin == glm::dvec3(1, -2.5, 3e6));
     CHECK(keys.family(with_members(R"("origin": [1, 2, 3])")).origin == glm::dvec3(0));
+}
+
+TEST_CASE("landmarks are written and read to the last bit, from version 2 on, and faults are named") {
+    std::mt19937 random(1);
+    const ScratchFolder folder;
+    Family family = sample_family(random);
+    family.landmarks = {{"nose", glm::normalize(glm::dvec3(1, 2, 3))}, {"tail é", {0, 0, -1}}};
+    write_family(family, folder / "f");
+    CHECK(contains(content(folder / "f/family.json"), "\"version\": 2,"));
+    CHECK(read_family(folder / "f").landmarks == family.landmarks);
+
+    const KeyFolder keys;
+    const auto with_landmarks = [](int version, std::string_view landmarks) {
+        std::string text = with_members(fmt::format(R"("landmarks": [{}])", landmarks));
+        return text.replace(text.find("\"version\": 1"), 12, fmt::format("\"version\": {}", version));
+    };
+    const std::string nose = R"({"name": "nose", "direction": [0, 1, 0]})";
+    CHECK(keys.family(with_landmarks(2, nose)).landmarks.size() == 1);
+    CHECK(keys.family(with_landmarks(1, nose)).landmarks.empty());
+    const auto fault = [&](const std::string& landmarks) {
+        return input_error_of([&] { keys.family(with_landmarks(2, landmarks)); });
+    };
+    CHECK(contains(fault(nose + "," + nose), "landmarks[1].name: is \"nose\""));
+    CHECK(contains(fault(R"({"name": "", "direction": [0, 1, 0]})"), "landmarks[0].name: is \"\""));
+    CHECK(contains(fault(R"({"name": "a", "direction": [0, 1, 1]})"), "landmarks[0].direction: "));
+
+    family.landmarks.push_back({"nose", {1, 1, 0}});
+    const std::string refused = input_error_of([&] { write_family(family, folder / "g"); });
+    CHECK(contains(refused, "two landmarks are called \"nose\""));
+    CHECK(contains(refused, "landmark 2 is not a unit vector"));
 }
 
 TEST_CASE("key files have the names of their keys, and nothing is written outside the folder") {

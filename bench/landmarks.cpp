@@ -1,0 +1,207 @@
+// How well landmarks make bodies correspond. Takes a folder of closed meshes, NAME.off, each with a file
+// NAME.vts that has one landmark per line; the first column is a vertex. Lines with one number are landmarks of
+// one name. Fits each mesh with some of the landmarks onto each of the first few, and measures where the others
+// arrive. Prints one line of JSON per pair, and one of all pairs.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "json_line.h"
+#include "text/parsed_number.h"
+
+#include "fit/fit.h"
+#include "fit/landmarks/landmark_insertion.h"
+#include "fit/landmarks/pinned_map.h"
+#include "fit/landmarks/surface_graph.h"
+#include "fit/mesh/surface_distance.h"
+#include "fit/placement.h"
+#include "hierarchy/error.h"
+#include "io/mesh/surface_file.h"
+
+namespace {
+
+using namespace interleaf;
+
+/// The lines whose landmarks are given to the fit: nose, the tips of the ears or horns, feet, and so on.
+constexpr std::array<std::size_t, 8> given_lines = {0, 5, 7, 9, 11, 13, 15, 16};
+
+struct Body {
+    std::string name;
+    CleanMesh clean;
+    std::vector<Landmark> landmarks;  ///< one per line
+};
+
+Body read_body(const std::filesystem::path& mesh) {
+    Body body{.name = mesh.stem().string(), .clean = {}, .landmarks = {}};
+    SurfaceFile surface = read_surface(mesh, parse_off);
+    std::ifstream file(std::filesystem::path(mesh).replace_extension(".vts"));
+    for (std::string line; std::getline(file, line);) {
+        std::size_t vertex = surface.positions.size();
+        std::istringstream(line) >> vertex;
+        if (vertex >= surface.positions.size()) throw InputError(body.name + ".vts: expected vertices");
+        body.landmarks.push_back({std::to_string(body.landmarks.size()), surface.positions[vertex]});
+    }
+    body.clean = clean_up({std::move(surface.positions), std::move(surface.triangles), {}}, {});
+    return body;
+}
+
+bool is_given(std::size_t line) {
+    return std::ranges::find(given_lines, line) != given_lines.end();
+}
+
+/// Processor seconds that \p work takes.
+template <typename Work>
+double processor_seconds_of(Work&& work) {
+    const std::clock_t start = std::clock();
+    work();
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+/// The distance of \p place from \p vertex along the surface, for a place on it.
+double distance_along(const SurfaceMesh& mesh, const SurfaceGraph& graph, Index vertex,
+                      const glm::dvec3& place) {
+    const std::vector<double> distances = graph.distances_from(vertex);
+    Index nearest = no_index;
+    SurfaceDistance(mesh.triangles, mesh.positions)(place, nearest);
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index corner : mesh.triangles[nearest])
+        least = std::min(least, distances[corner] + glm::distance(place, mesh.positions[corner]));
+    return least;
+}
+
+struct Totals {
+    int pairs = 0;
+    int failed = 0;
+    int inexact = 0;  ///< maps that do not bring a landmark to its target to the last bit
+    int warned = 0;
+    double held_out = 0;
+    double off_in_key = 0;
+    double most_off_in_key = 0;
+    double map_seconds = 0;
+    double fit_seconds = 0;
+    double largest_hausdorff = 0;
+    std::size_t most_flipped = 0;
+};
+
+/// Fits \p body so that its given landmarks are at the directions in \p first.
+void measure_pair(const Body& body, const std::string& first_name, const FittedKey& first, Totals& totals) {
+    std::vector<Landmark> given;
+    std::vector<glm::dvec3> first_places;
+    for (std::size_t line = 0; line < body.landmarks.size(); ++line)
+        if (is_given(line)) {
+            given.push_back(body.landmarks[line]);
+            given.back().direction = first.report.landmarks[line].direction;
+            first_places.push_back(first.report.landmarks[line].position);
+        }
+    ++totals.pairs;
+    try {
+        const MeshWithLandmarks inserted = insert_landmarks(body.clean.mesh, given);
+        LandmarkPins pins;
+        pins.vertices = inserted.vertices;
+        for (const Landmark& landmark : given) {
+            pins.names.push_back(landmark.name);
+            pins.directions.push_back(*landmark.direction);
+        }
+        PinnedMap map;
+        totals.map_seconds += processor_seconds_of([&] { map = map_to_pins(inserted.mesh, pins, {}, {}); });
+        for (std::size_t k = 0; k < given.size(); ++k)
+            totals.inexact += map.points[pins.vertices[k]] != pins.directions[k];
+
+        FittedKey key;
+        const double seconds =
+            processor_seconds_of([&] { key = fit(CleanMesh(body.clean), {.landmarks = given}); });
+        totals.fit_seconds += seconds;
+
+        const SphereRoots roots = FitOptions().roots;
+        const double unit = extent_of(body.clean.mesh).size;
+        const SurfaceGraph graph(body.clean.mesh);
+        double held_out = 0;
+        for (std::size_t line = 0; line < body.landmarks.size(); ++line) {
+            if (is_given(line)) continue;
+            const std::vector<glm::dvec3>& positions = body.clean.mesh.positions;
+            const auto vertex = static_cast<Index>(
+                std::ranges::find(positions, body.landmarks[line].position) - positions.begin());
+            const glm::dvec3 place =
+                point_in_direction(key.hierarchy, roots, first.report.landmarks[line].direction);
+            held_out += distance_along(body.clean.mesh, graph, vertex, place) / unit;
+        }
+        held_out /= double(body.landmarks.size() - given.size());
+        double off = 0;
+        double most_off = 0;
+        for (const FittedLandmark& landmark : key.report.landmarks) {
+            off += landmark.off_in_key / double(given.size());
+            most_off = std::max(most_off, landmark.off_in_key);
+        }
+        const MorphDistortion distortion = morph_distortion(first.hierarchy, key.hierarchy, first_places);
+        totals.held_out += held_out;
+        totals.off_in_key += off;
+        totals.most_off_in_key = std::max(totals.most_off_in_key, most_off);
+        totals.largest_hausdorff = std::max(totals.largest_hausdorff, key.report.quality.hausdorff);
+        totals.most_flipped = std::max(totals.most_flipped, key.report.quality.flipped_leaves);
+        totals.warned += !key.report.landmark_faults.empty() || distortion.at_90_percent > 3;
+        bench::print_line({{"first", first_name},
+                           {"other", body.name},
+                           {"agreement", map.agreement.mean_cosine},
+                           {"mirrored", map.agreement.mirrored_cosine},
+                           {"distortion_at_90_percent", distortion.at_90_percent},
+                           {"held_out", held_out},
+                           {"off_in_key", off},
+                           {"most_off_in_key", most_off},
+                           {"hausdorff", key.report.quality.hausdorff},
+                           {"flipped_leaves", key.report.quality.flipped_leaves},
+                           {"fit_seconds", seconds}});
+    } catch (const InputError& error) {
+        ++totals.failed;
+        bench::print_line({{"first", first_name}, {"other", body.name}, {"error", error.what()}});
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto firsts = argc == 3 ? parsed_number<std::size_t>(argv[2]).value_or(0) : 0;
+    if (firsts == 0) {
+        std::fprintf(stderr, "usage: %s FOLDER FIRSTS (each of the first FIRSTS meshes to all others)\n",
+                     argv[0]);
+        return 2;
+    }
+    try {
+        std::vector<std::filesystem::path> files;
+        for (const auto& entry : std::filesystem::directory_iterator(argv[1]))
+            if (entry.path().extension() == ".off") files.push_back(entry.path());
+        std::ranges::sort(files);
+        std::vector<Body> bodies;
+        bodies.reserve(files.size());
+        for (const std::filesystem::path& file : files) bodies.push_back(read_body(file));
+
+        Totals totals;
+        for (std::size_t first = 0; first < std::min(firsts, bodies.size()); ++first) {
+            const FittedKey key = fit(CleanMesh(bodies[first].clean), {.landmarks = bodies[first].landmarks});
+            for (const Body& body : bodies)
+                if (body.name != bodies[first].name) measure_pair(body, bodies[first].name, key, totals);
+        }
+        const double fitted = std::max(1, totals.pairs - totals.failed);
+        bench::print_line({{"pairs", totals.pairs},
+                           {"failed", totals.failed},
+                           {"inexact_landmarks", totals.inexact},
+                           {"warned", totals.warned},
+                           {"held_out", totals.held_out / fitted},
+                           {"off_in_key", totals.off_in_key / fitted},
+                           {"most_off_in_key", totals.most_off_in_key},
+                           {"largest_hausdorff", totals.largest_hausdorff},
+                           {"most_flipped_leaves", totals.most_flipped},
+                           {"map_seconds", totals.map_seconds / fitted},
+                           {"fit_seconds", totals.fit_seconds / fitted}});
+    } catch (const InputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+    return 0;
+}

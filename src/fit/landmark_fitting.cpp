@@ -1,0 +1,77 @@
+#include "fit/landmark_fitting.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "text/shown_text.h"
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include "fit/landmarks/landmark_insertion.h"
+#include "fit/mesh/space_triangle.h"
+#include "hierarchy/error.h"
+
+namespace interleaf {
+
+void check_directions(std::span<const Landmark> landmarks) {
+    for (const Landmark& landmark : landmarks)
+        if (landmark.direction.has_value() != landmarks.front().direction.has_value())
+            throw UsageError("some landmarks have a direction and some have none, expected all or none");
+}
+
+std::optional<PinnedMesh> pinned_mesh(const SurfaceMesh& mesh, std::span<const Landmark> landmarks) {
+    if (landmarks.empty()) return {};
+    MeshWithLandmarks inserted = insert_landmarks(mesh, landmarks);
+    if (!landmarks.front().direction) return {};
+    PinnedMesh pinned{std::move(inserted.mesh),
+                      {.names = {}, .vertices = inserted.vertices, .directions = {}}};
+    for (const Landmark& landmark : landmarks) {
+        const auto same = std::ranges::find(pinned.pins.directions, *landmark.direction);
+        if (same != pinned.pins.directions.end())
+            throw InputError(
+                fmt::format("the landmarks '{}' and '{}' have the same direction, expected different ones",
+                            shown_text(pinned.pins.names[std::size_t(same - pinned.pins.directions.begin())]),
+                            shown_text(landmark.name)));
+        pinned.pins.names.push_back(landmark.name);
+        pinned.pins.directions.push_back(*landmark.direction);
+    }
+    return pinned;
+}
+
+std::vector<FittedLandmark> fitted_landmarks(std::span<const Landmark> landmarks, const AlignedMap& map,
+                                             const KeyOverRoots& key) {
+    const double diagonal = box_diagonal(map.original);
+    std::vector<FittedLandmark> fitted;
+    fitted.reserve(landmarks.size());
+    for (const Landmark& landmark : landmarks) {
+        FittedLandmark each{.name = landmark.name};
+        MeshPoint point;
+        each.from_mesh = map.mapped.distance(landmark.position, point.triangle) / diagonal;
+        const auto& [a, b, c] = map.mesh().triangles[point.triangle];
+        const std::span<const glm::dvec3> positions = map.mesh().positions;
+        point.barycentric = nearest_place(landmark.position, {positions[a], positions[b], positions[c]});
+        each.position = map.mapped.position(point);
+        each.direction = landmark.direction.value_or(
+            glm::normalize(point.of(std::span(map.mesh().triangles), map.mapped.points)));
+        each.off_in_key =
+            glm::distance(each.position, point_in_direction(key.hierarchy, key.roots, each.direction)) /
+            diagonal;
+        fitted.push_back(std::move(each));
+    }
+    return fitted;
+}
+
+std::vector<std::string> faults_of_places(std::span<const FittedLandmark> landmarks) {
+    constexpr double far = 0.01;
+    std::vector<std::string> faults;
+    for (const FittedLandmark& landmark : landmarks)
+        if (landmark.from_mesh > far)
+            faults.push_back(
+                fmt::format("the landmark '{}' is {:.3g} % of the box diagonal away from the mesh, and moves "
+                            "to its nearest point",
+                            shown_text(landmark.name), 100 * landmark.from_mesh));
+    return faults;
+}
+
+}  // namespace interleaf
