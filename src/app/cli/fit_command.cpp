@@ -225,6 +225,7 @@ Json json_of(const std::filesystem::path& file, const FittedMesh& mesh) {
         {"area", {{"dropped", report.clean_up.dropped_area}, {"made", report.clean_up.made_area}}},
         {"map", {{"method", name_of(report.map_method)}, {"keeps", name_of(report.map_keeps)}}},
         {"mean_cosine", report.mean_cosine},
+        {"match", json_of(report.match)},
         {"key", {{"leaves", key.hierarchy.leaf_count()}, {"vertices", key.hierarchy.vertex_count()}}},
         {"quality", json_of(report.quality)},
         {"hausdorff_as_brought", report.hausdorff_as_brought},

@@ -114,9 +114,9 @@ class HeatStep {
 };
 
 /// Edges of a mesh, and the shortest ways across pairs of triangles, by vertex.
-class SurfaceGraph {
+class FeatureGraph {
   public:
-    SurfaceGraph(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions)
+    FeatureGraph(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions)
         : links_(positions.size()) {
         const HalfEdgeMesh mesh(static_cast<Index>(positions.size()), triangles);
         for (Index h = 0; h < 3 * mesh.triangle_capacity(); ++h) {
@@ -215,7 +215,7 @@ std::vector<glm::dvec3> smoothed_directions(std::span<const Triangle> triangles,
 std::vector<double> outwardness(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions,
                                 ProgressMeter& meter) {
     constexpr std::size_t sources = 32;
-    const SurfaceGraph graph(triangles, positions);
+    const FeatureGraph graph(triangles, positions);
     const std::vector<double> areas = vertex_areas(triangles, positions);
     const auto farthest = [](const std::vector<double>& distances) {
         return static_cast<Index>(std::max_element(distances.begin(), distances.end()) - distances.begin());
