@@ -70,7 +70,7 @@ TEST_CASE("a faulty command line exits with 2 and one message that names the wor
         {{"render", "--no-such-option", "-o", "a.png"}, "--no-such-option"},
         {{"render"}, "--output"},
         {{"render", "a.ilh", "b.ilh", "-o", "a.png"}, "b.ilh"},
-        {{"render", "-o", "a.gif"}, "gif"},
+        {{"render", "-o", "a.tiff"}, "tiff"},
         {{"render", "-o", "a"}, "png"},
         {{"render", "-o", "-"}, "--format"},
         {{"render", "-o", "a.png", "--at", "0.3"}, "--at"},

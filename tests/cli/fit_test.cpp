@@ -115,8 +115,9 @@ TEST_CASE("several meshes become a family over the same roots, and three meshes 
     const std::string star = shape_obj(folder, "star", 500);
     const std::string cushion = shape_obj(folder, "cushion", 500);
     const std::string sphere = shape_obj(folder, "sphere", 300);
-    Outcome outcome = run_interleaf({"fit", star, cushion, sphere, "-o", folder / "three", "--leaves", "500",
-                                     "--rotate", "x,0", "--rotate", "y,90", "--rotate", "z,-20.5"});
+    Outcome outcome =
+        run_interleaf({"fit", star, cushion, sphere, "-o", folder / "three", "--leaves", "500", "--rotate",
+                       "x,0", "--rotate", "y,90", "--rotate", "z,-20.5", "--match", "none"});
     REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
     const Family three = read_family(folder / "three");
     CHECK(check(three).empty());
@@ -125,8 +126,13 @@ TEST_CASE("several meshes become a family over the same roots, and three meshes 
     CHECK(three.timeline->keys().size() == 3);
     CHECK(three.domain->triangles().size() == 1);
 
-    outcome = run_interleaf({"fit", star, star, "-o", folder / "two", "--leaves", "500", "--compress"});
+    outcome = run_interleaf(
+        {"fit", star, star, "-o", folder / "two", "--leaves", "500", "--compress", "--report", "json"});
     REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    const auto reports = nlohmann::json::parse(outcome.output)["meshes"];
+    CHECK(reports[0]["match"].is_null());
+    CHECK(reports[1]["match"]["is_matched"] == true);
+    CHECK(reports[1]["match"]["after"]["mean_cosine"] > 0.99);
     const Family two = read_family(folder / "two");
     CHECK(two.keys[1].name == "star 2");
     CHECK(is_compressed_hierarchy(folder / "two/star.ilh"));
@@ -192,12 +198,14 @@ TEST_CASE("fit reports meshes of different sizes and places, and matches them if
     const std::string second = folder / "second.obj";
     put(first, box_obj({0, 0, 0}, {1, 1, 1}));
     put(second, box_obj({90, 0, 0}, {110, 10, 10}));
-    const Outcome apart = run_interleaf({"fit", first, second, "-o", folder / "apart", "--leaves", "500"});
+    const Outcome apart =
+        run_interleaf({"fit", first, second, "-o", folder / "apart", "--leaves", "500", "--match", "none"});
     CHECK(apart.status == 0);
     CHECK(contains(apart.errors, "second.obj: warning: is 12.9 times as large as the first"));
 
-    const Outcome together = run_interleaf({"fit", first, second, "-o", folder / "together", "--leaves",
-                                            "500", "--same-size", "--same-center", "--up", "Y", "--up", "X"});
+    const Outcome together =
+        run_interleaf({"fit", first, second, "-o", folder / "together", "--leaves", "500", "--same-size",
+                       "--same-center", "--up", "Y", "--up", "X", "--match", "none"});
     REQUIRE_MESSAGE(together.status == 0, together.errors);
     CHECK(together.errors.empty());
     const Family family = read_family(folder / "together");
