@@ -127,12 +127,8 @@ TEST_CASE("several meshes become a family over the same roots, and three meshes 
     CHECK(three.domain->triangles().size() == 1);
 
     outcome = run_interleaf(
-        {"fit", star, star, "-o", folder / "two", "--leaves", "500", "--compress", "--report", "json"});
+        {"fit", star, star, "-o", folder / "two", "--leaves", "500", "--compress", "--match", "none"});
     REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
-    const auto reports = nlohmann::json::parse(outcome.output)["meshes"];
-    CHECK(reports[0]["match"].is_null());
-    CHECK(reports[1]["match"]["is_matched"] == true);
-    CHECK(reports[1]["match"]["after"]["mean_cosine"] > 0.99);
     const Family two = read_family(folder / "two");
     CHECK(two.keys[1].name == "star 2");
     CHECK(is_compressed_hierarchy(folder / "two/star.ilh"));

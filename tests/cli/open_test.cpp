@@ -144,7 +144,8 @@ TEST_CASE("several keys that do not match exit with 1, and the message says whic
         {{folder / "f*/a.obj"}, "f*/a.obj: expected * only in the name of the file"},
         {{names[0], folder / "flow.1.obj"}, "flow.1.obj: key flow.1: 1 root triangles"},
         {{names[0], folder / "missing.ilh"}, "missing.ilh: there is no such file"},
-        {{names[0], INTERLEAF_FIVE_KEYS}, "five-keys: expected a file that ends in .ilh, .obj, .glb or .gltf"}};
+        {{names[0], INTERLEAF_FIVE_KEYS},
+         "five-keys: expected a file that ends in .ilh, .obj, .glb or .gltf"}};
     for (const Fault& fault : faults)
         for (const std::string command : {"view", "", "family"}) {
             std::vector<std::string> line;

@@ -11,6 +11,7 @@
 
 #include "e2e/confinement.h"
 #include "e2e/file_drag.h"
+#include "sanitized.h"
 #include <fmt/core.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -24,10 +25,10 @@ namespace interleaf {
 namespace {
 
 /// Tries \p attempt every few milliseconds until it succeeds.
-/// \return false after a minute
+/// \return false after a minute; under the sanitizers, after four
 bool comes(const std::function<bool()>& attempt) {
     using std::chrono::steady_clock;
-    const auto deadline = steady_clock::now() + std::chrono::minutes(1);
+    const auto deadline = steady_clock::now() + std::chrono::minutes(is_sanitized ? 4 : 1);
     while (!attempt()) {
         if (steady_clock::now() > deadline) return false;
         std::this_thread::sleep_for(std::chrono::milliseconds(5));

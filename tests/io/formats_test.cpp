@@ -109,12 +109,15 @@ TEST_CASE("a row says what is carried exactly where there is a reader, and for e
 }
 
 TEST_CASE("extensions are listed in the table's order, in words with an or") {
-    CHECK(extensions_in_words(&Format::is_openable) == ".json, .ilh, .obj, .ply, .stl, .off, .glb, .gltf, .vtp, .vtu, .pvtp, .pvtu, .vtk or .pvd");
+    CHECK(extensions_in_words(&Format::is_openable) ==
+          ".json, .ilh, .obj, .ply, .stl, .off, .glb, .gltf, .vtp, .vtu, .pvtp, .pvtu, .vtk or .pvd");
     CHECK(extensions_in_words(&Format::holds_family_or_key) == ".json, .ilh, .obj, .glb or .gltf");
     CHECK(extensions_in_words(&Format::holds_key) == ".ilh, .obj, .glb or .gltf");
     CHECK(extensions_in_words(&Format::holds_mesh) == ".obj, .ply, .stl, .off, .glb or .gltf");
     CHECK(extensions_in_words(&Format::holds_mesh_as_key) == ".obj, .glb or .gltf");
-    CHECK(extensions_of(&Format::opens_unfitted) == std::vector<std::string>{".json", ".ilh", ".glb", ".gltf", ".vtp", ".vtu", ".pvtp", ".pvtu", ".vtk", ".pvd"});
+    CHECK(extensions_of(&Format::opens_unfitted) == std::vector<std::string>{".json", ".ilh", ".glb", ".gltf",
+                                                                             ".vtp", ".vtu", ".pvtp", ".pvtu",
+                                                                             ".vtk", ".pvd"});
     CHECK(is_called("A.STL", &Format::holds_mesh));
     CHECK_FALSE(is_called("A.STL", &Format::holds_key));
     CHECK_FALSE(is_called("A.txt", &Format::is_openable));
@@ -168,8 +171,9 @@ TEST_CASE("a file of no mesh format is no surface, and of no key format no key")
     const ScratchFolder folder;
     for (const char* const name : {"a.ilh", "family.json", "a.txt", "a"}) {
         CAPTURE(name);
-        CHECK(contains(input_error_of([&] { read_surface(folder / name); }),
-                       std::string(name) + ": expected a file that ends in .obj, .ply, .stl, .off, .glb or .gltf"));
+        CHECK(contains(
+            input_error_of([&] { read_surface(folder / name); }),
+            std::string(name) + ": expected a file that ends in .obj, .ply, .stl, .off, .glb or .gltf"));
     }
     const std::vector<fs::path> unknown{folder / "a.txt", folder / "b.txt"};
     CHECK(contains(input_error_of([&] { read_keys(unknown); }),

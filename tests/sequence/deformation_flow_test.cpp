@@ -62,8 +62,8 @@ TEST_CASE("a point moved at once is where the steps in time bring it, at any tim
     for (int step = 1; step <= 10; ++step) {
         sphere.advance();
         for (const glm::dvec3& direction : directions)
-            CHECK(glm::distance(flowed_point(direction, 0.1 * step * period, 1, period), sphere.at(direction)) <
-                  1e-5);
+            CHECK(glm::distance(flowed_point(direction, 0.1 * step * period, 1, period),
+                                sphere.at(direction)) < 1e-5);
     }
     CHECK(flowed_point({1, 0, 0}, 0.4, 0, period) == flow_ball_center + glm::dvec3(flow_ball_radius, 0, 0));
 }

@@ -29,11 +29,11 @@ void add_family(CLI::App& command, std::vector<std::filesystem::path>& family) {
 std::string viewed_help() {
     return fmt::format(
         "A family.json, its folder, or {} files, of which several make a new family; or meshes to fit: "
-        "{} files, or {} files with different faces; or the steps of a series: {} files. A pattern such as 'flow.*.obj' stands for the files "
+        "{} files, or {} files with different faces; or the steps of a series: {} files. A pattern such as "
+        "'flow.*.obj' stands for the files "
         "that match it, a folder for the keys or meshes in it. By default, the built-in five keys.",
         extensions_in_words(&Format::holds_key), joined(extensions_of(&Format::holds_mesh_alone), ", "),
-        extensions_in_words(&Format::holds_mesh_as_key),
-        joined(extensions_of(&Format::holds_series), ", "));
+        extensions_in_words(&Format::holds_mesh_as_key), joined(extensions_of(&Format::holds_series), ", "));
 }
 
 CLI::Option* add_text_option(CLI::App& command, const std::string& name, const std::string& description,

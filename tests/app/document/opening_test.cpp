@@ -140,12 +140,12 @@ TEST_CASE("other files and mixtures are errors that say what was expected") {
     const Samples samples;
     CHECK(contains(samples.error({"notes.txt"}),
                    "notes.txt: expected a folder, or a file that ends in .json, .ilh, .obj, .glb or .gltf"));
-    CHECK(
-        contains(samples.error({"key.ilh", "notes.txt"}), "notes.txt: expected a file that ends in .ilh, .obj"));
+    CHECK(contains(samples.error({"key.ilh", "notes.txt"}),
+                   "notes.txt: expected a file that ends in .ilh, .obj"));
     CHECK(contains(samples.error({"key.ilh", "mesh.off"}),
                    "mesh.off: expected a file that ends in .ilh, .obj, .glb or .gltf"));
-    CHECK(
-        contains(samples.error({"key.ilh", "family"}), "family: expected a file that ends in .ilh, .obj, .glb or .gltf"));
+    CHECK(contains(samples.error({"key.ilh", "family"}),
+                   "family: expected a file that ends in .ilh, .obj, .glb or .gltf"));
     CHECK(contains(samples.error({"nothing.ilh"}), "nothing.ilh: there is no such file"));
 }
 
@@ -153,9 +153,9 @@ TEST_CASE("where nothing is fitted, meshes to fit are an error") {
     const Samples samples;
     CHECK(contains(samples.family_error({"mesh.off"}),
                    "mesh.off: expected a folder, or a file that ends in .json, .ilh, .obj, .glb or .gltf"));
-    CHECK(
-        contains(samples.family_error({"m.1.obj", "mesh.off"}),
-                 "mesh.off: expected a file that ends in .ilh, .obj, .glb or .gltf; `interleaf fit` makes keys of other"));
+    CHECK(contains(samples.family_error({"m.1.obj", "mesh.off"}),
+                   "mesh.off: expected a file that ends in .ilh, .obj, .glb or .gltf; `interleaf fit` makes "
+                   "keys of other"));
     CHECK(contains(samples.family_error({"m.1.obj", "other.obj"}), "other.obj: line 5: a face of"));
 }
 

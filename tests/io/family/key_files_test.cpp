@@ -275,7 +275,8 @@ TEST_CASE("among several files, the message names the file that is not a key") {
     const std::vector<fs::path> files{folder / "a.ilh", folder / "family.json"};
     CHECK(input_error_of([&] { read_keys(files); }) ==
           files[1].string() +
-              ": expected a file that ends in .ilh, .obj, .glb or .gltf; `interleaf fit` makes keys of other meshes");
+              ": expected a file that ends in .ilh, .obj, .glb or .gltf; `interleaf fit` makes keys of other "
+              "meshes");
 }
 
 }  // namespace interleaf
