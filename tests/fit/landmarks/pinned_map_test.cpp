@@ -92,7 +92,7 @@ TEST_CASE("landmarks of random bodies are at their targets to the last bit, and 
 
 TEST_CASE("one landmark, and two, turn the map no more than they must") {
     const MappedMesh body = bumpy_ellipsoid(3);
-    for (const std::size_t count : {1, 2}) {
+    for (const std::size_t count : {std::size_t{1}, std::size_t{2}}) {
         LandmarkPins pins;
         for (std::size_t k = 0; k < count; ++k) {
             pins.names.push_back(std::to_string(k));
