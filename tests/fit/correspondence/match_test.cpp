@@ -142,7 +142,7 @@ TEST_CASE("matching can be cancelled, and its progress never falls") {
 }
 
 TEST_CASE("an even mesh has the wanted number of vertices, and its map is one to one") {
-    for (const std::size_t vertices : {300, 3000}) {
+    for (const std::size_t vertices : {std::size_t{300}, std::size_t{3000}}) {
         const MappedMesh body = body_on_mesh(4, turn_about_z(0.3), 0.3);
         const SphereMesh whole = normalized(body.mesh, body.points, glm::dmat3(1));
         const Progress none;
