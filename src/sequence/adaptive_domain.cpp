@@ -89,8 +89,10 @@ class DomainRefinement {
 
     Family family() {
         std::vector<DomainVertex> vertices;
+        vertices.reserve(keys_.size());
         for (Index v = 0; v < keys_.size(); ++v) vertices.push_back({parameter(v), v});
         std::vector<Triangle> triangles;
+        triangles.reserve(mesh_.leaf_count());
         for (const Index leaf : mesh_.preorder()) triangles.push_back(mesh_.vertices(leaf));
         Family family;
         family.name = "Adaptive domain";

@@ -106,7 +106,8 @@ void MovingMesh::update_shape(Index triangle) {
     const glm::dvec3& b = moving_.positions()[mesh_.origin(3 * triangle + 1)];
     const glm::dvec3& c = moving_.positions()[mesh_.origin(3 * triangle + 2)];
     const auto opposite_sides = rest_cotangents(a, b, c, shape_blend);
-    for (std::size_t k = 0; k < 3; ++k) cotangent_[3 * triangle + k] = opposite_sides[(k + 1) % 3];
+    for (std::size_t k = 0; k < 3; ++k)
+        cotangent_[std::size_t{3} * triangle + k] = opposite_sides[(k + 1) % 3];
     const double mean = (squared_norm(b - a) + squared_norm(c - b) + squared_norm(a - c)) / 3;
     const auto blended = [&](const glm::dvec3& side) {
         return (1 - shape_blend) * squared_norm(side) + shape_blend * mean;
@@ -348,10 +349,10 @@ std::vector<char> MovingMesh::strained_vertices() const {
         if (!mesh_.has_triangle(t)) continue;
         const std::array<Index, 3> corners = {mesh_.origin(3 * t), mesh_.origin(3 * t + 1),
                                               mesh_.origin(3 * t + 2)};
-        const double here =
-            distortion_of({places_.in_space[corners[1]], places_.in_space[corners[2]], cotangent_[3 * t],
-                           cotangent_[3 * t + 1], cotangent_[3 * t + 2], rest_area_[t]},
-                          places_.in_space[corners[0]]);
+        const double here = distortion_of(
+            {places_.in_space[corners[1]], places_.in_space[corners[2]], cotangent_[std::size_t{3} * t],
+             cotangent_[3 * t + 1], cotangent_[3 * t + 2], rest_area_[t]},
+            places_.in_space[corners[0]]);
         for (const Index vertex : corners) {
             energy[vertex] += here;
             area[vertex] += rest_area_[t];
@@ -491,7 +492,7 @@ MatchFigures MovingMesh::figures() {
         const double doubled_there = glm::length(normal_there);
         const double area = (doubled + doubled_there) / 4;
         const double distortion =
-            std::min(distortion_of({there[1], there[2], cotangent_[3 * t], cotangent_[3 * t + 1],
+            std::min(distortion_of({there[1], there[2], cotangent_[std::size_t{3} * t], cotangent_[3 * t + 1],
                                     cotangent_[3 * t + 2], rest_area_[t]},
                                    there[0]),
                      largest_distortion * 2 * area);

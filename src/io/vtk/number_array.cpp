@@ -20,8 +20,8 @@ template <typename Number>
 std::optional<Number> converted(double number) {
     if constexpr (std::is_integral_v<Number>) {
         // The largest number of 64 bits rounds up to a double that is out of range.
-        constexpr double beyond =
-            2 * static_cast<double>(Number{1} + (std::numeric_limits<Number>::max() / 2));
+        constexpr Number half = std::numeric_limits<Number>::max() / 2;
+        constexpr double beyond = 2 * (static_cast<double>(half) + 1);
         constexpr auto least = static_cast<double>(std::numeric_limits<Number>::min());
         if (number < least || number >= beyond || std::trunc(number) != number) return std::nullopt;
     } else if (std::abs(number) > double{std::numeric_limits<Number>::max()}) {

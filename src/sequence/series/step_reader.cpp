@@ -76,6 +76,7 @@ void StepReader::note(std::size_t step, const std::vector<std::string>& sentence
 
 std::vector<double> StepReader::ranges() const {
     std::vector<double> ranges;
+    ranges.reserve(least_.size());
     for (std::size_t s = 0; s < least_.size(); ++s) ranges.push_back(std::max(0.0, most_[s] - least_[s]));
     return ranges;
 }
