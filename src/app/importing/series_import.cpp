@@ -38,6 +38,7 @@ FieldMesh read_step(const std::filesystem::path& file, const glm::dvec3& origin)
 
 Timeline timeline_of(const SeriesFiles& series) {
     std::vector<TimelineKey> keys;
+    keys.reserve(series.times.size());
     for (std::size_t step = 0; step < series.times.size(); ++step) keys.push_back({series.times[step], step});
     return Timeline(std::move(keys));
 }

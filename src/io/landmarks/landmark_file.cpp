@@ -118,6 +118,7 @@ std::string landmarks_text(const LandmarkSet& set) {
         return fmt::format("[\n    {}\n  ]", joined(elements, ",\n    "));
     };
     std::vector<std::string> landmarks;
+    landmarks.reserve(set.landmarks.size());
     for (const Landmark& each : set.landmarks) {
         nlohmann::ordered_json landmark = {{"name", each.name}, {"position", json_of(each.position)}};
         if (each.direction) landmark["direction"] = json_of(*each.direction);
@@ -126,6 +127,7 @@ std::string landmarks_text(const LandmarkSet& set) {
     std::string text = fmt::format("{{\n  \"format\": \"{}\",\n  \"version\": {},\n  \"landmarks\": {}",
                                    format_name, format_version, array(landmarks));
     std::vector<std::string> pairs;
+    pairs.reserve(set.symmetric.size());
     for (const auto& pair : set.symmetric) pairs.push_back(nlohmann::json(pair).dump());
     if (!pairs.empty()) text += fmt::format(",\n  \"symmetric\": {}", array(pairs));
     return text + "\n}\n";
