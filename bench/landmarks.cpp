@@ -19,8 +19,8 @@
 #include "fit/fit.h"
 #include "fit/landmarks/landmark_insertion.h"
 #include "fit/landmarks/pinned_map.h"
-#include "fit/landmarks/surface_graph.h"
 #include "fit/mesh/surface_distance.h"
+#include "fit/mesh/surface_graph.h"
 #include "fit/placement.h"
 #include "hierarchy/error.h"
 #include "io/mesh/surface_file.h"
@@ -121,7 +121,7 @@ void measure_pair(const Body& body, const std::string& first_name, const FittedK
 
         const SphereRoots roots = FitOptions().roots;
         const double unit = extent_of(body.clean.mesh).size;
-        const SurfaceGraph graph(body.clean.mesh);
+        const SurfaceGraph graph(body.clean.mesh.triangles, body.clean.mesh.positions);
         double held_out = 0;
         for (std::size_t line = 0; line < body.landmarks.size(); ++line) {
             if (is_given(line)) continue;

@@ -115,10 +115,4 @@ Family adapt_domain(const ComputedSurfaces& surfaces, const AdaptiveDomainOption
     return DomainRefinement(surfaces, options, progress).run();
 }
 
-double distance_at(const Family& family, const glm::dvec2& parameter, const ComputedSurfaces& surfaces) {
-    const Weights weights = family.domain->weights(family.domain->locate(parameter));
-    const UnionMesh mesh = unite(family, weights);
-    return surfaces.distance(parameter, mesh, morph(mesh, weight_values(weights)));
-}
-
 }  // namespace interleaf

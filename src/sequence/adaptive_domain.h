@@ -43,7 +43,4 @@ using AdaptiveDomainProgress = std::function<void(std::size_t keys)>;
 Family adapt_domain(const ComputedSurfaces& surfaces, const AdaptiveDomainOptions& options,
                     const AdaptiveDomainProgress& progress = {});
 
-/// The largest distance of the blend at \p parameter of \p family, whose domain has \p parameter.
-double distance_at(const Family& family, const glm::dvec2& parameter, const ComputedSurfaces& surfaces);
-
 }  // namespace interleaf

@@ -11,6 +11,8 @@
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
+#include "hierarchy/morph.h"
+#include "hierarchy/union_mesh.h"
 #include "shapes/blend_error.h"
 #include "shapes/shapes.h"
 
@@ -55,6 +57,13 @@ Family uniform_family(const ComputedSurfaces& surfaces, Index parts) {
         }
     family.domain.emplace(std::move(vertices), std::move(triangles));
     return family;
+}
+
+/// The distance of the blend at \p parameter.
+double distance_at(const Family& family, const glm::dvec2& parameter, const ComputedSurfaces& surfaces) {
+    const Weights weights = family.domain->weights(family.domain->locate(parameter));
+    const UnionMesh mesh = unite(family, weights);
+    return surfaces.distance(parameter, mesh, morph(mesh, weight_values(weights)));
 }
 
 /// The largest distance at random parameters, as a part of the tolerance.

@@ -1,7 +1,9 @@
 #include "app/storage/family_export.h"
 
 #include <chrono>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "text/shown_text.h"
 #include <fmt/core.h>
@@ -12,15 +14,24 @@
 namespace interleaf {
 namespace {
 
-void write_export(const Family& family, const Weights& weights, const std::filesystem::path& file) {
-    find_format(file)->write({family, weights, {}}, {file});
+/// \return what the format holds only approximately, or otherwise, one sentence each
+std::vector<std::string> remarks_of_export(const Family& family, const Weights& weights,
+                                           const std::filesystem::path& file) {
+    std::vector<std::string> remarks;
+    const Format& format = *find_format(file);
+    format.write({.family = family, .weights = weights, .remarks = &remarks}, {file});
+    if (!format.written->origin && family.origin != glm::dvec3(0))
+        remarks.push_back(origin_sentence(family.origin));
+    return remarks;
 }
 
 }  // namespace
 
 void FamilyExport::begin(std::shared_ptr<const Family> family, Weights weights, std::filesystem::path file) {
-    auto written = std::async(std::launch::async, [family = std::move(family), weights = std::move(weights),
-                                                   file] { write_export(*family, weights, file); });
+    auto written =
+        std::async(std::launch::async, [family = std::move(family), weights = std::move(weights), file] {
+            return remarks_of_export(*family, weights, file);
+        });
     work_.emplace(Work{std::move(file), std::move(written)});
 }
 
@@ -28,14 +39,13 @@ std::optional<Message> FamilyExport::take_result(double now) {
     if (!work_ || work_->written.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
         return std::nullopt;
     Work work = *std::exchange(work_, std::nullopt);
+    std::string text = fmt::format("Exported {}", shown_name(work.file.filename().string()));
     try {
-        work.written.get();
+        for (const std::string& remark : work.written.get()) text += "\n" + remark;
     } catch (const std::exception& error) {
         return Message{.text = cause_of(error)};
     }
-    return Message{.text = fmt::format("Exported {}", shown_name(work.file.filename().string())),
-                   .kind = MessageKind::notice,
-                   .seen = now};
+    return Message{.text = std::move(text), .kind = MessageKind::notice, .seen = now};
 }
 
 }  // namespace interleaf

@@ -5,6 +5,8 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/document/message.h"
 #include "family/family.h"
@@ -28,7 +30,7 @@ class FamilyExport {
   private:
     struct Work {
         std::filesystem::path file;
-        std::future<void> written;
+        std::future<std::vector<std::string>> written;  ///< remarks, one sentence each
     };
     std::optional<Work> work_;
 };

@@ -126,10 +126,10 @@ class Coarsening {
         const Index from = mesh_.origin(half_edge);
         const Index to = mesh_.target(half_edge);
         if (mesh_.degree(from) + mesh_.degree(to) > max_edges_at_ends) return false;
-        for_star(to, [&](Index spoke) { mark_[mesh_.target(spoke)] = to; });
+        mesh_.for_spokes(to, [&](Index spoke) { mark_[mesh_.target(spoke)] = to; });
         int common = 0;
-        for_star(from, [&](Index spoke) { common += mark_[mesh_.target(spoke)] == to ? 1 : 0; });
-        for_star(to, [&](Index spoke) { mark_[mesh_.target(spoke)] = no_index; });
+        mesh_.for_spokes(from, [&](Index spoke) { common += mark_[mesh_.target(spoke)] == to ? 1 : 0; });
+        mesh_.for_spokes(to, [&](Index spoke) { mark_[mesh_.target(spoke)] = no_index; });
         return common == 2 && count_ > 4;
     }
 
@@ -144,7 +144,7 @@ class Coarsening {
         double worst_image = 1;
         double worst_image_before = 1;
         bool is_allowed = true;
-        for_star(from, [&](Index spoke) {
+        mesh_.for_spokes(from, [&](Index spoke) {
             const Index a = mesh_.target(spoke);
             const Index b = mesh_.origin(HalfEdgeMesh::previous(spoke));
             worst_before = std::min(worst_before, quality(view_.positions, from, a, b));
@@ -185,20 +185,10 @@ class Coarsening {
         collapsed_.push_back(half_edge);
         --count_;
         ++stamp_[to];
-        for_star(to, [&](Index spoke) {
+        mesh_.for_spokes(to, [&](Index spoke) {
             push(spoke);
             push(HalfEdgeMesh::next(spoke));
         });
-    }
-
-    template <typename Visit>
-    void for_star(Index vertex, Visit visit) const {
-        const Index begin = mesh_.outgoing(vertex);
-        Index spoke = begin;
-        do {
-            visit(spoke);
-            spoke = mesh_.rotated(spoke);
-        } while (spoke != begin);
     }
 
     HalfEdgeMesh& mesh_;

@@ -91,12 +91,10 @@ std::vector<std::array<Index, 2>> split_long_edges(SphereMesh& mesh, std::size_t
         halved.push_back({edge.low, edge.high});
         mesh.positions.push_back(mesh.positions[edge.low] / 2.0 + mesh.positions[edge.high] / 2.0);
         mesh.points.push_back(glm::normalize(mesh.points[edge.low] + mesh.points[edge.high]));
-        Index spoke = half_edges.outgoing(middle);
-        do {
+        half_edges.for_spokes(middle, [&](Index spoke) {
             note(spoke);
             note(HalfEdgeMesh::next(spoke));  // the split may have given the edge other half-edges
-            spoke = half_edges.rotated(spoke);
-        } while (spoke != half_edges.outgoing(middle));
+        });
     }
     mesh.triangles = triangles_in(half_edges);
     return halved;

@@ -145,6 +145,8 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
     MovingMesh moving(model, other, meter);
     moving.set_weights(weights_at(double(moving.count())));
     report.before = moving.figures();
+    if (report.before.distortion < options.enough)
+        return unmatched(std::move(report), "the maps agree already");
     const std::optional<Movement> movement = move_over(moving, options, meter);
     if (!movement) return unmatched(std::move(report), "there is no room for a vertex of the first mesh");
     report.passes = movement->passes;

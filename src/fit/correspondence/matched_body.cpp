@@ -21,6 +21,10 @@ namespace {
 constexpr double first_radius = 0.12;
 constexpr double radius_factor = 0.6;
 
+/// The fractions of the whole work at which its parts begin.
+constexpr double measuring_begins = 0.3;
+constexpr double smoothing_begins = 0.6;
+
 SphereMesh even_part(SphereMesh body, std::size_t vertices, const Progress& progress) {
     ProgressMeter meter(progress);
     meter.enter("making an even mesh", 0);
@@ -59,15 +63,16 @@ SphereMesh normalized(const SurfaceMesh& mesh, std::span<const glm::dvec3> point
 }
 
 MatchedBody::MatchedBody(SphereMesh body, std::size_t vertices, const Progress& progress)
-    : even_(even_part(std::move(body), vertices, part_of(progress, 0, 0.3))),
+    : even_(even_part(std::move(body), vertices, part_of(progress, 0, measuring_begins))),
       neighbors_(triangles_across(even_.triangles, even_.positions.size())),
       location_(even_.triangles, even_.points) {
     for (const auto& [a, b, c] : even_.triangles)
         triangle_normals_.push_back(
             unit_normal({even_.positions[a], even_.positions[b], even_.positions[c]}));
     ProgressMeter meter(progress);
-    meter.enter("measuring the body", 0.3);
-    outwardness_ = interleaf::outwardness(even_.triangles, even_.positions, meter);
+    meter.enter("measuring the body", measuring_begins);
+    outwardness_ =
+        interleaf::outwardness(even_.triangles, even_.positions, measuring_begins, smoothing_begins, meter);
     const std::vector<glm::dvec3> raw = vertex_normals(even_.triangles, even_.positions);
     double radius = first_radius;
     for (std::vector<glm::dvec3>& normals : normals_) {

@@ -113,16 +113,6 @@ class MovingMesh {
     void put(Index vertex, const MeshPoint& place);
     std::vector<char> strained_vertices() const;
 
-    template <typename Visit>
-    void for_star(Index vertex, Visit visit) const {
-        const Index begin = mesh_.outgoing(vertex);
-        Index spoke = begin;
-        do {
-            visit(spoke);
-            spoke = mesh_.rotated(spoke);
-        } while (spoke != begin);
-    }
-
     const MatchedBody& moving_;
     const MatchedBody& onto_;
     ProgressMeter& meter_;

@@ -3,28 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <queue>
-#include <utility>
 
 #include <glm/geometric.hpp>
 
-#include "fit/mesh/half_edge_mesh.h"
+#include "fit/mesh/mean_distances.h"
+#include "fit/mesh/surface_graph.h"
 #include "fit/sphere_map/rest_shape.h"
 
 namespace interleaf {
 namespace {
-
-std::vector<double> vertex_areas(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions) {
-    std::vector<double> areas(positions.size(), 0.0);
-    for (const auto& [a, b, c] : triangles) {
-        const double third =
-            glm::length(glm::cross(positions[b] - positions[a], positions[c] - positions[a])) / 6;
-        for (const Index vertex : {a, b, c}) areas[vertex] += third;
-    }
-    return areas;
-}
 
 /// The matrix masses + time * stiffness of linear elements, and the solution of its equations by conjugate
 /// gradients. Sums run in the order of vertices, so that they are the same on every machine.
@@ -113,76 +100,6 @@ class HeatStep {
     std::vector<std::array<double, 3>> weights_;
 };
 
-/// Edges of a mesh, and the shortest ways across pairs of triangles, by vertex.
-class FeatureGraph {
-  public:
-    FeatureGraph(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions)
-        : links_(positions.size()) {
-        const HalfEdgeMesh mesh(static_cast<Index>(positions.size()), triangles);
-        for (Index h = 0; h < 3 * mesh.triangle_capacity(); ++h) {
-            const Index a = mesh.origin(h);
-            const Index b = mesh.target(h);
-            if (a > b) continue;
-            link(a, b, glm::distance(positions[a], positions[b]));
-            const Index c = mesh.origin(HalfEdgeMesh::previous(h));
-            const Index d = mesh.origin(HalfEdgeMesh::previous(mesh.twin(h)));
-            link_across(c, d, positions[a], positions[b], positions[c], positions[d]);
-        }
-    }
-
-    /// The distances of all vertices from \p source.
-    std::vector<double> distances_from(Index source, ProgressMeter& meter) const {
-        using Reached = std::pair<double, Index>;
-        std::vector<double> distances(links_.size(), std::numeric_limits<double>::infinity());
-        std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
-        distances[source] = 0;
-        queue.push({0, source});
-        while (!queue.empty()) {
-            const auto [distance, vertex] = queue.top();
-            queue.pop();
-            meter.step(4);
-            if (distance > distances[vertex]) continue;
-            for (const Link& link : links_[vertex])
-                if (distance + link.length < distances[link.to]) {
-                    distances[link.to] = distance + link.length;
-                    queue.push({distances[link.to], link.to});
-                }
-        }
-        return distances;
-    }
-
-  private:
-    struct Link {
-        Index to;
-        double length;
-    };
-
-    void link(Index a, Index b, double length) {
-        links_[a].push_back({b, length});
-        links_[b].push_back({a, length});
-    }
-
-    /// Links c and d on the two sides of the edge from \p a to \p b, if the straight way in the unfolded pair
-    /// of triangles crosses the edge.
-    void link_across(Index c_index, Index d_index, const glm::dvec3& a, const glm::dvec3& b,
-                     const glm::dvec3& c, const glm::dvec3& d) {
-        const double length = glm::distance(a, b);
-        if (!(length > 0)) return;
-        const glm::dvec3 along = (b - a) / length;
-        const double c_along = glm::dot(c - a, along);
-        const double d_along = glm::dot(d - a, along);
-        const double c_away = glm::length(c - a - c_along * along);
-        const double d_away = glm::length(d - a - d_along * along);
-        const double away = c_away + d_away;
-        if (!(away > 0)) return;
-        const double crossing = c_along + (d_along - c_along) * c_away / away;
-        const double shift = c_along - d_along;
-        if (crossing > 0 && crossing < length) link(c_index, d_index, std::sqrt(shift * shift + away * away));
-    }
-
-    std::vector<std::vector<Link>> links_;
-};
-
 }  // namespace
 
 std::vector<glm::dvec3> vertex_normals(std::span<const Triangle> triangles,
@@ -213,31 +130,11 @@ std::vector<glm::dvec3> smoothed_directions(std::span<const Triangle> triangles,
 }
 
 std::vector<double> outwardness(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions,
-                                ProgressMeter& meter) {
-    constexpr std::size_t sources = 32;
-    const FeatureGraph graph(triangles, positions);
-    const std::vector<double> areas = vertex_areas(triangles, positions);
-    const auto farthest = [](const std::vector<double>& distances) {
-        return static_cast<Index>(std::max_element(distances.begin(), distances.end()) - distances.begin());
-    };
-    std::vector<double> nearest(positions.size(), std::numeric_limits<double>::infinity());
-    std::vector<std::size_t> nearest_source(positions.size(), 0);
-    std::vector<std::vector<double>> distances;
-    Index source = farthest(graph.distances_from(0, meter));
-    for (std::size_t i = 0; i < sources; ++i) {
-        distances.push_back(graph.distances_from(source, meter));
-        for (std::size_t v = 0; v < nearest.size(); ++v)
-            if (distances[i][v] < nearest[v]) {
-                nearest[v] = distances[i][v];
-                nearest_source[v] = i;
-            }
-        source = farthest(nearest);
-    }
-    std::vector<double> weights(sources, 0.0);
-    for (std::size_t v = 0; v < areas.size(); ++v) weights[nearest_source[v]] += areas[v];
-    std::vector<double> mean(positions.size(), 0.0);
-    for (std::size_t i = 0; i < sources; ++i)
-        for (std::size_t v = 0; v < mean.size(); ++v) mean[v] += weights[i] * distances[i][v];
+                                double begin, double end, ProgressMeter& meter) {
+    constexpr std::size_t bases = 32;
+    const SurfaceGraph graph(triangles, positions);
+    std::vector<double> mean =
+        mean_distances(graph, vertex_areas(triangles, positions), bases, begin, end, meter);
     const auto [least, most] = std::minmax_element(mean.begin(), mean.end());
     const double low = *least;
     const double range = *most - low;

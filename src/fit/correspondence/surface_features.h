@@ -28,8 +28,9 @@ std::vector<glm::dvec3> smoothed_directions(std::span<const Triangle> triangles,
 /// The mean distance along the surface of all places from each vertex, scaled to 0 (the middle of the body) to
 /// 1 (the tip farthest out): Hilaga et al. 2001. Distances run along edges and across pairs of triangles, from
 /// 32 vertices that lie far apart, each of which stands for the area nearest to it.
+/// \param begin, end  the fractions of the whole work at which the measuring begins and ends
 /// \throw Cancelled
 std::vector<double> outwardness(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions,
-                                ProgressMeter& meter);
+                                double begin, double end, ProgressMeter& meter);
 
 }  // namespace interleaf

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <span>
 
-#include <glm/geometric.hpp>
-
-#include "fit/landmarks/surface_graph.h"
+#include "fit/mesh/mean_distances.h"
 #include "fit/mesh/progress_meter.h"
+#include "fit/mesh/surface_graph.h"
 
 namespace interleaf {
 namespace {
@@ -20,49 +18,6 @@ std::size_t base_count(std::size_t vertices) {
     constexpr std::size_t most = 60;
     constexpr std::size_t measured = 6'000'000;
     return std::clamp(measured / vertices, fewest, most);
-}
-
-std::vector<double> areas_around_vertices(const SurfaceMesh& mesh) {
-    std::vector<double> areas(mesh.positions.size());
-    for (const auto& [a, b, c] : mesh.triangles) {
-        const glm::dvec3 corner = mesh.positions[a];
-        const double area =
-            glm::length(glm::cross(mesh.positions[b] - corner, mesh.positions[c] - corner)) / 6;
-        for (const Index vertex : {a, b, c}) areas[vertex] += area;
-    }
-    return areas;
-}
-
-std::size_t largest_of(std::span<const double> values) {
-    return std::size_t(std::ranges::max_element(values) - values.begin());
-}
-
-/// Per vertex, the mean distance of all other points, by area. Each base stands for the area that is nearer to
-/// it than to other bases; the next base is the vertex farthest from all before it.
-std::vector<double> mean_distances(const SurfaceMesh& mesh, const SurfaceGraph& graph, ProgressMeter& meter) {
-    const std::size_t count = graph.vertex_count();
-    const std::vector<double> area = areas_around_vertices(mesh);
-    std::vector<std::vector<float>> distances;
-    std::vector<double> nearest(count, std::numeric_limits<double>::infinity());
-    std::vector<std::size_t> nearest_base(count);
-    const std::size_t bases = std::min(count, base_count(count));
-    for (Index next = 0; distances.size() < bases; next = static_cast<Index>(largest_of(nearest))) {
-        meter.enter("measuring distances", double(distances.size()) / double(bases));
-        const std::vector<double> from_base = graph.distances_from(next);
-        for (std::size_t v = 0; v < count; ++v) {
-            if (from_base[v] >= nearest[v]) continue;
-            nearest[v] = from_base[v];
-            nearest_base[v] = distances.size();
-        }
-        distances.emplace_back(from_base.begin(), from_base.end());
-    }
-    std::vector<double> weight(bases);
-    for (std::size_t v = 0; v < count; ++v) weight[nearest_base[v]] += area[v];
-    const double whole = std::accumulate(weight.begin(), weight.end(), 0.0);
-    std::vector<double> mean(count);
-    for (std::size_t base = 0; base < bases; ++base)
-        for (std::size_t v = 0; v < count; ++v) mean[v] += weight[base] / whole * double(distances[base][v]);
-    return mean;
 }
 
 /// The local maxima of \p height with their persistence, in units of the height. Vertices are added from the
@@ -97,8 +52,10 @@ std::vector<Extremity> maxima_of(std::span<const double> height, const SurfaceGr
 std::vector<Extremity> find_extremities(const SurfaceMesh& mesh, const ProposalOptions& options,
                                         const Progress& progress) {
     ProgressMeter meter(progress);
-    const SurfaceGraph graph(mesh);
-    const std::vector<double> height = mean_distances(mesh, graph, meter);
+    meter.enter("measuring distances", 0);
+    const SurfaceGraph graph(mesh.triangles, mesh.positions);
+    const std::vector<double> height = mean_distances(graph, vertex_areas(mesh.triangles, mesh.positions),
+                                                      base_count(mesh.positions.size()), 0, 1, meter);
     std::vector<Extremity> extremities = maxima_of(height, graph);
     const double range = extremities.front().persistence;
     for (Extremity& each : extremities) each.persistence = range > 0 ? each.persistence / range : 1;

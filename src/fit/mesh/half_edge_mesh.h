@@ -51,6 +51,17 @@ class HalfEdgeMesh {
     /// The next half-edge counter-clockwise from the same vertex.
     Index rotated(Index half_edge) const { return twin_[previous(half_edge)]; }
 
+    /// Calls \p visit with each half-edge from \p vertex, counter-clockwise.
+    template <typename Visit>
+    void for_spokes(Index vertex, Visit visit) const {
+        const Index begin = outgoing(vertex);
+        Index spoke = begin;
+        do {
+            visit(spoke);
+            spoke = rotated(spoke);
+        } while (spoke != begin);
+    }
+
     /// Moves the origin v of \p half_edge onto its target w. This removes v and the two triangles at the
     /// edge.
     /// \pre v and w have exactly two common neighbors, and there are more than four vertices.

@@ -2,14 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <set>
 
 #include <fmt/core.h>
 
 #include "family/family_time.h"
+#include "family/frame_times.h"
 #include "hierarchy/error.h"
 
 namespace interleaf {
+namespace {
+
+/// \throw UsageError naming the option
+FrameTimes frame_times(const TimeRange& range, double per_second) {
+    try {
+        return frames_in(range, per_second);
+    } catch (const InputError& error) {
+        throw UsageError(fmt::format("--fps: {}", error.what()));
+    }
+}
+
+}  // namespace
 
 std::vector<Frame> frames_of_keys(const Family& family) {
     std::vector<Frame> frames;
@@ -32,15 +46,16 @@ std::vector<Frame> frames_of_intervals(const Family& family) {
 }
 
 std::vector<Frame> frames_per_second(const Family& family, TimeSource source, double per_second) {
-    constexpr double max_frames = 100'000;
+    constexpr std::size_t max_files = 100'000;
     const TimeRange range = interval_of(family, source);
-    const double count = std::floor((range.end - range.begin) * per_second + 1e-6) + 1;
-    if (!(per_second > 0) || !(count <= max_frames))
-        throw UsageError(fmt::format("--fps: {} gives {} frames, expected at most {}", per_second, count,
-                                     static_cast<int>(max_frames)));
+    const FrameTimes times = frame_times(range, per_second);
+    if (times.count > max_files)
+        throw UsageError(
+            fmt::format("--fps: {} gives {} files, expected at most {}", per_second, times.count, max_files));
     std::vector<Frame> frames;
-    for (double n = 0; n < count; ++n) {
-        const double time = std::min(range.begin + n / per_second, range.end);
+    frames.reserve(times.count);
+    for (std::size_t n = 0; n < times.count; ++n) {
+        const double time = std::min(times.at(n), range.end);
         frames.push_back({time, weights_at(family, time, source)});
     }
     return frames;

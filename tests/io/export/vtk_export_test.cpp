@@ -194,7 +194,8 @@ TEST_CASE("a series needs a file, a timeline and a number of frames") {
     };
     Family family = family_with_fields(16);
     CHECK(contains(error(family, {}, {}), "expected a file for -o"));
-    CHECK(contains(error(family, {.frames_per_second = 0}, {"a.pvd"}), "--fps: 0"));
+    CHECK(contains(error(family, {.frames_per_second = 0}, {"a.pvd"}),
+                   "--fps: expected a number of frames per second above 0"));
     CHECK(contains(error(family, {.frames_per_second = 1e9}, {"a.pvd"}), "at most 100000"));
     family.timeline.reset();
     CHECK(error(family, {}, {"a.pvd"}) == no_default_blend);

@@ -1,4 +1,4 @@
-#include "fit/landmarks/surface_graph.h"
+#include "fit/mesh/surface_graph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,18 +39,17 @@ double flat_distance(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3&
     return std::sqrt(offset * offset + height_of_both * height_of_both);
 }
 
-std::vector<Path> paths_over(const SurfaceMesh& mesh) {
-    const HalfEdgeMesh half_edges(static_cast<Index>(mesh.positions.size()), mesh.triangles);
+std::vector<Path> paths_over(std::span<const Triangle> triangles, std::span<const glm::dvec3> at) {
+    const HalfEdgeMesh half_edges(static_cast<Index>(at.size()), triangles);
     std::vector<Path> paths;
-    paths.reserve(3 * mesh.triangles.size());
-    for (Index half_edge = 0; half_edge < 3 * mesh.triangles.size(); ++half_edge) {
+    paths.reserve(3 * triangles.size());
+    for (Index half_edge = 0; half_edge < 3 * triangles.size(); ++half_edge) {
         const Index twin = half_edges.twin(half_edge);
         if (twin < half_edge) continue;
         const Index a = half_edges.origin(half_edge);
         const Index b = half_edges.target(half_edge);
         const Index c = half_edges.origin(HalfEdgeMesh::previous(half_edge));
         const Index d = half_edges.origin(HalfEdgeMesh::previous(twin));
-        const std::vector<glm::dvec3>& at = mesh.positions;
         paths.push_back({a, b, glm::distance(at[a], at[b])});
         if (const double flat = flat_distance(at[a], at[b], at[c], at[d]); flat > 0)
             paths.push_back({c, d, flat});
@@ -60,8 +59,9 @@ std::vector<Path> paths_over(const SurfaceMesh& mesh) {
 
 }  // namespace
 
-SurfaceGraph::SurfaceGraph(const SurfaceMesh& mesh) : begin_(mesh.positions.size() + 1) {
-    const std::vector<Path> paths = paths_over(mesh);
+SurfaceGraph::SurfaceGraph(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions)
+    : begin_(positions.size() + 1) {
+    const std::vector<Path> paths = paths_over(triangles, positions);
     for (const Path& path : paths) {
         ++begin_[path.from + 1];
         ++begin_[path.to + 1];

@@ -2,17 +2,21 @@
 // each edge, over the diagonal of the two triangles laid flat. Paths are a few percent too long.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
-#include "fit/mesh/surface_mesh.h"
+#include <glm/vec3.hpp>
+
+#include "hierarchy/triangle.h"
 
 namespace interleaf {
 
 class SurfaceGraph {
   public:
-    /// \param mesh  clean (clean_up.h)
-    explicit SurfaceGraph(const SurfaceMesh& mesh);
+    /// \param triangles  closed and oriented, as HalfEdgeMesh needs them
+    /// \param positions  one per vertex
+    SurfaceGraph(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions);
 
     struct Link {
         Index vertex;
