@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "fit/mesh/surface_distance.h"
 #include "fit/sampling/leaf_smoothing.h"
 #include "fit/sphere_map/alignment.h"
 
@@ -12,6 +13,8 @@ namespace {
 /// Maximum number of vertices, per leaf, that may look for better places on a refined mesh. On a body so long
 /// that most leaves stay needles, further rounds take time and improve little.
 constexpr double tries_per_leaf = 0.5;
+/// The same per round.
+constexpr double tries_per_leaf_and_round = 0.25;
 
 /// The same on a mesh of large triangles that is not refined, if more than this fraction of the leaves needs
 /// smoothing.
@@ -25,19 +28,23 @@ constexpr double tries_of_worst_per_leaf = 0.1;
 }  // namespace
 
 AlignedMap::AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
-                       const std::optional<glm::dmat3>& rotation, bool is_of_large_triangles)
+                       bool approximates, const std::optional<glm::dmat3>& rotation,
+                       bool is_of_large_triangles)
     : original(original_mesh),
       has_large_triangles(is_of_large_triangles),
       is_matched(false),
+      is_approximate(approximates),
       fine(std::move(fine_mesh)),
       points(std::move(map)),
       mean_cosine(align(rotation.has_value())),
       mapped(mesh(), rotated(rotation)) {}
 
-AlignedMap::AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map)
+AlignedMap::AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
+                       bool approximates)
     : original(original_mesh),
       has_large_triangles(false),
       is_matched(true),
+      is_approximate(approximates),
       fine(std::move(fine_mesh)),
       points(std::move(map)),
       mean_cosine(interleaf::mean_cosine(mesh(), points)),
@@ -59,12 +66,18 @@ void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& sur
     SmoothingLimits limits;
     if (map.is_refined() && !map.is_matched) {
         limits.tries = static_cast<std::size_t>(tries_per_leaf * leaves);
+        limits.tries_per_round = static_cast<std::size_t>(tries_per_leaf_and_round * leaves);
     } else if (map.has_large_triangles &&
                double(count_faulty_leaves(map.mapped, surface)) > faulty_part_of_many * leaves) {
         limits.tries = static_cast<std::size_t>(tries_per_leaf_if_many * leaves);
         limits.tries_of_worst = static_cast<std::size_t>(tries_of_worst_per_leaf * leaves);
     }
     smooth_leaves(map.mapped, roots.complex.vertex_count(), surface, progress, limits);
+    if (!map.is_approximate) return;
+    const SurfaceDistance distance(map.original.triangles, map.original.positions);
+    Index nearest = no_index;
+    for (glm::vec3& position : surface.positions)
+        position = glm::vec3(distance.nearest_point(glm::dvec3(position), nearest));
 }
 
 FitQuality quality_of(const AlignedMap& map, const SampledSurface& surface, const Progress& progress) {

@@ -24,12 +24,15 @@ struct AlignedMap {
     ///                       belongs; without triangles if \p map belongs to \p original_mesh
     /// \param map            points of the unit sphere, one per vertex, one to one
     /// \param rotation       applied after the alignment; none for a map that is in position already
+    /// \param is_approximate         whether \p fine_mesh only approximates the surface
+    ///                               (surface_approximation.h); keys are then put onto the surface at the end
     /// \param is_of_large_triangles  whether \p original_mesh is one for which a finer mesh is tried
     AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
-               const std::optional<glm::dmat3>& rotation, bool is_of_large_triangles);
+               bool is_approximate, const std::optional<glm::dmat3>& rotation, bool is_of_large_triangles);
 
     /// A map that is in its final position, because it is matched to another body's map.
-    AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map);
+    AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
+               bool is_approximate);
     AlignedMap(const AlignedMap&) = delete;
     AlignedMap& operator=(const AlignedMap&) = delete;
 
@@ -39,6 +42,7 @@ struct AlignedMap {
     const SurfaceMesh& original;
     const bool has_large_triangles;
     const bool is_matched;
+    const bool is_approximate;
     const SurfaceMesh fine;
     std::vector<glm::dvec3> points;
     const double mean_cosine;  ///< of the aligned map, before the rotation

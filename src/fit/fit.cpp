@@ -142,8 +142,8 @@ std::optional<MatchReport> match_to_model(JudgedMap& judged, const FitOptions& o
                                part_of(progress, 0, matching_ends));
     stopwatch.lap("matching");
     if (!matched.report.fault.empty()) return std::move(matched.report);
-    auto in_place =
-        std::make_unique<AlignedMap>(map.original, std::move(matched.mesh), std::move(matched.points));
+    auto in_place = std::make_unique<AlignedMap>(map.original, std::move(matched.mesh),
+                                                 std::move(matched.points), map.is_approximate);
     JudgedMap judged_match =
         judge(std::move(in_place), options.roots, stopwatch, part_of(progress, matching_ends, 1));
     if (is_accepted(judged_match, options.limits)) {
@@ -207,7 +207,8 @@ FittedKey fit_mapped(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, co
     check_options(options);
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
-    auto map = std::make_unique<AlignedMap>(mesh, SurfaceMesh{}, std::move(points), options.rotation, false);
+    auto map =
+        std::make_unique<AlignedMap>(mesh, SurfaceMesh{}, std::move(points), false, options.rotation, false);
     stopwatch.lap("alignment");
     JudgedMap judged = judge(std::move(map), options.roots, stopwatch, part_of(progress, 0, 0.5));
     return key_of(std::move(judged), options, nullptr, std::move(times), part_of(progress, 0.5, 1));

@@ -12,6 +12,7 @@
 #include "fit/landmarks/pinned_map.h"
 #include "fit/mesh/progress_meter.h"
 #include "fit/sampling/leaf_smoothing.h"
+#include "fit/sphere_map/surface_approximation.h"
 #include "fit/sphere_map/surface_refinement.h"
 #include "hierarchy/error.h"
 
@@ -46,6 +47,12 @@ constexpr double fine_triangles = 2000;
 /// The same for meshes in which needles have more than needle_part.
 constexpr double fine_triangles_of_needles = 3000;
 constexpr double coarse_triangles = 1000;
+
+/// Where a surface of needles is mapped, the refined mesh may be this far from the surface while it is mapped
+/// (RefinementOptions::deviation), and this far, as a fraction of the box diagonal, afterwards. Keys are put onto
+/// the surface itself.
+constexpr double needle_deviation = 3e-4;
+constexpr double closeness = 5e-5;
 
 /// A key is poor if its least angle is smaller than this, in degrees, or if it has more than this fraction of
 /// the flipped leaves for which it would be refused. A better key may be farther from the surface by this
@@ -102,8 +109,9 @@ JudgedMap judged(Candidate candidate, const SphereRoots& roots, const FitLimits&
 
 /// Maps a mesh of the surface, centers the map unless it is pinned, checks it and samples it.
 /// \param fine  the mesh to map; without triangles for the original mesh
-Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, const MapChoiceOptions& options,
-                    Stopwatch& stopwatch, const Progress& progress) {
+/// \param is_approximate  whether \p fine only approximates the surface
+Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, bool is_approximate,
+                    const MapChoiceOptions& options, Stopwatch& stopwatch, const Progress& progress) {
     const bool is_refined = !fine.triangles.empty();
     const SurfaceMesh& mesh = is_refined ? fine : original;
     const bool has_large_triangles = triangle_shapes(original).large >= large_part;
@@ -130,8 +138,16 @@ Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, const MapChoi
         points = std::move(map.points);
         rotation = options.rotation;
     }
-    made.map = std::make_unique<AlignedMap>(original, std::move(fine), std::move(points), rotation,
-                                            has_large_triangles);
+    if (is_approximate) {
+        ProgressMeter meter(progress);
+        meter.enter("refining the mesh", 0.9);
+        approximate_closely(original, fine, points, closeness * box_diagonal(original), meter);
+        if (const std::string fault = fault_of_map(fine, points); !fault.empty())
+            throw InputError(fmt::format("the refined map to the sphere is not valid: {}", fault));
+        stopwatch.lap("refining");
+    }
+    made.map = std::make_unique<AlignedMap>(original, std::move(fine), std::move(points), is_approximate,
+                                            rotation, has_large_triangles);
     stopwatch.lap("alignment");
     made.surface = sampled(*made.map, options.roots, part_of(progress, 0.9, 1));
     made.faulty = count_faulty_leaves(made.map->mapped, made.surface);
@@ -202,12 +218,14 @@ JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
     };
     const TriangleShapes shapes = triangle_shapes(mesh);
     if (shapes.large < large_part)
-        return judged_in(candidate(mesh, {}, options, stopwatch, part_of(progress, 0, 0.8)), 0.8, 1);
+        return judged_in(candidate(mesh, {}, false, options, stopwatch, part_of(progress, 0, 0.8)), 0.8, 1);
 
     std::string fault;
-    const auto try_to_map = [&](SurfaceMesh fine, double begin, double end) -> std::optional<Candidate> {
+    const auto try_to_map = [&](SurfaceMesh fine, bool is_approximate, double begin,
+                                double end) -> std::optional<Candidate> {
         try {
-            return candidate(mesh, std::move(fine), options, stopwatch, part_of(progress, begin, end));
+            return candidate(mesh, std::move(fine), is_approximate, options, stopwatch,
+                             part_of(progress, begin, end));
         } catch (const LandmarkError&) {
             throw;
         } catch (const InputError& error) {
@@ -218,7 +236,7 @@ JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
     std::optional<Candidate> as_it_is;
     const bool has_needles = shapes.needles > needle_part;
     if (!has_needles) {
-        as_it_is = try_to_map({}, 0, 0.2);
+        as_it_is = try_to_map({}, false, 0, 0.2);
         if (as_it_is && as_it_is->faulty_part() < few_faulty) return judged_in(*std::move(as_it_is), 0.8, 1);
     }
     std::optional<Candidate> refined;
@@ -227,13 +245,15 @@ JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
           std::array{coarse_triangles, 0.45, 0.6}}) {
         ProgressMeter meter(progress);
         meter.enter("refining the mesh", begin);
-        SurfaceMesh fine = refine(mesh, {.triangles = triangles}, meter);
+        SurfaceMesh fine =
+            refine(mesh, {.triangles = triangles, .deviation = has_needles ? needle_deviation : 0}, meter);
         stopwatch.lap("refining");
-        std::optional<Candidate> made = try_to_map(std::move(fine), begin, end);
+        std::optional<Candidate> made = try_to_map(std::move(fine), has_needles, begin, end);
         if (made && (!refined || is_better(*made, *refined, options.limits))) refined = std::move(made);
         if (refined && !refined->is_bad(options.limits)) break;
     }
-    if (has_needles && (!refined || refined->is_bad(options.limits))) as_it_is = try_to_map({}, 0.6, 0.7);
+    if (has_needles && (!refined || refined->is_bad(options.limits)))
+        as_it_is = try_to_map({}, false, 0.6, 0.7);
     if (!as_it_is && !refined) throw InputError(fault);
     if (!as_it_is) return judged_in(*std::move(refined), 0.8, 1);
     if (!refined || !is_better(*refined, *as_it_is, options.limits))

@@ -72,4 +72,11 @@ double SurfaceDistance::operator()(const glm::dvec3& point, Index& nearest, doub
     return std::sqrt(least);
 }
 
+glm::dvec3 SurfaceDistance::nearest_point(const glm::dvec3& point, Index& nearest) const {
+    (*this)(point, nearest);
+    const TriangleCorners found = corners(nearest);
+    const glm::dvec3 place = nearest_place(point, found);
+    return place[0] * found[0] + place[1] * found[1] + place[2] * found[2];
+}
+
 }  // namespace interleaf

@@ -28,6 +28,10 @@ class SurfaceDistance {
     ///                 which saves time when points come in order.
     double operator()(const glm::dvec3& point, Index& nearest, double enough = 0) const;
 
+    /// The nearest point of the mesh.
+    /// \param nearest  as above
+    glm::dvec3 nearest_point(const glm::dvec3& point, Index& nearest) const;
+
   private:
     TriangleCorners corners(Index triangle) const;
     std::vector<SpaceBox> boxes_of_strips();

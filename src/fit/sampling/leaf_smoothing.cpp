@@ -94,7 +94,8 @@ class Smoothing {
         bool moved = true;
         std::size_t tries = 0;
         for (int round = 0; round < max_rounds && moved; ++round) {
-            const std::size_t end = tries < limits.tries ? no_limit : tries + limits.tries_of_worst;
+            const std::size_t most = tries < limits.tries ? limits.tries_per_round : limits.tries_of_worst;
+            const std::size_t end = most < no_limit - tries ? tries + most : no_limit;
             if (tries == end) break;
             moved = false;
             meter.set_part(double(round) / max_rounds);

@@ -23,6 +23,8 @@ inline constexpr double smoothed_angle = 18;
 struct SmoothingLimits {
     /// After this many, no round goes through all faulty leaves any more.
     std::size_t tries = std::numeric_limits<std::size_t>::max();
+    /// Maximum per round. The worst leaves come first, so the next round goes on with them, not with better ones.
+    std::size_t tries_per_round = std::numeric_limits<std::size_t>::max();
     /// Maximum per further round, which goes through the worst leaves only. 0 for no further round.
     std::size_t tries_of_worst = 0;
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <queue>
 #include <span>
 #include <tuple>
@@ -11,6 +13,8 @@
 #include <glm/geometric.hpp>
 
 #include "fit/mesh/half_edge_mesh.h"
+#include "fit/mesh/space_triangle.h"
+#include "fit/mesh/surface_distance.h"
 #include "fit/mesh/unit_box.h"
 
 namespace interleaf {
@@ -31,7 +35,11 @@ class Refinement {
           meter_(meter),
           mesh_(static_cast<Index>(mesh.positions.size()), mesh.triangles),
           positions_(in_unit_box(mesh.positions)),
+          original_(mesh),
+          original_positions_(positions_),
           result_(mesh.positions) {
+        if (options.deviation > options.flatness)
+            to_surface_.emplace(original_.triangles, original_positions_);
         double area = 0;
         for (const Triangle& triangle : mesh.triangles) area += area_of(triangle, positions_);
         longest_ = squared_side_of_unit_area * area / options.triangles;
@@ -90,8 +98,12 @@ class Refinement {
         const Index a = mesh_.origin(half_edge);
         const Index b = mesh_.target(half_edge);
         const Index middle = mesh_.split(half_edge);
-        positions_.push_back((positions_[a] + positions_[b]) / 2.0);
-        result_.push_back(result_[a] / 2.0 + result_[b] / 2.0);
+        if (to_surface_)
+            push_on_surface((positions_[a] + positions_[b]) / 2.0);
+        else {
+            positions_.push_back((positions_[a] + positions_[b]) / 2.0);
+            result_.push_back(result_[a] / 2.0 + result_[b] / 2.0);
+        }
         Index spoke = mesh_.outgoing(middle);
         do {
             note_length(spoke);
@@ -101,6 +113,17 @@ class Refinement {
         } while (spoke != mesh_.outgoing(middle));
         flip_all();
         meter_.step(40);
+    }
+
+    /// Adds the vertex at the place of the surface that is nearest to \p middle.
+    void push_on_surface(const glm::dvec3& middle) {
+        (*to_surface_)(middle, nearest_);
+        const auto& [a, b, c] = original_.triangles[nearest_];
+        const glm::dvec3 place =
+            nearest_place(middle, {original_positions_[a], original_positions_[b], original_positions_[c]});
+        positions_.push_back(place[0] * original_positions_[a] + place[1] * original_positions_[b] +
+                             place[2] * original_positions_[c]);
+        result_.push_back(place[0] * result_[a] + place[1] * result_[b] + place[2] * result_[c]);
     }
 
     /// Flips the changed edges, and the edges that this changes in turn.
@@ -122,7 +145,7 @@ class Refinement {
     }
 
     /// Whether an edge lies inside a flat face and is not Delaunay.
-    bool is_to_flip(Index half_edge) const {
+    bool is_to_flip(Index half_edge) {
         const Index a = mesh_.origin(half_edge);
         const Index b = mesh_.target(half_edge);
         const Index c = mesh_.origin(HalfEdgeMesh::previous(half_edge));
@@ -140,8 +163,8 @@ class Refinement {
         const glm::dvec3 dc = positions_[c] - positions_[d];
         const glm::dvec3 across = glm::cross(ab, dc);
         const double volume = glm::dot(across, positions_[d] - positions_[a]);
-        if (!(volume * volume <= options_.flatness * options_.flatness * glm::dot(across, across)))
-            return false;
+        const double farthest = std::max(options_.flatness, options_.deviation);
+        if (!(volume * volume <= farthest * farthest * glm::dot(across, across))) return false;
         // Delaunay: the angles at c and d add up to at most two right angles, so their cotangents add up to
         // at least 0.
         const glm::dvec3 ca = positions_[a] - positions_[c];
@@ -152,15 +175,30 @@ class Refinement {
         const double at_d = glm::dot(da, db) * glm::length(abc);
         constexpr double sure = 1e-9;  // keeps rounding from flipping an edge back and forth
         const double size = glm::dot(ab, ab) * std::sqrt(glm::dot(bad, bad) + glm::dot(abc, abc));
-        return at_c + at_d < -sure * size && !mesh_.are_joined(c, d);
+        if (!(at_c + at_d < -sure * size) || mesh_.are_joined(c, d)) return false;
+        if (!to_surface_ ||
+            volume * volume <= options_.flatness * options_.flatness * glm::dot(across, across))
+            return true;
+        // Between triangles that are not in one plane, nothing proves that flips come to an end.
+        constexpr std::size_t max_flips_per_triangle = 20;
+        if (curved_flips_ >= max_flips_per_triangle * mesh_.triangle_capacity()) return false;
+        const bool is_near =
+            (*to_surface_)((positions_[c] + positions_[d]) / 2.0, nearest_, farthest) <= farthest;
+        if (is_near) ++curved_flips_;
+        return is_near;
     }
 
     const RefinementOptions options_;
     ProgressMeter& meter_;
     HalfEdgeMesh mesh_;
     std::vector<glm::dvec3> positions_;  // in the unit box
-    std::vector<glm::dvec3> result_;     // in the units of the input
-    double longest_ = 0;                 // squared length up to which an edge stays
+    const SurfaceMesh& original_;
+    std::vector<glm::dvec3> original_positions_;
+    std::optional<SurfaceDistance> to_surface_;
+    Index nearest_ = no_index;
+    std::size_t curved_flips_ = 0;    // across creases
+    std::vector<glm::dvec3> result_;  // in the units of the input
+    double longest_ = 0;              // squared length up to which an edge stays
     std::priority_queue<LongEdge> long_edges_;
     std::vector<Index> changed_;
 };

@@ -4,7 +4,7 @@
 // needles, these triangles force the map to distort the surroundings of the face. On a finer mesh the map can
 // keep shapes. Refinement alternates two steps: it flips edges inside flat faces until they are Delaunay
 // (Lawson 1977), and it halves the longest edges. No vertex moves and no crease is flipped, so the surface
-// stays the same set of points.
+// stays the same set of points, unless the options allow a deviation.
 #pragma once
 
 #include "fit/mesh/progress_meter.h"
@@ -23,6 +23,12 @@ struct RefinementOptions {
     /// How far a flip may move a point of the surface, as a fraction of the longest side of its box. Files
     /// store so few digits that flat faces are only flat to about this fraction.
     double flatness = 1e-6;
+
+    /// If larger than flatness, edges inside gently curved faces are flipped, too, if the middle of the new edge
+    /// is within this distance of the surface, as a fraction of the longest side of its box. The result then only
+    /// approximates the surface, but where the surface consists of long needles, it has fewer and rounder
+    /// triangles. Its vertices lie on the surface.
+    double deviation = 0;
 };
 
 /// Fractions of the area of a surface.

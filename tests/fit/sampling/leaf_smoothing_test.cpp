@@ -139,4 +139,7 @@ TEST_CASE("beyond its limit, smoothing goes on with the worst leaves only, or en
     const SampledSurface few = smoothed({.tries = 0, .tries_of_worst = 3});
     CHECK(moved(few) > 0);
     CHECK(moved(few) <= 18);  // in six rounds
+    const SampledSurface short_rounds = smoothed({.tries_per_round = 3});
+    CHECK(moved(short_rounds) > 0);
+    CHECK(moved(short_rounds) <= 18);
 }
