@@ -77,7 +77,8 @@ struct FittedKey {
     FitReport report;
     SurfaceMesh mesh;  ///< the cleaned mesh, which the key represents; empty from fit_mapped()
 
-    /// The mesh whose map the key is sampled by, if it is a finer mesh of the same surface; else empty.
+    /// The mesh whose map the key is sampled by, if it is a finer mesh of the same surface or approximates it
+    /// closely (surface_approximation.h); else empty.
     SurfaceMesh fine_mesh;
     std::vector<glm::dvec3> points;  ///< that map: of the unit sphere, one per vertex
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "text/shown_text.h"
@@ -10,6 +11,7 @@
 
 #include "fit/landmarks/landmark_insertion.h"
 #include "fit/mesh/space_triangle.h"
+#include "fit/mesh/surface_distance.h"
 #include "hierarchy/error.h"
 
 namespace interleaf {
@@ -44,6 +46,9 @@ std::vector<FittedLandmark> fitted_landmarks(std::span<const Landmark> landmarks
     const double diagonal = box_diagonal(map.original);
     std::vector<FittedLandmark> fitted;
     fitted.reserve(landmarks.size());
+    std::optional<SurfaceDistance> from_original;  // where the mapped mesh is another surface
+    if (map.is_approximate && !landmarks.empty())
+        from_original.emplace(map.original.triangles, map.original.positions);
     for (const Landmark& landmark : landmarks) {
         FittedLandmark each{.name = landmark.name};
         MeshPoint point;
@@ -52,6 +57,11 @@ std::vector<FittedLandmark> fitted_landmarks(std::span<const Landmark> landmarks
         const std::span<const glm::dvec3> positions = map.mesh().positions;
         point.barycentric = nearest_place(landmark.position, {positions[a], positions[b], positions[c]});
         each.position = map.mapped.position(point);
+        if (from_original) {
+            Index nearest = no_index;
+            each.position = from_original->nearest_point(landmark.position, nearest);
+            each.from_mesh = glm::distance(each.position, landmark.position) / diagonal;
+        }
         each.direction = landmark.direction.value_or(
             glm::normalize(point.of(std::span(map.mesh().triangles), map.mapped.points)));
         each.off_in_key =

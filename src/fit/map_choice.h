@@ -2,9 +2,9 @@
 // mesh of the same surface.
 //
 // Where much of the surface lies in large or long triangles, a refined mesh (surface_refinement.h) is mapped
-// too. The refined map is chosen if no figure of its key is worse. If the key of the original map is poor, or
-// the original map is so bad that smoothing takes seconds, the refined key may be a little farther from the
-// surface.
+// too; where the surface consists of needles, a mesh that approximates it (surface_approximation.h). The
+// refined map is chosen if no figure of its key is worse. If the key of the original map is poor, or the
+// original map is so bad that smoothing takes seconds, the refined key may be a little farther from the surface.
 #pragma once
 
 #include <memory>

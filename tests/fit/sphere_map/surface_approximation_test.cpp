@@ -107,7 +107,16 @@ TEST_CASE("cylinders and cones of hundreds of sides become good keys, whose vert
     }
 }
 
-TEST_CASE("a key of a surface of needles meets a tolerance") {
-    const FittedKey key = fit(cylinder(100, 2, Cap::zigzag), {.tolerance = 5e-4});
+TEST_CASE("a key of a surface of needles meets a tolerance, and has landmarks where the surface has them") {
+    const SurfaceMesh mesh = cylinder(100, 2, Cap::zigzag);
+    FitOptions options{.tolerance = 5e-4};
+    options.landmarks.push_back(
+        {.name = "side", .position = (mesh.positions[0] + mesh.positions[101]) / 2.0});
+    const FittedKey key = fit(mesh, options);
     CHECK(key.report.quality.hausdorff <= 5e-4);
+    REQUIRE(key.report.landmarks.size() == 1);
+    const FittedLandmark& landmark = key.report.landmarks.front();
+    CHECK(landmark.from_mesh < 1e-9);
+    CHECK(glm::distance(landmark.position, options.landmarks.front().position) < 1e-9);
+    CHECK(landmark.off_in_key < 1e-3);
 }
