@@ -6,6 +6,7 @@
 #include <glad/gl.h>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 
 #include "hierarchy/error.h"
 #include "render/shader.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <CLI/CLI.hpp>
+#include "app/cli/shared_options.h"
 
 namespace interleaf {
 

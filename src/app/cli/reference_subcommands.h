@@ -2,7 +2,7 @@
 // read what the last two print.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "app/cli/shared_options.h"
 
 namespace interleaf {
 
