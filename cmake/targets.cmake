@@ -3,20 +3,23 @@
 # Contraction is off, because fused multiply-adds would make the bits of a generated key depend on the
 # machine.
 add_library(interleaf_options INTERFACE)
-target_compile_options(interleaf_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off)
+set(options -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
   # Clang's -Wshadow also warns if files that are compiled together share a name, and its
   # -Wdeprecated-declarations warns inside std::stable_sort. g++ checks for both faults.
-  target_compile_options(interleaf_options INTERFACE -Wno-shadow -Wno-deprecated-declarations)
+  list(APPEND options -Wno-shadow -Wno-deprecated-declarations)
 endif()
-target_include_directories(interleaf_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 if(INTERLEAF_WARNINGS_AS_ERRORS)
-  target_compile_options(interleaf_options INTERFACE -Werror)
+  list(APPEND options -Werror)
 endif()
 if(INTERLEAF_ASSERTIONS)
-  target_compile_options(interleaf_options INTERFACE -UNDEBUG -D_GLIBCXX_ASSERTIONS)
+  list(APPEND options -UNDEBUG -D_GLIBCXX_ASSERTIONS)
 endif()
+# Projects that use the installed libraries have their own options and warnings.
+target_compile_options(interleaf_options INTERFACE "$<BUILD_INTERFACE:${options}>")
+target_compile_features(interleaf_options INTERFACE cxx_std_20)
+target_include_directories(interleaf_options INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/interleaf>)
 if(INTERLEAF_SANITIZE)
   set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_compile_options(interleaf_options INTERFACE ${sanitizers})

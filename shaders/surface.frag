@@ -38,16 +38,22 @@ uniform vec3 placing;             // base, factor and offset of a value's place 
 
 out vec4 color;
 
-// Fixed to the camera: x right, y up, z towards the viewer.
-const vec3 key_direction = normalize(vec3(-0.45, 0.65, 0.62));
-const vec3 fill_direction = normalize(vec3(0.80, -0.05, 0.45));
-const vec3 key_light = vec3(1.05, 1.01, 0.95);
-const vec3 fill_light = vec3(0.16, 0.19, 0.25);
-const vec3 sky_light = vec3(0.17, 0.185, 0.21);
-const vec3 ground_light = vec3(0.045, 0.042, 0.04);
+// Three soft lights, fixed to the camera: x right, y up, z towards the viewer. A soft light reaches past the edge of
+// its shadow, as far as `wrap` says (0 is a point far away), so that no part of the surface ends in the dark.
+struct Light {
+    vec3 towards;
+    vec3 color;
+    float wrap;
+};
+const Light key_light = Light(normalize(vec3(-0.48, 0.68, 0.55)), vec3(0.92, 0.89, 0.84), 0.25);
+const Light fill_light = Light(normalize(vec3(0.85, 0.05, 0.50)), vec3(0.18, 0.22, 0.29), 0.50);
+const Light rim_light = Light(normalize(vec3(0.45, 0.35, -0.82)), vec3(0.42, 0.50, 0.62), 0.20);
+const vec3 sky_light = vec3(0.140, 0.155, 0.180);
+const vec3 ground_light = vec3(0.050, 0.046, 0.043);
 
 const vec3 wire_color = vec3(0.012, 0.014, 0.020);
 const vec3 refinement_color = vec3(0.90, 0.10, 0.03);
+const vec3 refinement_over_colors = vec3(0.22, 0.015, 0.010);  // dark, so that the colors stay readable
 const vec3 root_color = vec3(0.92, 0.95, 1.00);
 
 // Normalizes without underflow or overflow; the zero vector stays zero.
@@ -102,16 +108,28 @@ vec3 leaf_color(uvec2 leaf) {
     return texelFetch(palette, place).rgb;
 }
 
+// The light from a soft light; the square lets it fade out smoothly.
+vec3 received(Light light, vec3 normal) {
+    float reached = max(dot(normal, light.towards) + light.wrap, 0.0) / (1.0 + light.wrap);
+    return light.color * reached * reached;
+}
+
+// Bends what is brighter than the shoulder towards white, as film does, so that bright parts keep their shape.
+vec3 filmic(vec3 light) {
+    const float shoulder = 0.45;
+    const float above = 1.0 - shoulder;
+    return mix(light, 1.0 - above * exp((shoulder - light) / above), step(shoulder, light));
+}
+
 vec3 lit(vec3 albedo, vec3 normal) {
     vec3 to_viewer = normalize(-surface.position);
-    vec3 ambient = mix(ground_light, sky_light, 0.5 + 0.5 * normal.y);
-    vec3 diffuse = key_light * max(dot(normal, key_direction), 0.0);
-    diffuse += fill_light * max(dot(normal, fill_direction), 0.0);
-    float gloss = max(dot(normal, normalize(key_direction + to_viewer)), 0.0);
+    vec3 light = mix(ground_light, sky_light, 0.5 + 0.5 * normal.y);
+    light += received(key_light, normal) + received(fill_light, normal) + received(rim_light, normal);
+    float gloss = max(dot(normal, normalize(key_light.towards + to_viewer)), 0.0);
     for (int i = 0; i < 5; ++i) gloss *= gloss;  // to the power of 32
     // A highlight would falsify colors that have a meaning.
-    float shine = coloring == 0 ? 0.06 : 0.015;
-    return albedo * (ambient + diffuse) + shine * gloss * key_light;
+    float shine = coloring == 0 ? 0.05 : 0.012;
+    return filmic(albedo * light + shine * gloss * key_light.color);
 }
 
 #if EDGES
@@ -173,7 +191,11 @@ vec3 with_edges(vec3 light, uvec2 leaf) {
     Place place = place_in_triangle();
     vec3 lines = coverage(place.to_edges, line_width);
     if (show_wireframe) light = mix(light, wire_color, 0.75 * fade(place.rise, vec3(1.0)) * largest(lines));
-    if (show_refinement_edges) light = mix(light, refinement_color, fade(place.rise, refinement) * lines.x);
+    if (show_refinement_edges) {
+        vec3 line = coloring == 0 ? refinement_color : refinement_over_colors;
+        float strength = coloring == 0 ? 1.0 : 0.7;
+        light = mix(light, line, strength * fade(place.rise, refinement) * lines.x);
+    }
     if (show_root_edges) light = with_root_edges(light, leaf, place);
     return light;
 }

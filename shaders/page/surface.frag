@@ -21,8 +21,10 @@ uniform float line_width;          // pixels to each side
 
 out vec4 color;
 
-const vec3 key_direction = normalize(vec3(-0.45, 0.65, 0.62));
-const vec3 fill_direction = normalize(vec3(0.80, -0.05, 0.45));
+// Three soft lights, as in the program: towards each, and how far it reaches past the edge of its shadow.
+const vec3 key = normalize(vec3(-0.48, 0.68, 0.55));
+const vec3 fill = normalize(vec3(0.85, 0.05, 0.50));
+const vec3 rim = normalize(vec3(0.45, 0.35, -0.82));
 
 vec3 direction(vec3 v) {
     float largest = max(abs(v.x), max(abs(v.y), abs(v.z)));
@@ -39,6 +41,13 @@ vec3 color_at(float number) {
 // middle.
 float covered(float pixels, float reach) { return clamp(reach + 0.5 - pixels, 0.0, 1.0); }
 
+float received(vec3 towards, float wrap, vec3 n) {
+    float reached = max(dot(n, towards) + wrap, 0.0) / (1.0 + wrap);
+    return reached * reached;
+}
+
+vec3 filmic(vec3 light) { return mix(light, 1.0 - 0.55 * exp((0.45 - light) / 0.55), step(0.45, light)); }
+
 vec3 encoded(vec3 light) {
     light = clamp(light, 0.0, 1.0);
     return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
@@ -48,15 +57,16 @@ void main() {
     vec3 smoothed = gl_FrontFacing ? normal : -normal;
     vec3 face = cross(dFdx(place), dFdy(place));
     vec3 n = direction(smoothed == vec3(0.0) ? face : smoothed);
-    vec3 base = vec3(0.55, 0.57, 0.60);
+    vec3 base = vec3(0.67, 0.62, 0.55);
     if (coloring == 1) base = color_at(float(tag & 127u));
     if (coloring == 2) base = color_at(value.x);
     if (coloring == 3) base = clamp(value, 0.0, 1.0);
-    vec3 light = vec3(1.05 * max(dot(n, key_direction), 0.0))
-               + vec3(0.16, 0.19, 0.25) * max(dot(n, fill_direction), 0.0)
-               + mix(vec3(0.045), vec3(0.18), 0.5 + 0.5 * n.y);
-    vec3 half_way = direction(key_direction + direction(-place));
-    vec3 lit = base * light + 0.05 * pow(max(dot(n, half_way), 0.0), 40.0);
+    vec3 light = vec3(0.92, 0.89, 0.84) * received(key, 0.25, n)
+               + vec3(0.18, 0.22, 0.29) * received(fill, 0.50, n)
+               + vec3(0.42, 0.50, 0.62) * received(rim, 0.20, n)
+               + mix(vec3(0.048), vec3(0.140, 0.155, 0.180), 0.5 + 0.5 * n.y);
+    vec3 half_way = direction(key + direction(-place));
+    vec3 lit = filmic(base * light + 0.04 * pow(max(dot(n, half_way), 0.0), 32.0));
 
     vec3 across = dFdx(barycentric);
     vec3 along = dFdy(barycentric);

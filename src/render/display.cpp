@@ -84,4 +84,9 @@ std::string colorings_in_words() {
     return words;
 }
 
+float Display::occlusion_strength() const {
+    if (!occlusion) return 0;
+    return coloring == Coloring::plain ? 1.0F : 0.5F;
+}
+
 }  // namespace interleaf

@@ -55,8 +55,15 @@ struct Display {
     bool root_edges = false;  ///< the edges of the root complex
     float line_width = 1.5F;  ///< in pixels
 
+    /// Whether hollows are darker, as less light of the sky reaches them.
+    bool occlusion = true;
+
     /// Level of detail, from 0 for the roots alone to 1 for the whole keys; the renderer draws what it is given.
     float detail = 1;
+
+    /// How much hollows are darkened, 0 to 1: less where colors have a meaning.
+    float occlusion_strength() const;
+
     bool operator==(const Display&) const = default;
 };
 

@@ -91,6 +91,14 @@ std::vector<std::uint8_t> OffscreenTarget::read_rgba() {
     return read_pixels(readable(), width_, height_);
 }
 
+void OffscreenTarget::copy_depths(unsigned framebuffer) {
+    resolve(GL_DEPTH_BUFFER_BIT);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, readable());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 void OffscreenTarget::finish() const {
     glFinish();
 }

@@ -30,6 +30,9 @@ class OffscreenTarget {
     /// The picture: 8-bit RGBA, sRGB-encoded, top row first.
     std::vector<std::uint8_t> read_rgba();
 
+    /// Copies the depths into \p framebuffer, whose depth buffer has the same size and 24 bits.
+    void copy_depths(unsigned framebuffer);
+
     /// Waits until all drawing has finished.
     void finish() const;
 

@@ -17,12 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Meshes of two keys of the built-in family, in \p folder, with different faces and file formats.
+/// Small meshes of two shapes, in \p folder, with different faces and file formats.
 std::vector<fs::path> unlike_meshes(const fs::path& folder) {
     std::vector<fs::path> meshes{folder / "star.obj", folder / "bone.ply"};
     for (const fs::path& mesh : meshes) {
-        const std::string command = fmt::format("'{}' export --weights {}=1 -o '{}'", INTERLEAF_PROGRAM,
-                                                mesh.stem().string(), mesh.string());
+        const std::string command =
+            fmt::format("'{0}' make {1} --leaves 2500 -o '{2}.ilh' && '{0}' export '{2}.ilh' -o '{2}'",
+                        INTERLEAF_PROGRAM, mesh.stem().string(), mesh.string());
         REQUIRE(std::system(command.c_str()) == 0);
     }
     return meshes;

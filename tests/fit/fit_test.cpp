@@ -51,7 +51,7 @@ TEST_CASE("star-shaped surfaces become good keys, measured and reported") {
 
 TEST_CASE("the distance that is measured is the true one where that is known") {
     // 12 flat roots against the sphere: the middles of the cube's squares are farthest, 1 - 1 / sqrt(3).
-    const MappedMesh mapped = unit_sphere_mesh(6);
+    const MappedMesh mapped = unit_sphere_mesh(5);
     FitOptions options{.leaves = 12};
     const FittedKey key = fit_mapped(mapped.mesh, mapped.points, options);
     const double diagonal = 2 * std::sqrt(3.0);
@@ -185,7 +185,7 @@ TEST_CASE("it ends at whatever call of progress says so, and says how far it is"
     });
     REQUIRE(calls > 20);
     // Cancels at every one of the first calls, then more sparsely.
-    const auto first = static_cast<int>(trials(20));
+    const auto first = static_cast<int>(trials(8));
     for (int stop = 1; stop <= calls; stop += stop < first ? 1 : 1 + calls / first) {
         int left = stop;
         CHECK_THROWS_AS(fit(mesh, {.leaves = 500}, [&](std::string_view, double) { return --left > 0; }),

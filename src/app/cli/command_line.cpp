@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include "app/cli/error_message.h"
+#include "app/cli/reference_subcommands.h"
 #include "app/cli/shared_options.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/view_command.h"
@@ -40,27 +41,6 @@ class HelpFormatter : public CLI::Formatter {
     }
 };
 
-/// Adds `interleaf help [COMMAND]`, which prints the --help text of the program or of a command.
-void add_help(CLI::App& program) {
-    const auto name = std::make_shared<std::string>();
-    CLI::App* command = program.add_subcommand("help", "Print the help of a command");
-    command->add_option("COMMAND", *name, "A command; by default, the program");
-    command->final_callback([name, &program] {
-        if (name->empty()) {
-            // App::help() would print the help of the command in use.
-            const auto text =
-                program.get_formatter()->make_help(&program, program.get_name(), CLI::AppFormatMode::Normal);
-            fmt::print("{}", text);
-            return;
-        }
-        try {
-            fmt::print("{}", program.get_subcommand(*name)->help(program.get_name()));
-        } catch (const CLI::OptionNotFound&) {
-            throw UsageError(fmt::format("help: there is no command '{}'", *name));
-        }
-    });
-}
-
 /// Adds `interleaf [FAMILY...]`: without a command, the program views the family.
 void add_bare_view(CLI::App& program) {
     const auto options = std::make_shared<ViewOptions>();
@@ -81,7 +61,7 @@ void add_bare_view(CLI::App& program) {
 ExitStatus run(CLI::App& program, int argument_count, const char* const* arguments) {
     CheckResult checked = CheckResult::sound;
     add_subcommands(program, checked);
-    add_help(program);
+    add_reference_subcommands(program);
     add_bare_view(program);
     program.parse(argument_count, arguments);
     if (checked == CheckResult::unread) return machine_at_fault;

@@ -116,6 +116,8 @@ void add_display(CLI::App& command, Display& display) {
                     [&display](const std::string& text) { display.shading = parse_shading(text); })
         ->type_name("NAME")
         ->default_str("smooth");
+    command.add_flag_callback(
+        "--no-occlusion", [&display] { display.occlusion = false; }, "Do not darken hollows");
     CLI::Option* color = add_text_option(
         command, "--color", fmt::format("Color: {}, or a field of the keys", colorings_in_words()),
         [&display](const std::string& text) { parse_coloring(text, display); });

@@ -50,6 +50,7 @@ void BlendPainter::unite_keys(const Weights& weights) {
 std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Camera& camera) {
     unite_keys(weights);
     renderer_.draw(target_, camera, weight_values(weights), display_);
+    occlusion_.darken(target_, camera, display_.occlusion_strength());
     return target_.read_rgba();
 }
 

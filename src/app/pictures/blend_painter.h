@@ -10,6 +10,7 @@
 #include "family/family_fields.h"
 #include "render/camera.h"
 #include "render/display.h"
+#include "render/occlusion.h"
 #include "render/offscreen_target.h"
 #include "render/renderer.h"
 
@@ -41,6 +42,7 @@ class BlendPainter {
     Display display_;
     Renderer renderer_;
     OffscreenTarget target_;
+    Occlusion occlusion_;
     std::vector<std::size_t> keys_;  ///< whose union the renderer has
 };
 

@@ -1,36 +1,54 @@
 #include "app/pictures/scene_picture.h"
 
-#include <chrono>
-
 namespace interleaf {
 namespace {
 
 constexpr int all_samples = 4;
 constexpr std::chrono::milliseconds slow_from{25};
 
+/// Where shading is slow it waits this long, so that it does not delay the next movement.
+constexpr std::chrono::milliseconds rest_before_shading{150};
+
 }  // namespace
 
 bool ScenePicture::update(Renderer& renderer, const Scene& scene) {
-    const bool moves = drawn_ != scene;
-    if (moves) {
-        draw(renderer, scene, drawn_ && is_slow_ ? 1 : all_samples);
-    } else if (samples_ != all_samples) {
-        draw(renderer, scene, all_samples);
+    if (drawn_ != scene) {
+        changed_ = Clock::now();
+        draw(renderer, scene, drawn_ ? quality_while_moving() : Quality::shaded);
+    } else if (quality_ == Quality::coarse) {
+        draw(renderer, scene, Quality::smooth);
+    } else if (quality_ == Quality::smooth && Clock::now() - changed_ > rest_before_shading) {
+        draw(renderer, scene, Quality::shaded);
     }
-    return samples_ == all_samples;
+    return quality_ == Quality::shaded;
 }
 
-void ScenePicture::draw(Renderer& renderer, const Scene& scene, int samples) {
+ScenePicture::Quality ScenePicture::quality_while_moving() const {
+    if (shaded_time_ <= slow_from) return Quality::shaded;
+    return smooth_time_ <= slow_from ? Quality::smooth : Quality::coarse;
+}
+
+void ScenePicture::draw(Renderer& renderer, const Scene& scene, Quality quality) {
+    const int samples = quality == Quality::coarse ? 1 : all_samples;
     if (!target_ || samples != samples_ || target_->width() != scene.width ||
         target_->height() != scene.height) {
         target_.reset();  // two targets at a time may exceed the memory
         target_ = std::make_unique<OffscreenTarget>(scene.width, scene.height, samples);
+        samples_ = samples;
     }
-    const auto start = std::chrono::steady_clock::now();
+    const Clock::time_point start = Clock::now();
     renderer.draw(*target_, scene.camera, scene.weights, scene.display);
     target_->finish();
-    if (samples == all_samples) is_slow_ = std::chrono::steady_clock::now() - start > slow_from;
-    samples_ = samples;
+    if (quality != Quality::coarse) smooth_time_ = Clock::now() - start;
+    if (quality == Quality::shaded) {
+        if (scene.display.occlusion) {
+            if (!occlusion_) occlusion_.emplace();
+            occlusion_->darken(*target_, scene.camera, scene.display.occlusion_strength());
+            target_->finish();
+        }
+        shaded_time_ = Clock::now() - start;
+    }
+    quality_ = quality;
     drawn_ = scene;
 }
 

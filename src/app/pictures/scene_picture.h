@@ -1,7 +1,9 @@
 // The picture of the surface in the window. It is redrawn only when its scene changes: with one sample per
-// pixel while the scene changes on a machine that draws slowly, and with four as soon as it rests.
+// pixel and without occlusion while the scene changes on a machine that draws slowly, with four as soon as it
+// rests, and with occlusion when it has rested a moment.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -11,6 +13,7 @@
 
 #include "render/camera.h"
 #include "render/display.h"
+#include "render/occlusion.h"
 #include "render/offscreen_target.h"
 #include "render/renderer.h"
 
@@ -28,6 +31,8 @@ struct Scene {
 };
 
 class ScenePicture {
+    using Clock = std::chrono::steady_clock;
+
   public:
     /// Updates the picture to \p scene.
     /// \return whether the picture has its final quality; otherwise it needs another update soon
@@ -40,12 +45,22 @@ class ScenePicture {
     OffscreenTarget* target() { return target_.get(); }
 
   private:
-    void draw(Renderer& renderer, const Scene& scene, int samples);
+    /// From the fastest to draw to the final one.
+    enum class Quality { coarse, smooth, shaded };
+
+    Quality quality_while_moving() const;
+    void draw(Renderer& renderer, const Scene& scene, Quality quality);
 
     std::unique_ptr<OffscreenTarget> target_;
+    std::optional<Occlusion> occlusion_;  ///< made when first needed
     std::optional<Scene> drawn_;
-    int samples_ = 0;       ///< per pixel of target_
-    bool is_slow_ = false;  ///< whether drawing with all samples is slow
+    Quality quality_ = Quality::coarse;  ///< of the drawn picture
+    int samples_ = 0;                    ///< per pixel of target_
+    Clock::time_point changed_;          ///< when the scene last changed
+
+    /// How long the last picture of the final quality took without occlusion, and with it.
+    Clock::duration smooth_time_{};
+    Clock::duration shaded_time_{};
 };
 
 }  // namespace interleaf

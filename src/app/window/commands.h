@@ -68,6 +68,7 @@ enum class CommandId : std::uint8_t {
     show_all_times,
     frame_model,
     smooth_shading,
+    ambient_occlusion,
     wireframe,
     refinement_edges,
     root_edges,

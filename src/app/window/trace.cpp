@@ -27,6 +27,7 @@ Json json_of(const Display& display) {
             {"field", display.field},
             {"color_map", name_of(display.scale.map)},
             {"range", {display.scale.range.min, display.scale.range.max}},
+            {"occlusion", display.occlusion},
             {"wireframe", display.wireframe},
             {"refinement_edges", display.refinement_edges},
             {"root_edges", display.root_edges},

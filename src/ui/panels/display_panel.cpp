@@ -105,6 +105,7 @@ Display display_panel(const Display& shown, const Legend& legend) {
     Display display = shown;
     heading("Shading");
     choice("shading", display.shading, {{"Smooth", Shading::smooth}, {"Flat", Shading::flat}});
+    ImGui::Checkbox("Ambient occlusion", &display.occlusion);
     section_gap();
     heading("Lines");
     ImGui::Checkbox("Wireframe", &display.wireframe);

@@ -118,7 +118,7 @@ TEST_CASE("what is on or off changes with its command and comes back with the se
     }
 }
 
-TEST_CASE("each line key switches its own lines") {
+TEST_CASE("each display key switches its own part of the display") {
     ViewerState state = sample_state();
     Display expected;
     press(state, {GLFW_KEY_W});
@@ -129,6 +129,9 @@ TEST_CASE("each line key switches its own lines") {
     CHECK(state.session.display == expected);
     press(state, {GLFW_KEY_E});
     expected.root_edges = true;
+    CHECK(state.session.display == expected);
+    press(state, {GLFW_KEY_A});
+    expected.occlusion = false;
     CHECK(state.session.display == expected);
     press(state, {GLFW_KEY_S});
     expected.shading = Shading::flat;
