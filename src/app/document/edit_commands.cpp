@@ -47,6 +47,8 @@ void change_document(ViewerState& state, double now, Change change) {
     change();
     if (selected) follow_selection(state, *selected);
     if (!state.document.family().domain) state.recording.reset();
+    const auto& path = state.document.family().path;
+    if (!path || state.selected_path_point >= path->points().size()) state.selected_path_point.reset();
     state.session.replace_family(state.document.snapshot(), now);
 }
 

@@ -267,6 +267,23 @@ constexpr Command playback_table[] = {
      .description = "Show the whole timeline again (the wheel shows a part)",
      .run = [](ViewerState& state, double) { state.shown_times.reset(); },
      .is_possible = [](const ViewerState& state) { return state.shown_times.has_value(); }},
+    {.id = CommandId::go_to_place,
+     .scope = CommandScope::document,
+     .menu = "Playback",
+     .name = "Go to place...",
+     .shortcuts = {{{GLFW_KEY_G, GLFW_MOD_SHIFT}}},
+     .description = "Type the place of the point in the domain",
+     .run = [](ViewerState& state, double) { ask_for_place(state); },
+     .is_possible = has_domain_of_points},
+    {.id = CommandId::use_arrows_in_domain,
+     .scope = CommandScope::document,
+     .menu = "Playback",
+     .name = "Arrows move point",
+     .shortcuts = {{{GLFW_KEY_D, GLFW_MOD_SHIFT}}},
+     .description = "Let arrow keys move the point in the domain, with Shift finely; as a click there does",
+     .run = [](ViewerState& state, double) { state.domain_has_focus = !state.domain_has_focus; },
+     .is_on = [](const ViewerState& state) { return state.domain_has_focus; },
+     .is_possible = has_domain_of_points},
 };
 
 }  // namespace

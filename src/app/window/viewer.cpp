@@ -235,7 +235,8 @@ bool Viewer::has_keyboard() const {
 void Viewer::update(const FrameInput& input, double now) {
     state_.session.advance(now);
     apply_actions(input.actions, now);
-    for (const Shortcut shortcut : input.pressed) run_command(*find_command(shortcut), state_, now);
+    for (const Shortcut shortcut : input.pressed)
+        if (!belongs_to_domain(shortcut, state_)) run_command(*find_command(shortcut), state_, now);
     update_files(input, now);
     follow_state(now);
 }
