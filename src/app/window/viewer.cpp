@@ -16,6 +16,7 @@
 
 #include "app/document/document_title.h"
 #include "app/document/edit_commands.h"
+#include "app/document/path_commands.h"
 #include "app/document/shown_field.h"
 #include "app/storage/document_files.h"
 #include "app/window/commands.h"
@@ -136,6 +137,7 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
     if (const auto last = files_.window_size(); last && !options.size)
         glfwSetWindowSize(window_.handle(), last->x, last->y);
     state_.session.display = options.display;
+    if (options.along) choose_time_source(state_, *options.along, glfwGetTime());
     if (options.time) state_.session.seek(*options.time, glfwGetTime());
     if (options.at) state_.session.move_point(*options.at, glfwGetTime());
     glfwSwapInterval(1);
@@ -200,7 +202,8 @@ void Viewer::frame() {
     if (picture_file_ && !redraw_.is_due() && !files_.is_working()) save_picture();
     glfwSwapBuffers(window_.handle());
     frame_milliseconds_ = 1000 * (glfwGetTime() - now_);
-    if (stats_) stats_->record(frame_, now_, frame_milliseconds_, views_.figures().waits);
+    if (stats_)
+        stats_->record(frame_, now_, frame_milliseconds_, views_.figures().waits, views_.figures().is_late);
     ++frame_;
 }
 

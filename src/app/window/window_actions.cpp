@@ -114,11 +114,15 @@ void set_in_or_out(ViewerState& state, const RangeEdit& edit, double now) {
     if (edit.out) set_out_point(state, *edit.out, now);
 }
 
-void apply_to_track(const TrackResult& done, ViewerState& state, double now) {
-    Session& session = state.session;
-    if (done.seek_to) session.seek(*done.seek_to, now);
-    if (done.visible) show_times(state, *done.visible);
-    if (done.range) set_in_or_out(state, *done.range, now);
+void apply_to_path_marks(const TrackResult& done, ViewerState& state, double now) {
+    const auto points = state.document.family().path->points();
+    if (const auto& moved = done.moved; moved && moved->place < points.size())
+        move_path_point(state, moved->place, {moved->to, points[moved->place].at}, now);
+    if (done.asked_time) ask_for_path_point_time(state, *done.asked_time);
+    if (done.removed) remove_path_point(state, *done.removed, now);
+}
+
+void apply_to_key_marks(const TrackResult& done, ViewerState& state, double now) {
     if (const auto& moved = done.moved) {
         drag_edit(
             state, "Move a key in time",
@@ -127,6 +131,17 @@ void apply_to_track(const TrackResult& done, ViewerState& state, double now) {
     if (done.added) add_time(state, done.added->key, done.added->time, now);
     if (done.asked_time) ask_for_time(state, *done.asked_time);
     if (done.removed) remove_time(state, *done.removed, now);
+}
+
+void apply_to_track(const TrackResult& done, ViewerState& state, double now) {
+    Session& session = state.session;
+    if (done.seek_to) session.seek(*done.seek_to, now);
+    if (done.visible) show_times(state, *done.visible);
+    if (done.range) set_in_or_out(state, *done.range, now);
+    if (path_drives(state))
+        apply_to_path_marks(done, state, now);
+    else
+        apply_to_key_marks(done, state, now);
 }
 
 void apply_to_keys(const KeysPanelResult& done, ViewerState& state, double now) {

@@ -119,6 +119,7 @@ TransportState transport_of(const Session& session) {
     const Family& family = session.family();
     return {.time = session.time(),
             .end = session.playback().end(),
+            .unit = unit_of(family, source_of_time(family).value_or(TimeSource::keys)),
             .playing = session.is_playing(),
             .plays_back = session.plays_back(),
             .repeat = session.playback().repeat(),

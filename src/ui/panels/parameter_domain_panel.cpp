@@ -60,7 +60,7 @@ std::optional<std::size_t> choose_key(const Family& family, std::optional<std::s
 void show_menu(const Family& family, const DomainPanel& panel, const DomainMenu& place,
                ParameterDomainResult& result) {
     if (const DomainPath* const path = edited_path(family, panel);
-        path != nullptr && place.path && place.path->place < path->points().size()) {
+        path != nullptr && place.path && place.path->is_of(*path)) {
         show_path_menu(*path, *place.path, place.at, result.path);
         if (!place.path->is_line) return;
         ImGui::Separator();
@@ -105,7 +105,7 @@ std::optional<DomainDrag> follow_drag(const Family& family, const DomainPanel& p
 /// Drags the part of \p path that the mouse holds. From a line it draws out a new point, which it then holds.
 void drag_path(const DomainPath& path, glm::dvec2 to, ParameterDomainResult& result) {
     PathPart& held = *result.drag->path;
-    if (held.place + (held.is_line ? 1 : 0) >= path.points().size()) return;
+    if (!held.is_of(path)) return;
     if (!held.is_line && ImGui::IsItemActivated()) result.path.selected = held.place;
     if (!ImGui::IsMouseDragging(ImGuiMouseButton_Left)) return;
     if (held.is_line) {

@@ -17,6 +17,9 @@ struct PathPart {
     std::size_t place;  ///< of the point; of the first one of the line
     bool is_line;
     bool operator==(const PathPart&) const = default;
+
+    /// Whether \p path has this part. A part can be older than the path.
+    bool is_of(const DomainPath& path) const { return place + (is_line ? 1 : 0) < path.points().size(); }
 };
 
 struct MovedPathPoint {
