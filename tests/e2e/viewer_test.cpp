@@ -336,6 +336,31 @@ TEST_CASE("each display key changes the picture, and changes it back") {
     CHECK(viewer.shows(plain));
 }
 
+TEST_CASE("--along is an edit where the family says otherwise, and can be undone") {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / fmt::format("interleaf-e2e-{}.family", getpid());
+    std::filesystem::remove_all(folder);
+    std::filesystem::copy(INTERLEAF_BUILTIN_FAMILY, folder, std::filesystem::copy_options::recursive);
+    State family = State::parse(std::ifstream(folder / "family.json"));
+    family["version"] = 2;
+    family["domain"]["path"] = {{{"time", 0}, {"at", {-1, -1}}}, {{"time", 4}, {"at", {1, 1}}}};
+    std::ofstream(folder / "family.json") << family;
+    {
+        const RunningViewer viewer({}, {folder, "--along", "keys"});
+        CHECK(viewer.state()["document"]["changed"] == false);
+        CHECK(viewer.state()["range"][1] == 10);
+    }
+    const RunningViewer viewer({}, {folder, "--along", "path"});
+    const State state = viewer.state();
+    CHECK(state["range"][1] == 4);
+    CHECK(state["document"]["changed"] == true);
+    CHECK(state["document"]["undo"] == "Follow the path");
+    viewer.press(XK_z, XK_Control_L);
+    viewer.wait_for("the family as it is on the disk",
+                    [](const State& s) { return s["range"][1] == 10 && s["document"]["changed"] == false; });
+    std::filesystem::remove_all(folder);
+}
+
 TEST_CASE("the colors of an OBJ are shown as a field, with the value under the pointer") {
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / fmt::format("interleaf-e2e-{}.obj", getpid());

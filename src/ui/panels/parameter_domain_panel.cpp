@@ -102,14 +102,18 @@ std::optional<DomainDrag> follow_drag(const Family& family, const DomainPanel& p
     return DomainDrag{box, here.vertex, here.path};
 }
 
-/// Drags the part of \p path that the mouse holds. From a line it draws out a new point, which it then holds.
-void drag_path(const DomainPath& path, glm::dvec2 to, ParameterDomainResult& result) {
+/// Drags the part of \p path that the mouse holds. From a line it draws out a new point, which it then holds; its
+/// time is that of the line where the button was pressed.
+void drag_path(const DomainPath& path, const PlotFrame& frame, ParameterDomainResult& result) {
     PathPart& held = *result.drag->path;
     if (!held.is_of(path)) return;
     if (!held.is_line && ImGui::IsItemActivated()) result.path.selected = held.place;
     if (!ImGui::IsMouseDragging(ImGuiMouseButton_Left)) return;
+    const ImGuiIO& io = ImGui::GetIO();
+    const glm::dvec2 to = frame.point(from_imgui(io.MousePos));
     if (held.is_line) {
-        result.path.inserted = PathPoint{point_on_line(path, held.place, to).time, to};
+        const glm::dvec2 pressed = frame.point(from_imgui(io.MouseClickedPos[ImGuiMouseButton_Left]));
+        result.path.inserted = PathPoint{point_on_line(path, held.place, pressed).time, to};
         held = {held.place + 1, false};
     } else {
         result.path.moved = MovedPathPoint{held.place, to};
@@ -127,7 +131,7 @@ void read_mouse(const Family& family, const DomainPanel& panel, const PlotFrame&
         if (!panel.edits) {
             result.moved_to = frame.point(pointer);
         } else if (result.drag->path && path != nullptr) {
-            drag_path(*path, frame.point(pointer), result);
+            drag_path(*path, frame, result);
         } else if (vertex && *vertex < domain.vertices().size() &&
                    ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
             result.moved_vertex = MovedVertex{*vertex, frame.point(pointer)};

@@ -18,6 +18,11 @@ namespace {
 /// A family with more keys shows only the active ones.
 constexpr std::size_t max_rows = 12;
 
+/// Three decimals, and no minus sign before zero.
+std::string weight_text(double weight) {
+    return fmt::format("{:.3f}", std::abs(weight) < 0.0005 ? 0.0 : weight);
+}
+
 }  // namespace
 
 void weights_panel(const Family& family, const Weights& weights) {
@@ -44,7 +49,7 @@ void weights_panel(const Family& family, const Weights& weights) {
             list.AddRectFilled({bar.x, bar.y}, {bar.x + part * bar.width, bar.bottom()},
                                to_color(key_color(key)), scaled(2));
         }
-        const std::string number = active ? fmt::format("{:.3f}", weight->value) : "–";
+        const std::string number = active ? weight_text(weight->value) : "–";
         draw_text({corner.x + width - text_size(number).x, corner.y}, number_width, text, number);
         ImGui::Dummy({width, height});
     }
