@@ -1,5 +1,5 @@
-// Whole frames of a union of many keys, with all its keys active and with two of them on the same mesh: how many
-// are drawn per second at 1280x720. The weights change in every frame, as in playback. Prints one line of JSON.
+// Whole frames of a union of many keys, with all its keys active and with two of them on the same mesh: how
+// many are drawn per second at 1280x720. The weights change in every frame, as in playback. Prints one line of JSON.
 #include <cmath>
 #include <cstdio>
 #include <utility>

@@ -217,4 +217,33 @@ void ask_for_place(ViewerState& state) {
                                   }};
 }
 
+void ask_for_vertex_place(ViewerState& state, Index vertex) {
+    const auto& domain = state.document.family().domain;
+    if (!domain || vertex >= domain->vertices().size()) return;
+    state.question =
+        TextQuestion{.text = "Place of the vertex, U, V",
+                     .entry = place_text(domain->vertices()[vertex].at),
+                     .button = "Set",
+                     .fault = fault_of_place,
+                     .answer = [vertex](ViewerState& changed, const std::string& typed, double now) {
+                         const auto at = place_in(typed);
+                         const auto& present = changed.document.family().domain;
+                         if (!at || !present || vertex >= present->vertices().size()) return;
+                         edit(
+                             changed, "Set a domain vertex",
+                             [&](const Family& family) {
+                                 return with_domain(family, family.domain->with_vertex_at(vertex, *at));
+                             },
+                             now);
+                     }};
+}
+
+void go_to_key(ViewerState& state, int direction, double now) {
+    state.session.seek_key(direction, now);
+    if (!state.edits_domain || !path_drives(state)) return;
+    const auto points = state.document.family().path->points();
+    const auto here = std::ranges::find(points, state.session.time(), &PathPoint::time);
+    if (here != points.end()) state.selected_path_point = static_cast<std::size_t>(here - points.begin());
+}
+
 }  // namespace interleaf

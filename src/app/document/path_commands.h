@@ -1,5 +1,6 @@
-// The commands on the path through the parameter domain: recording, smoothing, removing, editing its points, and
-// the choice of whether keys or the path drive; and typing the place of the point. Each change of the family is an undoable step of the document.
+// The commands on the path through the parameter domain: recording, smoothing, removing, editing its points,
+// and the choice of whether keys or the path drive; and typing places in the domain. Each change of the family
+// is an undoable step of the document.
 #pragma once
 
 #include <cstddef>
@@ -40,5 +41,12 @@ void ask_for_path_point_place(ViewerState& state, std::size_t place);
 
 /// Asks for the place of the point of the blend.
 void ask_for_place(ViewerState& state);
+
+/// Asks for the place of \p vertex of the domain. A place where a triangle would turn over is refused.
+void ask_for_vertex_place(ViewerState& state, Index vertex);
+
+/// Goes to the next key or point of the path (\p direction 1) or to the previous one (-1), as
+/// Session::seek_key(). While the domain is edited, this selects the point.
+void go_to_key(ViewerState& state, int direction, double now);
 
 }  // namespace interleaf

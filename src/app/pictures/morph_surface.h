@@ -1,5 +1,5 @@
-// The surface in the window: the union of the active keys on the GPU, rebuilt only when their set changes. Where
-// a union is not made yet, or not sent to the GPU yet, the last surface stays, and the window goes on.
+// The surface in the window: the union of the active keys on the GPU, rebuilt only when their set changes.
+// Where a union is not made yet, or not sent to the GPU yet, the last surface stays, and the window goes on.
 #pragma once
 
 #include <chrono>
@@ -51,8 +51,8 @@ class MorphSurface {
     void update(const Family& family, const Weights& weights, const FieldName* field,
                 std::span<const std::size_t> sources = {});
 
-    /// Lets a worker make the unions of \p key_sets ahead, in this order, and sends the first one to the GPU ahead,
-    /// a slice per call.
+    /// Lets a worker make the unions of \p key_sets ahead, in this order, and sends the first one to the GPU
+    /// ahead, a slice per call.
     /// \param key_sets  the active keys of blends that will soon be shown, as indices in \p family
     void expect(const Family& family, std::span<const std::vector<std::size_t>> key_sets);
 

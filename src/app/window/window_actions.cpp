@@ -54,6 +54,7 @@ void apply_to_vertices(const ParameterDomainResult& done, ViewerState& state, do
     }
     if (done.added) add_domain_vertex(state, done.added->at, done.added->key, done.snap, now);
     if (done.assigned) set_domain_vertex_key(state, done.assigned->vertex, done.assigned->key, now);
+    if (done.asked_place) ask_for_vertex_place(state, *done.asked_place);
     if (done.removed) remove_domain_vertex(state, *done.removed, now);
 }
 

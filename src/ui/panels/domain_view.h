@@ -10,8 +10,8 @@
 
 namespace interleaf {
 
-/// \p visible, made smaller or larger by \p factor about \p fixed, which keeps its place. Stays within \p whole,
-/// and is not smaller than a ten-thousandth of it.
+/// \p visible, made smaller or larger by \p factor about \p fixed, which keeps its place. Stays within
+/// \p whole, and is not smaller than a ten-thousandth of it.
 DomainBox zoomed(const DomainBox& visible, const DomainBox& whole, glm::dvec2 fixed, double factor);
 
 /// \p visible, moved by \p offset as far as \p whole permits.

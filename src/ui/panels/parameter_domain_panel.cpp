@@ -70,6 +70,7 @@ void show_menu(const Family& family, const DomainPanel& panel, const DomainMenu&
         if (const auto key = choose_key(family, family.domain->vertices()[*place.vertex].key))
             result.assigned = VertexKey{*place.vertex, *key};
         ImGui::Separator();
+        if (ImGui::MenuItem("Set place...")) result.asked_place = place.vertex;
         if (ImGui::MenuItem("Remove vertex")) result.removed = place.vertex;
     } else {
         heading("Add a vertex here, of key");
@@ -102,8 +103,8 @@ std::optional<DomainDrag> follow_drag(const Family& family, const DomainPanel& p
     return DomainDrag{box, here.vertex, here.path};
 }
 
-/// Drags the part of \p path that the mouse holds. From a line it draws out a new point, which it then holds; its
-/// time is that of the line where the button was pressed.
+/// Drags the part of \p path that the mouse holds. From a line it draws out a new point, which it then holds;
+/// its time is that of the line where the button was pressed.
 void drag_path(const DomainPath& path, const PlotFrame& frame, ParameterDomainResult& result) {
     PathPart& held = *result.drag->path;
     if (!held.is_of(path)) return;

@@ -68,6 +68,7 @@ struct ParameterDomainResult {
     std::optional<AddedVertex> added;         ///< vertex that the user adds
     std::optional<VertexKey> assigned;        ///< key that the user gives to a vertex
     std::optional<Index> removed;             ///< vertex that the user removes
+    std::optional<Index> asked_place;         ///< vertex whose place is to be typed
     PathEdit path;                            ///< edits of the path
     bool toggles_recording = false;           ///< the user begins or ends to record a path
     bool asks_for_place = false;              ///< the user wants to type the place of the point

@@ -1,5 +1,5 @@
-// The points of a path as marks below the track: dragging one moves its point in time, the right mouse button has
-// a menu.
+// The points of a path as marks below the track: dragging one moves its point in time, the right mouse button
+// has a menu.
 #pragma once
 
 #include "family/domain_path.h"

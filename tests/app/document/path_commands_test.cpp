@@ -221,6 +221,33 @@ TEST_CASE("removing all points of the path removes the path, and the selection g
     CHECK_FALSE(state.selected_path_point);
 }
 
+TEST_CASE("going from key to key selects the points of the path while the domain is edited") {
+    ViewerState state = viewer_on_a_path();
+    go_to_key(state, 1, 0);
+    CHECK(state.session.time() == 2);
+    CHECK_FALSE(state.selected_path_point);
+    state.edits_domain = true;
+    go_to_key(state, 1, 0);
+    CHECK(state.selected_path_point == 2);
+    go_to_key(state, -1, 0);
+    CHECK(state.selected_path_point == 1);
+}
+
+TEST_CASE("the place of a domain vertex is typed, unless a triangle would turn over there") {
+    ViewerState state(sample_family());
+    ask_for_vertex_place(state, 4);
+    REQUIRE(state.question);
+    answer(state, "0.25, 0.125", 1);
+    CHECK(state.document.family().domain->vertices()[4].at == glm::dvec2(0.25, 0.125));
+    CHECK(*state.document.undo_step() == "Set a domain vertex");
+    ask_for_vertex_place(state, 4);
+    answer(state, "3, 0", 2);
+    CHECK(state.message.is_fault());
+    CHECK(state.document.family().domain->vertices()[4].at == glm::dvec2(0.25, 0.125));
+    ask_for_vertex_place(state, 99);
+    CHECK_FALSE(state.question);
+}
+
 TEST_CASE("the place of the point is typed") {
     ViewerState state(sample_family());
     ask_for_place(state);

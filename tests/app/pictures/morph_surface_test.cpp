@@ -1,4 +1,5 @@
-// Tests of the surface in the window: where a union takes long, the last surface stays and no call waits for it.
+// Tests of the surface in the window: where a union takes long, the last surface stays and no call waits
+// for it.
 #include "app/pictures/morph_surface.h"
 
 #include <chrono>
