@@ -288,7 +288,8 @@ void Viewer::follow_state(double now) {
 
 /// \param view  the mouse input over the surface
 void Viewer::draw(const std::optional<ViewInput>& view) {
-    rest_.lacks_portraits = views_.draw_portrait(drawn_, gui_);
+    // A list of keys that follows playback shows ever new rows; their pictures must not slow it.
+    rest_.lacks_portraits = !state_.session.is_playing() && views_.draw_portrait(drawn_, gui_);
     gui_.begin_drawing();
     drawn_ = show_panels();
     rest_.is_coarse = !views_.draw(state_, drawn_.layout, view, gui_);
