@@ -79,39 +79,112 @@ class ContinuedDeviations {
     std::span<const Deviation> deviations_;
 };
 
-/// The integral of a linear function of time, given at both ends of an interval, times a Gaussian.
-/// \param sigma  standard deviation of the Gaussian, whose center is the time 0
-glm::dvec2 gaussian_integral(const Deviation& from, const Deviation& to, double sigma) {
-    if (!(to.time > from.time)) return glm::dvec2(0);  // two times that became equal by rounding
-    const double first = from.time / sigma;
-    const double last = to.time / sigma;
-    const glm::dvec2 slope = (to.at - from.at) / (last - first);
-    const glm::dvec2 at_center = from.at - slope * first;
-    const double share = 0.5 * (std::erf(last / std::numbers::sqrt2) - std::erf(first / std::numbers::sqrt2));
-    const double moment =
-        (std::exp(-0.5 * first * first) - std::exp(-0.5 * last * last)) / std::sqrt(2 * std::numbers::pi);
-    return at_center * share + slope * moment;
+/// A deviation, with the Gaussian about time 0 at its time.
+struct WeightedDeviation {
+    Deviation deviation;
+    double share;    ///< integral of the Gaussian from 0
+    double density;  ///< of the Gaussian
+};
+
+/// \param deviation  its time is counted in standard deviations
+WeightedDeviation weighted(const Deviation& deviation) {
+    return {deviation, 0.5 * std::erf(deviation.time / std::numbers::sqrt2),
+            std::exp(-0.5 * deviation.time * deviation.time) / std::sqrt(2 * std::numbers::pi)};
 }
 
-/// The deviation at \p place after the filter.
-glm::dvec2 smoothed_deviation(const ContinuedDeviations& deviations, std::ptrdiff_t place, double sigma) {
-    constexpr double window = 6;  // standard deviations; the rest of the Gaussian is 2e-9
-    const double center = deviations[place].time;
-    const auto centered = [&](std::ptrdiff_t other) {
-        const Deviation deviation = deviations[other];
-        return Deviation{deviation.time - center, deviation.at};
-    };
-    glm::dvec2 sum(0);
-    for (const std::ptrdiff_t step : {-1, 1}) {
-        Deviation near = centered(place);
-        for (std::ptrdiff_t other = place + step; std::abs(near.time) < window * sigma; other += step) {
-            const Deviation far = centered(other);
-            sum += step > 0 ? gaussian_integral(near, far, sigma) : gaussian_integral(far, near, sigma);
+/// The integral of a linear function of time, given at both ends of an interval, times a Gaussian.
+glm::dvec2 gaussian_integral(const WeightedDeviation& from, const WeightedDeviation& to) {
+    const double first = from.deviation.time;
+    const double last = to.deviation.time;
+    if (!(last > first)) return glm::dvec2(0);  // two times that became equal by rounding
+    const glm::dvec2 slope = (to.deviation.at - from.deviation.at) / (last - first);
+    const glm::dvec2 at_center = from.deviation.at - slope * first;
+    return at_center * (to.share - from.share) + slope * (from.density - to.density);
+}
+
+/// The filter over the deviations of a path.
+class DeviationFilter {
+  public:
+    /// \param deviations  at least two, the first at time 0; 0 at both ends
+    /// \param sigma  standard deviation of the Gaussian, seconds
+    DeviationFilter(std::span<const Deviation> deviations, double sigma)
+        : deviations_(deviations), continued_(deviations), sigma_(sigma) {}
+
+    /// The deviation after the filter.
+    /// \param time  from the first to the last time
+    glm::dvec2 operator()(double time) const {
+        const auto next = std::ranges::upper_bound(deviations_, time, {}, &Deviation::time);
+        const bool is_last = next == deviations_.end();
+        const std::ptrdiff_t place = next - deviations_.begin();
+        const glm::dvec2 here = is_last ? deviations_.back().at : between(*(next - 1), *next, time);
+        return half(time, here, place, 1) + half(time, here, place - 1, -1);
+    }
+
+  private:
+    static constexpr double window = 6;  ///< standard deviations; the rest of the Gaussian is 2e-9
+
+    /// One side of the integral: from \p time over the deviations from \p place on.
+    /// \param step  1 towards later times, -1 towards earlier ones
+    glm::dvec2 half(double time, glm::dvec2 here, std::ptrdiff_t place, std::ptrdiff_t step) const {
+        glm::dvec2 sum(0);
+        WeightedDeviation near = weighted({0, here});
+        for (; std::abs(near.deviation.time) < window; place += step) {
+            const Deviation next = continued_[place];
+            const WeightedDeviation far = weighted({(next.time - time) / sigma_, next.at});
+            sum += step > 0 ? gaussian_integral(near, far) : gaussian_integral(far, near);
             near = far;
         }
+        return sum;
     }
-    return sum;
-}
+
+    std::span<const Deviation> deviations_;
+    ContinuedDeviations continued_;
+    double sigma_;
+};
+
+/// Samples of the filtered deviation at equal intervals, and a polynomial between them. A filtered function
+/// bends so little within a fifth of a standard deviation that polynomials of degree 7 differ from it by
+/// about a millionth of the largest deviation.
+class SampledFilter {
+  public:
+    /// The number of intervals that the samples of \p duration need.
+    static double interval_count(double duration, double sigma) { return std::ceil(5 * duration / sigma); }
+
+    SampledFilter(const DeviationFilter& filter, double duration, std::ptrdiff_t intervals)
+        : interval_(duration / static_cast<double>(intervals)) {
+        samples_.reserve(static_cast<std::size_t>(intervals) + 1);
+        for (std::ptrdiff_t i = 0; i <= intervals; ++i)
+            samples_.push_back(filter(duration * static_cast<double>(i) / static_cast<double>(intervals)));
+        samples_.front() = samples_.back() = glm::dvec2(0);
+    }
+
+    glm::dvec2 operator()(double time) const {
+        constexpr std::ptrdiff_t count = 8;
+        const double place = time / interval_;
+        const auto first = static_cast<std::ptrdiff_t>(place) - (count / 2 - 1);
+        glm::dvec2 sum(0);
+        for (std::ptrdiff_t i = first; i < first + count; ++i) {
+            double factor = 1;
+            for (std::ptrdiff_t other = first; other < first + count; ++other)
+                if (other != i)
+                    factor *= (place - static_cast<double>(other)) / static_cast<double>(i - other);
+            sum += factor * sample(i);
+        }
+        return sum;
+    }
+
+  private:
+    /// Sample \p place, also beyond the ends, where the deviations are reflected.
+    glm::dvec2 sample(std::ptrdiff_t place) const {
+        const std::ptrdiff_t last = std::ssize(samples_) - 1;
+        const std::ptrdiff_t phase = (place % (2 * last) + 2 * last) % (2 * last);
+        return phase <= last ? samples_[static_cast<std::size_t>(phase)]
+                             : -samples_[static_cast<std::size_t>(2 * last - phase)];
+    }
+
+    double interval_;
+    std::vector<glm::dvec2> samples_;
+};
 
 }  // namespace
 
@@ -190,10 +263,18 @@ DomainPath smoothed(const DomainPath& path, double seconds) {
         deviation.time -= path.begin();
     }
     deviations.front().at = deviations.back().at = glm::dvec2(0);
-    const ContinuedDeviations continued(deviations);
-    for (std::size_t i = 1; i + 1 < points.size(); ++i)
-        points[i].at +=
-            smoothed_deviation(continued, static_cast<std::ptrdiff_t>(i), sigma) - deviations[i].at;
+    const DeviationFilter filter(deviations, sigma);
+    const auto smooth_by = [&](const auto& smooth) {
+        for (std::size_t i = 1; i + 1 < points.size(); ++i)
+            points[i].at += smooth(deviations[i].time) - deviations[i].at;
+    };
+    // Where points are dense, samples take less time than the points themselves.
+    const double duration = deviations.back().time;
+    const double intervals = SampledFilter::interval_count(duration, sigma);
+    if (intervals < static_cast<double>(points.size()))
+        smooth_by(SampledFilter(filter, duration, static_cast<std::ptrdiff_t>(intervals)));
+    else
+        smooth_by(filter);
     return DomainPath(std::move(points));
 }
 

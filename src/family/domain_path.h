@@ -68,8 +68,8 @@ DomainPath simplified(const DomainPath& path, double tolerance);
 ///
 /// The filter is a Gaussian in time. It applies to the deviation from a straight motion of constant speed
 /// between the two ends, which continues beyond each end by reflection in time and sign. So the ends stay,
-/// and such a straight motion does not change. It takes time in proportion to the number of points times the
-/// number of points within six standard deviations.
+/// and such a straight motion does not change. However many points there are within a standard deviation, the
+/// time is in proportion to the number of points.
 /// \param seconds  standard deviation of the Gaussian; 0 changes nothing
 /// \throw InputError if \p seconds is negative or not a number, or if coordinates overflow
 DomainPath smoothed(const DomainPath& path, double seconds);

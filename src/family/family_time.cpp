@@ -26,6 +26,10 @@ std::optional<TimeSource> source_of_time(const Family& family) {
     return std::nullopt;
 }
 
+TimeUnit unit_of(const Family& family, TimeSource source) {
+    return source == TimeSource::path ? TimeUnit::seconds : family.timeline->unit();
+}
+
 TimeRange interval_of(const Family& family, TimeSource source) {
     if (source == TimeSource::path) return {family.path->begin(), family.path->end()};
     return {family.timeline->begin(), family.timeline->end()};

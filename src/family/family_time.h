@@ -23,6 +23,10 @@ bool has_source(const Family& family, TimeSource source);
 /// family has neither a timeline nor a path.
 std::optional<TimeSource> source_of_time(const Family& family);
 
+/// What the times of \p source count; those of a path are seconds.
+/// \pre has_source(family, source)
+TimeUnit unit_of(const Family& family, TimeSource source);
+
 /// The times of \p source from its begin to its end.
 /// \pre has_source(family, source)
 TimeRange interval_of(const Family& family, TimeSource source);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -18,8 +19,22 @@ void insert(std::vector<TimelineKey>& keys, const TimelineKey& added) {
 
 }  // namespace
 
-Timeline::Timeline(std::vector<TimelineKey> keys, Interpolation interpolation)
-    : keys_(std::move(keys)), interpolation_(interpolation) {
+std::string_view name_of(TimeUnit unit) {
+    return unit == TimeUnit::steps ? "steps" : "seconds";
+}
+
+std::optional<TimeUnit> time_unit_named(std::string_view name) {
+    for (const TimeUnit unit : {TimeUnit::seconds, TimeUnit::steps})
+        if (name == name_of(unit)) return unit;
+    return std::nullopt;
+}
+
+std::string time_text(double time, TimeUnit unit) {
+    return unit == TimeUnit::steps ? fmt::format("step {:.10g}", time) : fmt::format("{:.10g} s", time);
+}
+
+Timeline::Timeline(std::vector<TimelineKey> keys, Interpolation interpolation, TimeUnit unit)
+    : keys_(std::move(keys)), interpolation_(interpolation), unit_(unit) {
     check();
 }
 
@@ -89,6 +104,12 @@ std::optional<Timeline> Timeline::without_key(std::size_t key) const {
 Timeline Timeline::with_interpolation(Interpolation interpolation) const {
     Timeline edited = *this;
     edited.interpolation_ = interpolation;
+    return edited;
+}
+
+Timeline Timeline::with_unit(TimeUnit unit) const {
+    Timeline edited = *this;
+    edited.unit_ = unit;
     return edited;
 }
 

@@ -2,9 +2,13 @@
 // and (4)).
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "family/interpolation.h"
@@ -12,13 +16,30 @@
 
 namespace interleaf {
 
+/// What the times of a timeline count. Playback at normal speed takes a second per unit.
+enum class TimeUnit : std::uint8_t {
+    seconds,
+    steps,  ///< of a numbered series
+};
+
+/// "seconds" or "steps".
+std::string_view name_of(TimeUnit unit);
+
+/// The unit called \p name; none when there is none.
+std::optional<TimeUnit> time_unit_named(std::string_view name);
+
+/// "2.5 s" or "step 2.5".
+std::string time_text(double time, TimeUnit unit);
+
 class Timeline {
   public:
     /// \throw InputError unless there is at least one key and times are finite and strictly ascending
-    explicit Timeline(std::vector<TimelineKey> keys, Interpolation interpolation = {});
+    explicit Timeline(std::vector<TimelineKey> keys, Interpolation interpolation = {},
+                      TimeUnit unit = TimeUnit::seconds);
 
     std::span<const TimelineKey> keys() const { return keys_; }
     const Interpolation& interpolation() const { return interpolation_; }
+    TimeUnit unit() const { return unit_; }
     double begin() const { return keys_.front().time; }
     double end() const { return keys_.back().time; }
 
@@ -51,6 +72,9 @@ class Timeline {
     /// With another interpolation.
     Timeline with_interpolation(Interpolation interpolation) const;
 
+    /// With the same times in another unit.
+    Timeline with_unit(TimeUnit unit) const;
+
     /// With the index \p new_index(i) for each key index i.
     Timeline with_keys_renumbered(const std::function<std::size_t(std::size_t)>& new_index) const;
 
@@ -64,6 +88,7 @@ class Timeline {
 
     std::vector<TimelineKey> keys_;
     Interpolation interpolation_;
+    TimeUnit unit_ = TimeUnit::seconds;
 };
 
 }  // namespace interleaf

@@ -134,7 +134,7 @@ FieldMesh read_any_mesh(const fs::path& file) {
 SeriesFiles series_files(std::span<const fs::path> paths) {
     if (paths.size() == 1 && lower_case_extension(paths.front()) == ".pvd")
         return read_collection(paths.front());
-    SeriesFiles series;
+    SeriesFiles series{.files = {}, .times = {}, .are_steps = true};
     for (const fs::path& path : paths)
         std::ranges::move(matching_files(path), std::back_inserter(series.files));
     series.times = numbers_of(series.files);

@@ -12,6 +12,7 @@ namespace interleaf {
 struct SeriesFiles {
     std::vector<std::filesystem::path> files;  ///< in the order of time
     std::vector<double> times;                 ///< one per file, strictly increasing
+    bool are_steps = false;                    ///< the times are numbers of files, not those of a collection
 };
 
 /// The files of a series that \p paths name: one ParaView collection (.pvd), or the files of meshes, of which

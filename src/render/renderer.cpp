@@ -2,9 +2,13 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cstdint>
+#include <limits>
 #include <numeric>
 #include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
 #include <glad/gl.h>
@@ -22,9 +26,6 @@ namespace {
 /// Texels of a color map; linear light in between.
 constexpr std::size_t scale_texels = 256;
 
-/// Attribute of the first normal product, as in surface.vert.
-constexpr GLuint first_product = max_gpu_keys;
-
 GlProgram make_background_program() {
     constexpr std::string_view files[] = {"background.vert", "background.frag"};
     return link_program(files);
@@ -32,10 +33,6 @@ GlProgram make_background_program() {
 
 GLint uniform(const GlProgram& program, const char* name) {
     return glGetUniformLocation(program.name(), name);
-}
-
-GLsizeiptr byte_count(std::span<const glm::vec3> stream) {
-    return static_cast<GLsizeiptr>(stream.size_bytes());
 }
 
 /// Makes \p data the content of \p buffer, and makes \p texture a view of it as texels of \p format.
@@ -50,67 +47,9 @@ void fill_buffer_texture(const GlBuffer& buffer, const GlTexture& texture, GLenu
     glBindTexture(GL_TEXTURE_BUFFER, 0);
 }
 
-/// Binds \p buffer, creates it if necessary, and fills it with \p data.
-void fill_vertex_buffer(GlBuffer& buffer, std::span<const glm::vec3> data, GLenum usage) {
-    if (!buffer) buffer = GlBuffer::create();
-    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
-    glBufferData(GL_ARRAY_BUFFER, byte_count(data), data.data(), usage);
-}
-
-/// Makes attribute \p attribute of a vertex its vector number \p place, of the \p count vectors per vertex in
-/// the bound buffer.
-void set_attribute(std::size_t attribute, std::size_t count, std::size_t place) {
-    const auto number = static_cast<GLuint>(attribute);
-    // The parameter, a pointer in OpenGL 1.1, is an offset into the buffer.
-    const auto* const offset =
-        reinterpret_cast<const void*>(place * sizeof(glm::vec3));  // NOLINT(performance-no-int-to-ptr)
-    glVertexAttribPointer(number, 3, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(count * sizeof(glm::vec3)),
-                          offset);
-    glEnableVertexAttribArray(number);
-}
-
 void bind_buffer_texture(GLuint unit, const GlTexture& texture) {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_BUFFER, texture.name());
-}
-
-void check_limit(std::size_t count, std::string_view what) {
-    GLint max_texels = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &max_texels);
-    if (count > static_cast<std::size_t>(max_texels))
-        throw MachineError(fmt::format("cannot draw {} {}: at most {} here", count, what, max_texels));
-}
-
-/// For each vertex, whether it lies on an edge of the root complex.
-std::vector<bool> vertices_on_root_edges(const UnionMesh& mesh) {
-    std::vector<bool> on_edge(mesh.vertex_count(), false);
-    for (std::size_t leaf = 0; leaf < mesh.leaf_count(); ++leaf)
-        for (unsigned corner = 0; corner < 3; ++corner)
-            if (mesh.tags[leaf].on_root_edge(corner))
-                for (const unsigned end : {(corner + 1) % 3, (corner + 2) % 3})
-                    on_edge[mesh.triangles[leaf][end]] = true;
-    return on_edge;
-}
-
-/// The data of a leaf that surface.frag reads.
-struct LeafTexel {
-    std::uint32_t tag;
-    /// Bits 0-2: whether the corner lies on an edge of the roots; above: place in the palette.
-    std::uint32_t origin_and_corners;
-};
-
-std::vector<LeafTexel> leaf_texels(const UnionMesh& mesh, std::span<const KeySet> origins) {
-    const std::vector<bool> on_edge = vertices_on_root_edges(mesh);
-    std::vector<LeafTexel> texels(mesh.leaf_count());
-    for (std::size_t leaf = 0; leaf < texels.size(); ++leaf) {
-        const auto place =
-            std::lower_bound(origins.begin(), origins.end(), mesh.origins[leaf]) - origins.begin();
-        std::uint32_t packed = static_cast<std::uint32_t>(place) << 3;
-        for (unsigned corner = 0; corner < 3; ++corner)
-            packed |= static_cast<std::uint32_t>(on_edge[mesh.triangles[leaf][corner]]) << corner;
-        texels[leaf] = {mesh.tags[leaf].packed(), packed};
-    }
-    return texels;
 }
 
 /// The path of each leaf as surface.geom reads it: bits 0-31, bits 32-63.
@@ -128,10 +67,6 @@ std::vector<std::array<std::uint32_t, 2>> path_texels(std::span<const LeafTag> t
 Renderer::Renderer()
     : background_program_(make_background_program()),
       no_attributes_(GlVertexArray::create()),
-      attributes_(GlVertexArray::create()),
-      corners_(GlBuffer::create()),
-      leaf_data_(GlBuffer::create()),
-      leaf_texture_(GlTexture::create()),
       palette_data_(GlBuffer::create()),
       palette_texture_(GlTexture::create()),
       path_data_(GlBuffer::create()),
@@ -164,79 +99,71 @@ const GlProgram& Renderer::surface_program(const SurfaceKind& kind) {
 }
 
 void Renderer::upload(const UnionMesh& mesh, const NormalForm& form, std::span<const std::size_t> keys) {
-    assert(mesh.key_count() > 0);
-    assert(mesh.key_count() > max_gpu_keys || form.product_count == product_count(mesh.key_count()));
-    check_limit(mesh.leaf_count(), "leaves");
-    std::vector<std::size_t> family_keys(keys.begin(), keys.end());
-    if (family_keys.empty()) {
-        family_keys.resize(mesh.key_count());
-        std::iota(family_keys.begin(), family_keys.end(), std::size_t{0});
-    }
-    assert(family_keys.size() == mesh.key_count());
-
-    origins_ = origins_of(mesh);
-    origin_colors_.clear();
-    for (const KeySet origin : origins_)
-        origin_colors_.push_back(linear_light(origin_color(origin, family_keys)));
-    levels_ = level_range(mesh);
-    upload_leaves(mesh);
-    field_components_ = 0;
-
-    if (mesh.key_count() <= max_gpu_keys) {
-        processor_blend_.reset();
-        gpu_key_count_ = mesh.key_count();
-        upload_streams(std::vector<Stream>(mesh.positions.begin(), mesh.positions.end()), form.products);
-    } else {
-        processor_blend_ = ProcessorBlend{.mesh = mesh};
-        gpu_key_count_ = 1;
-    }
+    sending_.reset();
+    begin_sending(mesh, surface_leaves(mesh), form);
+    show_sent(keys);
 }
 
-void Renderer::upload_leaves(const UnionMesh& mesh) {
-    fill_buffer_texture<LeafTexel>(leaf_data_, leaf_texture_, GL_RG32UI, leaf_texels(mesh, origins_));
-    tags_.assign(mesh.tags.begin(), mesh.tags.end());
+void Renderer::begin_upload(std::shared_ptr<const PreparedSurface> surface) {
+    sending_ = std::move(surface);
+    begin_sending(sending_->mesh, sending_->leaves, sending_->form);
+}
 
-    leaf_count_ = mesh.leaf_count();
-    glBindVertexArray(attributes_.name());
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, corners_.name());
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(leaf_count_ * sizeof(Triangle)),
-                 mesh.triangles.data(), GL_STATIC_DRAW);
-    glBindVertexArray(0);
+/// Begins to send a surface. Without sending_, all of it is sent, because the arguments may not last.
+void Renderer::begin_sending(const UnionMesh& mesh, const SurfaceLeaves& leaves, const NormalForm& form) {
+    assert(mesh.key_count() > 0);
+    assert(mesh.key_count() > max_gpu_keys || form.product_count == product_count(mesh.key_count()));
+    next_.key_count = 0;
+    next_.buffers.begin(mesh, leaves.texels, form);
+    next_.levels = leaves.levels;
+    next_.origins = leaves.origins;
+    next_.tags.assign(mesh.tags.begin(), mesh.tags.end());
+    next_.processor_blend.reset();
+    if (mesh.key_count() > max_gpu_keys)
+        next_.processor_blend =
+            ProcessorBlend{.mesh = sending_ ? std::shared_ptr<const UnionMesh>(sending_, &sending_->mesh)
+                                            : std::make_shared<const UnionMesh>(mesh)};
+    next_.key_count = mesh.key_count();
+    if (!sending_) next_.buffers.send(std::numeric_limits<std::size_t>::max());
+}
+
+bool Renderer::send(std::size_t max_bytes) {
+    const bool is_complete = next_.buffers.send(max_bytes);
+    if (is_complete) sending_.reset();
+    return is_complete;
+}
+
+void Renderer::show_sent(std::span<const std::size_t> keys) {
+    assert(next_.key_count > 0 && next_.buffers.is_complete());
+    std::swap(shown_, next_);
+    next_.key_count = 0;
+    next_.processor_blend.reset();
+    std::vector<std::size_t> family_keys(keys.begin(), keys.end());
+    if (family_keys.empty()) {
+        family_keys.resize(shown_.key_count);
+        std::iota(family_keys.begin(), family_keys.end(), std::size_t{0});
+    }
+    assert(family_keys.size() == shown_.key_count);
+    origin_colors_.clear();
+    origin_colors_.reserve(shown_.origins.size());
+    for (const KeySet origin : shown_.origins)
+        origin_colors_.push_back(linear_light(origin_color(origin, family_keys)));
+    field_components_ = 0;
 }
 
 void Renderer::upload_paths() {
-    if (tags_.empty()) return;
+    if (shown_.tags.empty()) return;
     fill_buffer_texture<std::array<std::uint32_t, 2>>(path_data_, path_texture_, GL_RG32UI,
-                                                      path_texels(tags_));
-    tags_ = {};
-}
-
-void Renderer::upload_streams(std::span<const Stream> positions, Stream products) {
-    const GLenum usage = processor_blend_ ? GL_STREAM_DRAW : GL_STATIC_DRAW;
-    const std::size_t normals = product_count(positions.size());
-    glBindVertexArray(attributes_.name());
-    for (std::size_t key = 0; key < positions.size(); ++key) {
-        fill_vertex_buffer(positions_[key], positions[key], usage);
-        set_attribute(key, 1, 0);
-    }
-    fill_vertex_buffer(products_, products, usage);
-    for (std::size_t n = 0; n < normals; ++n) set_attribute(first_product + n, normals, n);
-    for (std::size_t key = positions.size(); key < max_gpu_keys; ++key) {
-        positions_[key] = {};
-        glDisableVertexAttribArray(static_cast<GLuint>(key));
-    }
-    for (std::size_t n = normals; n < product_count(max_gpu_keys); ++n)
-        glDisableVertexAttribArray(static_cast<GLuint>(first_product + n));
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-    glBindVertexArray(0);
+                                                      path_texels(shown_.tags));
+    shown_.tags = {};
 }
 
 void Renderer::set_field(const UnionField* field) {
     field_components_ = 0;
-    if (processor_blend_) {
-        processor_blend_->field.reset();
-        if (field != nullptr) processor_blend_->field = *field;
-        processor_blend_->weights.clear();  // so that the next picture blends anew
+    if (auto& blend = shown_.processor_blend) {
+        blend->field.reset();
+        if (field != nullptr) blend->field = *field;
+        blend->weights.clear();  // so that the next picture blends anew
     } else if (field != nullptr) {
         upload_field(std::vector<std::span<const float>>(field->values.begin(), field->values.end()),
                      component_count(field->label.kind));
@@ -253,16 +180,15 @@ void Renderer::upload_field(std::span<const std::span<const float>> values, std:
             const auto of_vertex = stream.subspan(begin, components);
             together.insert(together.end(), of_vertex.begin(), of_vertex.end());
         }
-    check_limit(together.size(), "values");
+    check_texel_count(together.size(), "values");
     fill_buffer_texture<float>(field_data_, field_texture_, GL_R32F, together);
 }
 
 void Renderer::blend_on_processor(ProcessorBlend& blend, std::span<const float> weights) {
     if (std::equal(weights.begin(), weights.end(), blend.weights.begin(), blend.weights.end())) return;
-    morph(blend.mesh, weights, blend.positions);
-    surface_normals(blend.mesh, weights, blend.positions, blend.normals);
-    const Stream position_stream = blend.positions;
-    upload_streams({&position_stream, 1}, blend.normals);
+    morph(*blend.mesh, weights, blend.positions);
+    surface_normals(*blend.mesh, weights, blend.positions, blend.normals);
+    shown_.buffers.stream(blend.positions, blend.normals);
     if (blend.field) {
         morph(*blend.field, weights, blend.values);
         const std::span<const float> stream = blend.values;
@@ -278,8 +204,8 @@ void Renderer::upload_palette(Coloring coloring, ColorMap map) {
             palette.emplace_back(linear_light(plain_color), 1);
             break;
         case Coloring::level:
-            for (unsigned level = 0; level <= levels_.max; ++level)
-                palette.emplace_back(linear_light(level_color(level, levels_)), 1);
+            for (unsigned level = 0; level <= shown_.levels.max; ++level)
+                palette.emplace_back(linear_light(level_color(level, shown_.levels)), 1);
             break;
         case Coloring::origin:
             for (const glm::vec3 color : origin_colors_) palette.emplace_back(color, 1);
@@ -311,7 +237,7 @@ void Renderer::draw(const OffscreenTarget& target, const Camera& camera, std::sp
     glClear(GL_DEPTH_BUFFER_BIT);
 
     draw_background();
-    if (leaf_count_ > 0) draw_surface(target, camera, weights, display);
+    if (shown_.key_count > 0) draw_surface(target, camera, weights, display);
 
     // The values in the window are encoded already.
     glDisable(GL_FRAMEBUFFER_SRGB);
@@ -330,12 +256,11 @@ void Renderer::draw_background() const {
 void Renderer::draw_surface(const OffscreenTarget& target, const Camera& camera,
                             std::span<const float> weights, const Display& display) {
     const float one = 1;
-    if (processor_blend_) {
-        assert(weights.size() == processor_blend_->mesh.key_count());
-        blend_on_processor(*processor_blend_, weights);
+    assert(weights.size() == shown_.key_count);
+    if (shown_.processor_blend) {
+        blend_on_processor(*shown_.processor_blend, weights);
         weights = {&one, 1};
     }
-    assert(weights.size() == gpu_key_count_);
     const bool shows_field = display.coloring == Coloring::field && field_components_ > 0;
     const Coloring coloring =
         display.coloring == Coloring::field && !shows_field ? Coloring::plain : display.coloring;
@@ -343,7 +268,7 @@ void Renderer::draw_surface(const OffscreenTarget& target, const Camera& camera,
     if (coloring == Coloring::checker) upload_paths();
 
     const GlProgram& program =
-        surface_program({.key_count = gpu_key_count_,
+        surface_program({.key_count = shown_.buffers.key_count(),
                          .field_components = shows_field ? field_components_ : 0,
                          .checker = coloring == Coloring::checker,
                          .edges = display.wireframe || display.refinement_edges || display.root_edges});
@@ -369,12 +294,13 @@ void Renderer::draw_surface(const OffscreenTarget& target, const Camera& camera,
     bind_buffer_texture(3, field_texture_);
     bind_buffer_texture(2, path_texture_);
     bind_buffer_texture(1, palette_texture_);
-    bind_buffer_texture(0, leaf_texture_);
+    bind_buffer_texture(0, shown_.buffers.leaf_texture());
 
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
-    glBindVertexArray(attributes_.name());
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * leaf_count_), GL_UNSIGNED_INT, nullptr);
+    glBindVertexArray(shown_.buffers.attributes().name());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * shown_.buffers.leaf_count()), GL_UNSIGNED_INT,
+                   nullptr);
 }
 
 }  // namespace interleaf

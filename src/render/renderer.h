@@ -1,14 +1,15 @@
 // The renderer: draws the morph of a union mesh. The same renderer serves the window and EGL.
 //
 // upload() sends the data that stay constant while the active keys stay the same: leaves, tags, position
-// streams, normal products. draw() sends weights, camera and display as uniforms and draws once; the vertex
+// streams, normal products. begin_upload(), send() and show_sent() do the same in slices, while the surface
+// before is still drawn. draw() sends weights, camera and display as uniforms and draws once; the vertex
 // shader blends positions and exact normals. With more than max_gpu_keys active keys, the processor blends
 // positions into a streamed buffer and takes the normals of the blended surface.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,11 +20,10 @@
 #include "render/display.h"
 #include "render/offscreen_target.h"
 #include "render/palette.h"
+#include "render/prepared_surface.h"
+#include "render/surface_buffers.h"
 
 namespace interleaf {
-
-/// Four keys take 14 of the 16 vertex attributes that OpenGL 3.3 guarantees.
-inline constexpr std::size_t max_gpu_keys = 4;
 
 class Renderer {
   public:
@@ -38,6 +38,19 @@ class Renderer {
     /// \throw MachineError if there are more leaves than a buffer texture holds here; the old surface stays
     void upload(const UnionMesh& mesh, const NormalForm& form, std::span<const std::size_t> keys = {});
 
+    /// Begins to send \p surface beside the present one; what was begun before is dropped.
+    /// \throw MachineError as upload()
+    void begin_upload(std::shared_ptr<const PreparedSurface> surface);
+
+    /// Sends at most about \p max_bytes more of it.
+    /// \return whether all of it has been sent
+    bool send(std::size_t max_bytes);
+
+    /// Replaces the surface by the one that was sent.
+    /// \param keys  as for upload()
+    /// \pre send() has returned true since begin_upload()
+    void show_sent(std::span<const std::size_t> keys = {});
+
     /// Makes Coloring::field show \p field, a field of the uploaded mesh; null for none. Without a field it
     /// looks like Coloring::plain.
     /// \throw MachineError if the field has more values than a buffer texture holds here
@@ -49,8 +62,8 @@ class Renderer {
               const Display& display);
 
     /// The levels, and the sets of keys, that occur on the surface; the legend explains these.
-    LevelRange levels() const { return levels_; }
-    std::span<const KeySet> origins() const { return origins_; }
+    LevelRange levels() const { return shown_.levels; }
+    std::span<const KeySet> origins() const { return shown_.origins; }
 
     /// Reads the shader files again and compiles them; keeps the old ones if that fails.
     /// \throw InputError with the compiler's message
@@ -68,11 +81,9 @@ class Renderer {
     /// Programs, made when first needed.
     using SurfacePrograms = std::map<SurfaceKind, GlProgram>;
 
-    using Stream = std::span<const glm::vec3>;  ///< one vector per vertex
-
     /// A mesh with too many keys for the GPU, which the processor blends.
     struct ProcessorBlend {
-        UnionMesh mesh;
+        std::shared_ptr<const UnionMesh> mesh;
         std::optional<UnionField> field{};
         std::vector<float> weights{};  ///< the weights that the streams were blended with
         Buffer<glm::vec3> positions{};
@@ -80,11 +91,20 @@ class Renderer {
         Buffer<float> values{};  ///< of the field
     };
 
+    /// A surface on the GPU, or on its way there.
+    struct Surface {
+        SurfaceBuffers buffers{};
+        LevelRange levels{};
+        std::vector<KeySet> origins{};
+        std::vector<LeafTag> tags{};  ///< of the leaves, until path_data_ is filled from them
+        std::optional<ProcessorBlend> processor_blend{};
+        std::size_t key_count = 0;  ///< 0 for none
+    };
+
     static GlProgram make_surface_program(const SurfaceKind& kind);
     const GlProgram& surface_program(const SurfaceKind& kind);
     void upload_paths();
-    void upload_leaves(const UnionMesh& mesh);
-    void upload_streams(std::span<const Stream> positions, Stream products);
+    void begin_sending(const UnionMesh& mesh, const SurfaceLeaves& leaves, const NormalForm& form);
     void upload_field(std::span<const std::span<const float>> values, std::size_t components);
     void blend_on_processor(ProcessorBlend& blend, std::span<const float> weights);
     void upload_palette(Coloring coloring, ColorMap map);
@@ -95,12 +115,6 @@ class Renderer {
     GlProgram background_program_;
     SurfacePrograms surface_programs_;
     GlVertexArray no_attributes_;
-    GlVertexArray attributes_;
-    std::array<GlBuffer, max_gpu_keys> positions_;  ///< of each key
-    GlBuffer products_;                             ///< the normal products; those of a vertex are adjacent
-    GlBuffer corners_;                              ///< vertex indices of the leaves
-    GlBuffer leaf_data_;      ///< per leaf: its tag, and its origin's place in the palette
-    GlTexture leaf_texture_;  ///< leaf_data_ as a buffer texture
     GlBuffer palette_data_;
     GlTexture palette_texture_;
     GlBuffer path_data_;  ///< the path from the root to each leaf; filled when a checkerboard is first drawn
@@ -108,14 +122,11 @@ class Renderer {
     GlBuffer field_data_;
     GlTexture field_texture_;
 
-    std::size_t gpu_key_count_ = 0;  ///< 0 before the first upload
-    std::size_t leaf_count_ = 0;
-    std::vector<LeafTag> tags_;         ///< of the leaves, until path_data_ is filled from them
-    std::size_t field_components_ = 0;  ///< of the uploaded field; 0 for none
-    LevelRange levels_;
-    std::vector<KeySet> origins_;
-    std::vector<glm::vec3> origin_colors_;  ///< of the origins that occur, in linear light
-    std::optional<ProcessorBlend> processor_blend_;
+    Surface shown_;
+    Surface next_;                                    ///< what is sent
+    std::shared_ptr<const PreparedSurface> sending_;  ///< its data, until they are sent
+    std::size_t field_components_ = 0;                ///< of the uploaded field; 0 for none
+    std::vector<glm::vec3> origin_colors_;            ///< of the origins that occur, in linear light
 };
 
 }  // namespace interleaf

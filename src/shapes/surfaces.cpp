@@ -14,9 +14,10 @@ glm::dvec3 sphere_surface(const glm::dvec3& u) {
 
 glm::dvec3 cushion_surface(const glm::dvec3& u, std::span<const double> constants) {
     // With q the squared length of the point on the ray, the equation is a q^2 - b q + c = 0. The smaller
-    // root is the cushion's; the larger one belongs to the branches outside |X|, |Y| <= 1.
+    // root is the cushion's; the larger one belongs to the branches outside |X / length|, |Y| <= 1.
     const double c = constants[0] * constants[0];
-    const double x = u.x * u.x;
+    const double along = u.x / constants[1];
+    const double x = along * along;
     const double y = u.y * u.y;
     const double a = c * x * y;
     const double b = c * (x + y) + u.z * u.z;

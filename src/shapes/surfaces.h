@@ -34,8 +34,9 @@ struct SurfaceConstant {
 /// The unit sphere itself.
 glm::dvec3 sphere_surface(const glm::dvec3& u);
 
-/// Z^2 = height^2 (1 - X^2)(1 - Y^2), intersected with the ray through \p u.
-inline constexpr std::array cushion_constants = {SurfaceConstant{"height", 0.55, 0.1, 1}};
+/// Z^2 = height^2 (1 - (X / length)^2)(1 - Y^2), intersected with the ray through \p u.
+inline constexpr std::array cushion_constants = {SurfaceConstant{"height", 0.55, 0.1, 1},
+                                                 SurfaceConstant{"length", 1, 0.5, 2}};
 glm::dvec3 cushion_surface(const glm::dvec3& u, std::span<const double> constants);
 
 /// An arm towards each of the icosahedron's 12 vertices d: radius core + arm * sum over d of exp(sharpness (u.d -

@@ -196,6 +196,10 @@ TEST_CASE("an adaptive domain is bisected where the shape needs it; wrong consta
                                      family.domain->triangles().size()));
     CHECK(family.keys.size() > 4);
     CHECK_FALSE(family.timeline);
+    const Outcome cushions =
+        run_interleaf({"family", "--adapt", "cushion", "--range", "height=0.2:0.9", "--range", "length=0.5:2",
+                       "--tolerance", "0.05", "-o", folder / "cushions"});
+    CHECK_MESSAGE(cushions.status == 0, cushions.errors);
     CHECK(contains(with({}).errors, "--tolerance"));
     CHECK(contains(with({"--tolerance", "0.03", "--interpolation", "hold"}).errors, "no timeline"));
     CHECK(contains(with({"--tolerance", "0.03", "--range", "core=1:2"}).errors, "two --range"));

@@ -109,13 +109,13 @@ void compose_domain(const RunningViewer& viewer) {
 
     // Now it also has "Remove vertex" below them.
     viewer.click(domain_pixel(state, {-0.5F, 0}), 3);
-    choose_in_menu(viewer, 3, 9);
+    choose_in_menu(viewer, 3, 10);
     state = viewer.wait_for("another key at it", [](const State& s) {
         return s["document"]["domain"][5][2] == s["document"]["keys"][2];
     });
 
     viewer.click(domain_pixel(state, {0.25F, 0.125F}), 3);
-    choose_in_menu(viewer, 8, 9);
+    choose_in_menu(viewer, 9, 10);
     state = wait_for_step(viewer, "Remove a domain vertex");
     CHECK(state["document"]["domain"].size() == 5);
 

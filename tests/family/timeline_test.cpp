@@ -74,3 +74,17 @@ TEST_CASE("a timeline without keys, or with times that do not ascend, is rejecte
 TEST_CASE("a time that is not a number is rejected") {
     CHECK_THROWS_AS(Timeline({{0, 0}, {1, 1}}).at(not_a_number), InputError);
 }
+
+TEST_CASE("every edit of a timeline keeps its unit") {
+    const Timeline steps({{0, 0}, {1, 1}, {2, 2}}, {}, TimeUnit::steps);
+    CHECK(steps.with_entry({3, 1}).unit() == TimeUnit::steps);
+    CHECK(steps.with_time(1, 1.5).unit() == TimeUnit::steps);
+    CHECK(steps.without_entry(0)->unit() == TimeUnit::steps);
+    CHECK(steps.without_key(1)->unit() == TimeUnit::steps);
+    CHECK(steps.with_interpolation({.basis = Basis::hold}).unit() == TimeUnit::steps);
+    CHECK(steps.with_keys_renumbered([](std::size_t key) { return key; }) == steps);
+    CHECK(steps.with_unit(TimeUnit::seconds) != steps);
+    for (const TimeUnit unit : {TimeUnit::seconds, TimeUnit::steps})
+        CHECK(time_unit_named(name_of(unit)) == unit);
+    CHECK_FALSE(time_unit_named("step"));
+}

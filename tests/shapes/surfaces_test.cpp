@@ -1,5 +1,6 @@
 #include "shapes/surfaces.h"
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -55,6 +56,19 @@ TEST_CASE("the cushion satisfies its equation, on the ray and within the square"
     CHECK(cushion_surface({1, 0, 0}).x == doctest::Approx(1));
     const double diagonal = std::sqrt(0.5);
     CHECK(cushion_surface({diagonal, diagonal, 0}).x == doctest::Approx(1));
+}
+
+TEST_CASE("the cushion of other constants satisfies its equation") {
+    const unsigned seed = 4;
+    CAPTURE(seed);
+    for (const std::array constants : {std::array{0.1, 0.5}, std::array{1.0, 2.0}, std::array{0.3, 1.4}})
+        for (const glm::dvec3& u : random_directions(seed, 300)) {
+            const glm::dvec3 p = cushion_surface(u, constants);
+            const double x = p.x / constants[1];
+            CHECK(glm::length(glm::cross(p, u)) < 1e-15);
+            CHECK(std::abs(x) <= 1 + 1e-15);
+            CHECK(std::abs(p.z * p.z - constants[0] * constants[0] * (1 - x * x) * (1 - p.y * p.y)) < 1e-14);
+        }
 }
 
 TEST_CASE("the star's arms point towards the vertices of the icosahedron") {

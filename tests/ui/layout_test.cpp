@@ -95,3 +95,12 @@ TEST_CASE("without a timeline, the view takes its place") {
     CHECK(without.view.height == with.view.height + with.timeline.height);
     CHECK(without.view.bottom() == without.status.y);
 }
+
+TEST_CASE("in a wide window the right column grows, and with it the parameter domain") {
+    const float usual = lay_out({1280, 800}, menu_height, 1, true).right.width;
+    CHECK(lay_out({1100, 800}, menu_height, 1, true).right.width == usual);
+    const float wide = lay_out({1920, 1080}, menu_height, 1, true).right.width;
+    CHECK(wide > 1.4F * usual);
+    CHECK(lay_out({3840, 2160}, menu_height, 2, true).right.width == 2 * wide);
+    CHECK(lay_out({3840, 2160}, menu_height, 1, true).right.width < 0.15F * 3840);
+}

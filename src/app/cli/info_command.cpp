@@ -247,7 +247,7 @@ void print_keys(const Family& family, std::span<const Figures> keys) {
 }
 
 void print_timeline(const Timeline& timeline, const Family& family) {
-    fmt::print("\ntimeline, seconds, {}\n", text_of(timeline.interpolation()));
+    fmt::print("\ntimeline, {}, {}\n", name_of(timeline.unit()), text_of(timeline.interpolation()));
     for (const TimelineKey& key : timeline.keys())
         fmt::print("{:>12.4g}  {}\n", key.time, family.keys[key.key].name);
 }

@@ -63,7 +63,7 @@ void add_view(CLI::App& program) {
                     [options](const std::string& text) { options->viewer.time = parse_number(text); })
         ->type_name("T")
         ->excludes(at);
-    add_along(*command, options->along)->excludes(at);
+    add_along(*command, options->viewer.along)->excludes(at);
     add_display(*command, options->viewer.display);
     command
         ->add_option_function<std::string>(

@@ -16,19 +16,13 @@ namespace interleaf {
 
 namespace {
 
-/// The family with \p along as its choice of what drives the blend over time.
-Family along_source(Family family, std::optional<TimeSource> along) {
-    if (!along) return family;
-    require_source(family, *along);
-    return with_time_source(std::move(family), *along);
-}
-
 /// Opens the window. For meshes, the window shows the built-in family and offers to fit the meshes.
 /// \param opened  is emptied
 void show(Opening& opened, const std::vector<std::filesystem::path>& sources, const ViewOptions& view) {
     const auto run = [&view](Family family, const std::vector<std::filesystem::path>& from,
                              std::vector<std::filesystem::path> meshes) {
-        run_viewer(along_source(std::move(family), view.along), from, std::move(meshes), view.viewer);
+        if (view.viewer.along) require_source(family, *view.viewer.along);
+        run_viewer(std::move(family), from, std::move(meshes), view.viewer);
     };
     std::visit(Cases{[&](OpenedFamily& family) { run(std::move(family.family), sources, {}); },
                      [&](OpenedKeys& keys) { run(std::move(keys.family), sources, {}); },

@@ -12,8 +12,7 @@ namespace interleaf {
 
 struct ViewOptions {
     std::vector<std::filesystem::path>
-        family;                       ///< paths that open_files() takes; empty for the built-in family
-    std::optional<TimeSource> along;  ///< what drives the blend over time; by default the family's choice
+        family;  ///< paths that open_files() takes; empty for the built-in family
     ViewerOptions viewer;
 };
 

@@ -47,6 +47,8 @@ void change_document(ViewerState& state, double now, Change change) {
     change();
     if (selected) follow_selection(state, *selected);
     if (!state.document.family().domain) state.recording.reset();
+    const auto& path = state.document.family().path;
+    if (!path || state.selected_path_point >= path->points().size()) state.selected_path_point.reset();
     state.session.replace_family(state.document.snapshot(), now);
 }
 
@@ -60,8 +62,16 @@ std::string time_text(double time) {
     return fmt::format("{:.10g}", time);
 }
 
+/// The question for the time of \p key on the timeline.
+std::string time_question(const ViewerState& state, const std::string& key) {
+    const auto& timeline = state.document.family().timeline;
+    return timeline && timeline->unit() == TimeUnit::steps
+               ? fmt::format("Step of {} on the timeline", key)
+               : fmt::format("Time of {} on the timeline, in seconds", key);
+}
+
 std::string fault_of_time(const std::string& text) {
-    return time_in(text) ? "" : "a number of seconds, such as 2.5";
+    return time_in(text) ? "" : "a number, such as 2.5";
 }
 
 }  // namespace
@@ -209,21 +219,20 @@ void ask_for_new_time(ViewerState& state) {
     if (!state.selected_key) return;
     const std::size_t key = *state.selected_key;
     const auto& timeline = state.document.family().timeline;
-    state.question =
-        TextQuestion{.text = fmt::format("Time of {} on the timeline, in seconds", name_of(state, key)),
-                     .entry = time_text(timeline ? timeline->end() + 1 : 0),
-                     .button = "Put there",
-                     .fault = fault_of_time,
-                     .answer = [key](ViewerState& changed, const std::string& text, double now) {
-                         add_time(changed, key, time_in(text).value_or(0), now);
-                     }};
+    state.question = TextQuestion{.text = time_question(state, name_of(state, key)),
+                                  .entry = time_text(timeline ? timeline->end() + 1 : 0),
+                                  .button = "Put there",
+                                  .fault = fault_of_time,
+                                  .answer = [key](ViewerState& changed, const std::string& text, double now) {
+                                      add_time(changed, key, time_in(text).value_or(0), now);
+                                  }};
 }
 
 void ask_for_time(ViewerState& state, std::size_t place) {
     const TimelineKey entry = state.document.family().timeline->keys()[place];
     const std::string name = name_of(state, entry.key);
     state.question =
-        TextQuestion{.text = fmt::format("Time of {} on the timeline, in seconds", name),
+        TextQuestion{.text = time_question(state, name),
                      .entry = time_text(entry.time),
                      .button = "Set",
                      .fault = fault_of_time,

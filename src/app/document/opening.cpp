@@ -45,8 +45,11 @@ bool must_be_fitted(std::span<const std::filesystem::path> files) {
 Opening open_keys(std::vector<std::filesystem::path> files) {
     std::vector<std::string> changes;
     auto read = read_keys_if_fitting(files, &changes);
-    if (auto* family = std::get_if<Family>(&read))
+    if (auto* family = std::get_if<Family>(&read)) {
+        if (family->timeline && files.size() > 1 && is_numbered_series(files))
+            family->timeline = family->timeline->with_unit(TimeUnit::steps);
         return OpenedKeys{std::move(*family), std::move(changes), std::move(files)};
+    }
     std::string reason = std::move(std::get<Misfit>(read).reason);
     if (files.size() < 2 || !are_called(files, &Format::holds_mesh)) throw InputError(reason);
     return MeshesToFit{std::move(files), std::move(reason)};

@@ -1,8 +1,13 @@
 #include "app/document/path_commands.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <utility>
 
+#include "text/parsed_number.h"
+#include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 #include "app/document/edit_commands.h"
@@ -20,6 +25,44 @@ constexpr double min_interval = 1e-3;
 
 /// A longer time between two recorded points is a rest; seconds.
 constexpr double longest_motion = 0.1;
+
+/// A place of the domain in \p text: "0.25, -0.5"; a blank suffices between the numbers.
+std::optional<glm::dvec2> place_in(std::string_view text) {
+    const std::size_t gap = text.find_first_of(", ;");
+    if (gap == std::string_view::npos) return std::nullopt;
+    const std::size_t second = text.find_first_not_of(", ;", gap);
+    if (second == std::string_view::npos) return std::nullopt;
+    const auto u = parsed_number<double>(text.substr(0, gap));
+    const auto v = parsed_number<double>(text.substr(second));
+    if (!u || !v || !std::isfinite(*u) || !std::isfinite(*v)) return std::nullopt;
+    return glm::dvec2(*u, *v);
+}
+
+std::string fault_of_place(const std::string& text) {
+    return place_in(text) ? "" : "two numbers, such as 0.25, -0.5";
+}
+
+std::string place_text(glm::dvec2 at) {
+    return fmt::format("{:.10g}, {:.10g}", at.x, at.y);
+}
+
+/// The path's point \p place; null if there is none.
+const PathPoint* path_point(const ViewerState& state, std::size_t place) {
+    const auto& path = state.document.family().path;
+    return path && place < path->points().size() ? &path->points()[place] : nullptr;
+}
+
+/// Sets the point \p place as one step, and selects it.
+void set_path_point(ViewerState& state, std::size_t place, const PathPoint& to, double now) {
+    edit(
+        state, "Set a path point",
+        [&](const Family& family) { return with_path(family, family.path->with_point_moved(place, to)); },
+        now);
+    const auto points = state.document.family().path->points();
+    const auto moved = std::ranges::find(points, to);
+    if (moved != points.end())
+        select_path_point(state, static_cast<std::size_t>(moved - points.begin()), now);
+}
 
 }  // namespace
 
@@ -87,6 +130,120 @@ void remove_path(ViewerState& state, double now) {
     if (!state.document.family().path) return;
     edit(
         state, "Remove the path", [](const Family& family) { return with_path(family, std::nullopt); }, now);
+}
+
+void select_path_point(ViewerState& state, std::size_t place, double now) {
+    const PathPoint* const point = path_point(state, place);
+    if (point == nullptr) return;
+    state.selected_path_point = place;
+    if (path_drives(state)) state.session.seek(point->time, now);
+}
+
+void move_path_point(ViewerState& state, std::size_t place, const PathPoint& to, double now) {
+    if (path_point(state, place) == nullptr) return;
+    drag_edit(
+        state, "Move a path point",
+        [&](const Family& family) { return with_path(family, family.path->with_point_moved(place, to)); },
+        now);
+    select_path_point(state, place, now);
+}
+
+bool insert_path_point(ViewerState& state, const PathPoint& added, double now) {
+    if (!state.document.family().path) return false;
+    drag_edit(
+        state, "Insert a path point",
+        [&](const Family& family) { return with_path(family, family.path->with_point(added)); }, now);
+    const auto points = state.document.family().path->points();
+    const auto inserted = std::ranges::find(points, added);
+    if (inserted == points.end()) return false;
+    select_path_point(state, static_cast<std::size_t>(inserted - points.begin()), now);
+    return true;
+}
+
+void remove_path_point(ViewerState& state, std::size_t place, double now) {
+    if (path_point(state, place) == nullptr) return;
+    edit(
+        state, "Remove a path point",
+        [&](const Family& family) { return with_path(family, family.path->without_point(place)); }, now);
+    state.selected_path_point.reset();
+}
+
+void ask_for_path_point_time(ViewerState& state, std::size_t place) {
+    const PathPoint* const point = path_point(state, place);
+    if (point == nullptr) return;
+    state.question = TextQuestion{
+        .text = "Time of the path point, in seconds",
+        .entry = fmt::format("{:.10g}", point->time),
+        .button = "Set",
+        .fault =
+            [](const std::string& typed) {
+                const auto time = parsed_number<double>(typed);
+                return time && std::isfinite(*time) ? std::string() : "a number of seconds, such as 2.5";
+            },
+        .answer =
+            [place](ViewerState& changed, const std::string& typed, double now) {
+                const PathPoint* const old = path_point(changed, place);
+                const auto time = parsed_number<double>(typed);
+                if (old != nullptr && time) set_path_point(changed, place, {*time, old->at}, now);
+            }};
+}
+
+void ask_for_path_point_place(ViewerState& state, std::size_t place) {
+    const PathPoint* const point = path_point(state, place);
+    if (point == nullptr) return;
+    state.question =
+        TextQuestion{.text = "Place of the path point, U, V",
+                     .entry = place_text(point->at),
+                     .button = "Set",
+                     .fault = fault_of_place,
+                     .answer = [place](ViewerState& changed, const std::string& typed, double now) {
+                         const PathPoint* const old = path_point(changed, place);
+                         const auto at = place_in(typed);
+                         if (old != nullptr && at) set_path_point(changed, place, {old->time, *at}, now);
+                     }};
+}
+
+void ask_for_place(ViewerState& state) {
+    if (!state.document.family().domain) return;
+    state.question = TextQuestion{.text = "Place of the point, U, V",
+                                  .entry = state.session.point() ? place_text(state.session.point()->at) : "",
+                                  .button = "Set",
+                                  .fault = fault_of_place,
+                                  .answer = [](ViewerState& changed, const std::string& typed, double now) {
+                                      const auto at = place_in(typed);
+                                      if (!at || !changed.document.family().domain) return;
+                                      changed.session.move_point(*at, now);
+                                      record_point(changed, now);
+                                  }};
+}
+
+void ask_for_vertex_place(ViewerState& state, Index vertex) {
+    const auto& domain = state.document.family().domain;
+    if (!domain || vertex >= domain->vertices().size()) return;
+    state.question =
+        TextQuestion{.text = "Place of the vertex, U, V",
+                     .entry = place_text(domain->vertices()[vertex].at),
+                     .button = "Set",
+                     .fault = fault_of_place,
+                     .answer = [vertex](ViewerState& changed, const std::string& typed, double now) {
+                         const auto at = place_in(typed);
+                         const auto& present = changed.document.family().domain;
+                         if (!at || !present || vertex >= present->vertices().size()) return;
+                         edit(
+                             changed, "Set a domain vertex",
+                             [&](const Family& family) {
+                                 return with_domain(family, family.domain->with_vertex_at(vertex, *at));
+                             },
+                             now);
+                     }};
+}
+
+void go_to_key(ViewerState& state, int direction, double now) {
+    state.session.seek_key(direction, now);
+    if (!state.edits_domain || !path_drives(state)) return;
+    const auto points = state.document.family().path->points();
+    const auto here = std::ranges::find(points, state.session.time(), &PathPoint::time);
+    if (here != points.end()) state.selected_path_point = static_cast<std::size_t>(here - points.begin());
 }
 
 }  // namespace interleaf

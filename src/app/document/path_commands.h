@@ -1,6 +1,9 @@
-// The commands on the path through the parameter domain: recording, smoothing, removing, and the choice of
-// whether keys or the path drive. Each change of the family is an undoable step of the document.
+// The commands on the path through the parameter domain: recording, smoothing, removing, editing its points,
+// and the choice of whether keys or the path drive; and typing places in the domain. Each change of the family
+// is an undoable step of the document.
 #pragma once
+
+#include <cstddef>
 
 #include "app/document/viewer_state.h"
 
@@ -20,5 +23,30 @@ bool path_drives(const ViewerState& state);
 /// Smooths the path by a Gaussian of a fiftieth of its duration.
 void smooth_path(ViewerState& state, double now);
 void remove_path(ViewerState& state, double now);
+
+/// One movement of a drag of a path point (drag_edit()). The time follows to the point, so that the surface
+/// shows the blend there.
+void move_path_point(ViewerState& state, std::size_t place, const PathPoint& to, double now);
+
+/// Begins a drag with another point of the path.
+/// \return whether the path could take the point
+bool insert_path_point(ViewerState& state, const PathPoint& added, double now);
+
+void select_path_point(ViewerState& state, std::size_t place, double now);
+void remove_path_point(ViewerState& state, std::size_t place, double now);
+
+/// These functions ask the user for numbers first.
+void ask_for_path_point_time(ViewerState& state, std::size_t place);
+void ask_for_path_point_place(ViewerState& state, std::size_t place);
+
+/// Asks for the place of the point of the blend.
+void ask_for_place(ViewerState& state);
+
+/// Asks for the place of \p vertex of the domain. A place where a triangle would turn over is refused.
+void ask_for_vertex_place(ViewerState& state, Index vertex);
+
+/// Goes to the next key or point of the path (\p direction 1) or to the previous one (-1), as
+/// Session::seek_key(). While the domain is edited, this selects the point.
+void go_to_key(ViewerState& state, int direction, double now);
 
 }  // namespace interleaf

@@ -58,9 +58,12 @@ void ask_for_present_time(ViewerState& state) {
     if (!state.session.has_time()) return;
     const double begin = state.session.playback().begin();
     const double end = state.session.playback().end();
+    const Family& family = state.document.family();
+    const bool counts_steps = unit_of(family, *source_of_time(family)) == TimeUnit::steps;
     state.question = number_question(
-        "Time to go to, in seconds", state.session.time(), begin, end,
-        fmt::format("a time from {:.10g} to {:.10g} seconds", begin, end),
+        counts_steps ? "Step to go to" : "Time to go to, in seconds", state.session.time(), begin, end,
+        counts_steps ? fmt::format("a step from {:.10g} to {:.10g}", begin, end)
+                     : fmt::format("a time from {:.10g} to {:.10g} seconds", begin, end),
         [](ViewerState& changed, double time, double now) { changed.session.seek(time, now); });
 }
 

@@ -54,8 +54,11 @@ struct ViewerState {
     std::optional<std::size_t> selected_key;
     std::optional<TimeRange> shown_times;    ///< the part of the timeline that its panel shows; none for all
     std::optional<PathRecording> recording;  ///< of a path through the domain, while it goes on
-    bool edits_domain = false;               ///< dragging in the domain moves its vertices
-    bool is_dragging = false;                ///< the document's present step is a drag in progress
+    bool edits_domain = false;               ///< dragging in the domain moves its vertices and path points
+    bool domain_has_focus = false;           ///< arrow keys move the point in the domain
+    std::optional<DomainBox> shown_domain;   ///< the part of the domain that its panel shows; none for all
+    std::optional<std::size_t> selected_path_point;  ///< while the domain is edited
+    bool is_dragging = false;                        ///< the document's present step is a drag in progress
 
     Comparisons comparisons;      ///< of keys that were fitted to meshes since the document was opened
     bool is_comparing = false;    ///< the window shows a comparison, not the document

@@ -40,7 +40,7 @@ Timeline timeline_of(const SeriesFiles& series) {
     std::vector<TimelineKey> keys;
     keys.reserve(series.times.size());
     for (std::size_t step = 0; step < series.times.size(); ++step) keys.push_back({series.times[step], step});
-    return Timeline(std::move(keys));
+    return Timeline(std::move(keys), {}, series.are_steps ? TimeUnit::steps : TimeUnit::seconds);
 }
 
 }  // namespace
@@ -48,6 +48,7 @@ Timeline timeline_of(const SeriesFiles& series) {
 SeriesFiles every_step(const SeriesFiles& series, std::size_t every) {
     if (every == 0) throw UsageError("--every: expected at least 1");
     SeriesFiles taken;
+    taken.are_steps = series.are_steps;
     for (std::size_t step = 0; step < series.files.size(); step += every) {
         taken.files.push_back(series.files[step]);
         taken.times.push_back(series.times[step]);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "family/family_fields.h"
@@ -17,6 +19,12 @@ std::vector<std::string> names_of(const Family& family, const std::vector<std::s
     for (const std::size_t key : keys) names.push_back(family.keys[key].name);
     return names;
 }
+
+/// The longest time in a frame to wait for a union; half of a frame of 60 Hz.
+constexpr std::chrono::milliseconds longest_wait{8};
+
+/// What a frame sends to the GPU at most, in bytes: about 4 ms where the processor is the GPU.
+constexpr std::size_t slice_bytes = std::size_t{4} << 20;
 
 }  // namespace
 
@@ -35,17 +43,28 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
                          std::ranges::equal(hierarchies, hierarchies_,
                                             [](const auto& a, const auto& b) { return a.is_same(b); });
     if (is_same) {
+        needed_since_.reset();
+        has_waited_ = false;
+        figures_.is_late = false;
         figures_.key_names = names_of(family, active);
+        weights_ = weight_values(weights);
         return update_field(family, weights, field);
     }
 
-    const auto start = std::chrono::steady_clock::now();
-    // Levels of detail get other hierarchies whenever they are cut again, so their unions are not kept.
-    UnionCache::Result result =
-        sources.empty() ? unions_.get(hierarchies) : UnionCache::Result{unions_.make(hierarchies), false};
-    renderer_.upload(result.united->mesh, result.united->form, keys);
-    union_ = std::move(result.united);  // if the upload fails, the old union stays with its figures
-    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+    if (!needed_since_) needed_since_ = std::chrono::steady_clock::now();
+    const bool is_kept = sources.empty();
+    UnionCache::Result result = needed_union(hierarchies, is_kept);
+    has_waited_ = has_waited_ || !result.is_ready;
+    // A union that is not kept could not be sent in later frames.
+    const std::size_t max_bytes =
+        is_kept && union_ != nullptr ? slice_bytes : std::numeric_limits<std::size_t>::max();
+    figures_.is_late = result.united == nullptr || !has_sent(result.united, max_bytes);
+    if (figures_.is_late) return;
+    renderer_.show_sent(keys);
+    sent_.reset();
+    union_ = std::move(result.united);
+    const std::chrono::duration<double, std::milli> taken =
+        std::chrono::steady_clock::now() - *std::exchange(needed_since_, std::nullopt);
 
     hierarchies_ = std::move(hierarchies);
     std::vector<std::string> names = names_of(family, active);
@@ -56,11 +75,30 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
                 .levels = renderer_.levels(),
                 .origins = {renderer_.origins().begin(), renderer_.origins().end()},
                 .rebuilds = figures_.rebuilds + 1,
-                .waits = figures_.waits + (result.is_ready ? 0 : 1),
+                .waits = figures_.waits + (std::exchange(has_waited_, false) ? 1 : 0),
+                .is_late = false,
                 .rebuild_milliseconds = taken.count(),
                 .key_without_field = {}};
     wanted_field_.reset();
+    weights_ = weight_values(weights);
     update_field(family, weights, field);
+}
+
+/// \param is_kept  whether the keys come again; levels of detail are other hierarchies whenever they are cut
+UnionCache::Result MorphSurface::needed_union(const UnionCache::Keys& hierarchies, bool is_kept) {
+    if (!is_kept) return {unions_.make(hierarchies), false};
+    return union_ == nullptr ? unions_.get(hierarchies) : unions_.get_within(hierarchies, longest_wait);
+}
+
+/// Sends at most about \p max_bytes more of \p united to the GPU.
+/// \return whether all of it is there
+bool MorphSurface::has_sent(const UnionCache::Prepared& united, std::size_t max_bytes) {
+    if (sent_ != united) {
+        sent_.reset();
+        renderer_.begin_upload(united);
+        sent_ = united;
+    }
+    return renderer_.send(max_bytes);
 }
 
 void MorphSurface::update_field(const Family& family, const Weights& weights, const FieldName* field) {
@@ -83,18 +121,30 @@ void MorphSurface::expect(const Family& family, std::span<const std::vector<std:
     wanted.reserve(key_sets.size());
     for (const std::vector<std::size_t>& keys : key_sets) {
         UnionCache::Keys& hierarchies = wanted.emplace_back();
+        hierarchies.reserve(keys.size());
         for (const std::size_t key : keys) hierarchies.push_back(family.keys[key].hierarchy);
     }
+    if (!figures_.is_late) send_ahead(wanted);
     unions_.prepare(std::move(wanted));
 }
 
-Extent MorphSurface::extent(const Weights& weights) const {
-    return extent_of(morph(union_->mesh, weight_values(weights)));
+/// Sends a slice of the first union of \p wanted that is not shown, if it is made.
+void MorphSurface::send_ahead(std::span<const UnionCache::Keys> wanted) {
+    for (const UnionCache::Keys& keys : wanted) {
+        const UnionCache::Prepared united = unions_.peek(keys);
+        if (united != nullptr && united == union_) continue;
+        if (united != nullptr) has_sent(united, slice_bytes);
+        return;
+    }
 }
 
-std::optional<glm::vec3> MorphSurface::field_at(const Ray& ray, const Weights& weights) {
+Extent MorphSurface::extent() const {
+    return extent_of(morph(union_->mesh, weights_));
+}
+
+std::optional<glm::vec3> MorphSurface::field_at(const Ray& ray) {
     if (!field_) return std::nullopt;
-    const std::vector<float> factors = weight_values(weights);
+    const std::vector<float>& factors = weights_;
     const std::optional<Hit> hit = first_hit(union_->mesh.triangles, morph(union_->mesh, factors), ray);
     if (!hit) return std::nullopt;
     const UnionField& field = *field_;

@@ -4,8 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "render/renderer.h"
-
 namespace interleaf {
 
 namespace {
@@ -16,26 +14,16 @@ UnionCache::Prepared prepared_union(const UnionCache::Keys& keys, UnionMesh& scr
     std::vector<const Hierarchy*> hierarchies;
     hierarchies.reserve(keys.size());
     for (const SharedHierarchy& key : keys) hierarchies.push_back(&*key);
-    auto prepared = std::make_shared<PreparedUnion>();
     unite(hierarchies, scratch);
-    prepared->mesh = scratch;
-    if (keys.size() <= max_gpu_keys) normal_form(prepared->mesh, prepared->form);
-    return prepared;
+    return std::make_shared<const PreparedSurface>(prepared_surface(scratch));
 }
 
 }  // namespace
 
-std::size_t PreparedUnion::byte_count() const {
-    std::size_t per_vertex = sizeof(VertexOrigin) + form.product_count * sizeof(glm::vec3);
-    per_vertex += mesh.key_count() * sizeof(glm::vec3);
-    const std::size_t per_leaf = sizeof(Triangle) + sizeof(LeafTag) + sizeof(KeySet);
-    std::size_t bytes = mesh.vertex_count() * per_vertex + mesh.leaf_count() * per_leaf;
-    for (const Buffer<Index>& own : mesh.own_vertices) bytes += own.size() * sizeof(Index);
-    return bytes;
-}
-
-UnionCache::UnionCache(std::size_t max_bytes)
-    : max_bytes_(max_bytes), worker_([this](const std::stop_token& stop) { work(stop); }) {}
+UnionCache::UnionCache(std::size_t max_bytes, Maker maker)
+    : max_bytes_(max_bytes),
+      maker_(maker != nullptr ? maker : prepared_union),
+      worker_([this](const std::stop_token& stop) { work(stop); }) {}
 
 bool UnionCache::are_same(const Keys& a, const Keys& b) {
     return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return x.is_same(y); });
@@ -81,7 +69,33 @@ bool UnionCache::is_wished(const Keys& keys) const {
 }
 
 UnionCache::Prepared UnionCache::make(const Keys& keys) {
-    return prepared_union(keys, scratch_);
+    return maker_(keys, scratch_);
+}
+
+UnionCache::Prepared UnionCache::peek(const Keys& keys) const {
+    const std::lock_guard lock(mutex_);
+    const auto found =
+        std::ranges::find_if(entries_, [&](const Entry& entry) { return are_same(entry.keys, keys); });
+    return found == entries_.end() ? nullptr : found->united;
+}
+
+UnionCache::Result UnionCache::get_within(const Keys& keys, std::chrono::milliseconds longest) {
+    std::unique_lock lock(mutex_);
+    if (Prepared ready = find(keys)) {
+        urgent_.clear();
+        return {std::move(ready), true};
+    }
+    Prepared made;
+    const auto has_ended = [&] {
+        made = find(keys);
+        return made != nullptr || (fault_.error && are_same(fault_.keys, keys));
+    };
+    urgent_ = keys;
+    changed_.notify_all();
+    if (!changed_.wait_for(lock, longest, has_ended)) return {nullptr, false};
+    urgent_.clear();
+    if (made == nullptr) std::rethrow_exception(std::exchange(fault_, {}).error);
+    return {std::move(made), false};
 }
 
 UnionCache::Result UnionCache::get(const Keys& keys) {
@@ -107,7 +121,7 @@ void UnionCache::prepare(std::vector<Keys> wanted) {
 
 void UnionCache::wait() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return in_progress_.empty() && wanted_.empty(); });
+    changed_.wait(lock, [&] { return in_progress_.empty() && wanted_.empty() && urgent_.empty(); });
 }
 
 std::size_t UnionCache::byte_count() const {
@@ -115,22 +129,35 @@ std::size_t UnionCache::byte_count() const {
     return bytes_;
 }
 
+/// The union that the worker makes next; empty for none. An urgent one comes first.
+UnionCache::Keys UnionCache::next_wanted() {
+    if (!urgent_.empty()) return std::exchange(urgent_, {});
+    if (wanted_.empty()) return {};
+    Keys next = std::move(wanted_.front());
+    wanted_.erase(wanted_.begin());
+    return next;
+}
+
 void UnionCache::work(const std::stop_token& stop) {
     UnionMesh scratch;
     std::unique_lock lock(mutex_);
-    while (changed_.wait(lock, stop, [&] { return !wanted_.empty(); }) && !stop.stop_requested()) {
-        in_progress_ = std::move(wanted_.front());
-        wanted_.erase(wanted_.begin());
+    while (changed_.wait(lock, stop, [&] { return !wanted_.empty() || !urgent_.empty(); }) &&
+           !stop.stop_requested()) {
+        const bool is_urgent = !urgent_.empty();
+        in_progress_ = next_wanted();
         if (!has(in_progress_)) {
             lock.unlock();
             Prepared united;
+            std::exception_ptr error;
             try {
-                united = prepared_union(in_progress_, scratch);
+                united = maker_(in_progress_, scratch);
             } catch (const std::exception&) {
-                united = nullptr;  // get() meets the same fault, and reports it
+                error = std::current_exception();
             }
             lock.lock();
-            if (united != nullptr && !has(in_progress_)) insert(in_progress_, std::move(united), false);
+            // get() meets the fault of a union that is not urgent, and reports it.
+            if (error && is_urgent) fault_ = {in_progress_, error};
+            if (united != nullptr && !has(in_progress_)) insert(in_progress_, std::move(united), is_urgent);
         }
         in_progress_.clear();
         changed_.notify_all();

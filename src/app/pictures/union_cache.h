@@ -1,6 +1,8 @@
-// The unions of the last sets of keys, and those that will be needed soon, which a worker thread makes ahead.
+// The unions of the last sets of keys, and those that will be needed soon, which a worker thread makes ahead. A
+// union that is needed at once is made on the worker, too, so that the window need not wait for it.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -12,36 +14,41 @@
 
 #include "family/shared_hierarchy.h"
 #include "hierarchy/union_mesh.h"
-#include "hierarchy/vertex_normals.h"
+#include "render/prepared_surface.h"
 
 namespace interleaf {
-
-/// A union, and the normal products that the GPU needs of it (Renderer::upload()).
-struct PreparedUnion {
-    UnionMesh mesh;
-    NormalForm form;
-
-    /// Memory of the large arrays, in bytes.
-    std::size_t byte_count() const;
-};
 
 class UnionCache {
   public:
     using Keys = std::vector<SharedHierarchy>;
-    using Prepared = std::shared_ptr<const PreparedUnion>;
+    using Prepared = std::shared_ptr<const PreparedSurface>;
+
+    /// Makes the union of \p keys. \p scratch keeps memory from one call to the next.
+    using Maker = Prepared (*)(const Keys& keys, UnionMesh& scratch);
+
+    static constexpr std::size_t usual_bytes = std::size_t{512} << 20;
 
     struct Result {
-        Prepared united;
-        bool is_ready;  ///< whether the union was there already; otherwise the caller has waited for it
+        Prepared united;  ///< null if it is not made yet
+        bool is_ready;    ///< whether the union was there already; otherwise the caller has waited for it
     };
 
     /// \param max_bytes  memory of all unions together; the least recently used ones go first. The last
     ///     returned union stays in any case.
-    explicit UnionCache(std::size_t max_bytes = std::size_t{512} << 20);
+    /// \param maker  null for unite(); a test passes a slow one
+    explicit UnionCache(std::size_t max_bytes = usual_bytes, Maker maker = nullptr);
 
     /// The union of \p keys. Waits for the worker if it is making this union, and makes it otherwise.
     /// \throw what unite() throws
     Result get(const Keys& keys);
+
+    /// The union of \p keys if the worker has made it within \p longest. Otherwise the worker makes it before
+    /// all others, and a later call gets it.
+    /// \throw what unite() throws
+    Result get_within(const Keys& keys, std::chrono::milliseconds longest);
+
+    /// The union of \p keys if it is made; null otherwise. It does not count as used.
+    Prepared peek(const Keys& keys) const;
 
     /// The union of \p keys, which is not kept: for keys that will not come again.
     /// \throw what unite() throws
@@ -66,12 +73,20 @@ class UnionCache {
     using Entries = std::list<Entry>;  ///< the most recently used first
     static bool are_same(const Keys& a, const Keys& b);
     Prepared find(const Keys& keys);
+    Keys next_wanted();
     bool has(const Keys& keys) const;
     bool is_wished(const Keys& keys) const;
     void insert(const Keys& keys, Prepared united, bool is_used);
     void work(const std::stop_token& stop);
 
+    /// A union that could not be made.
+    struct Fault {
+        Keys keys;
+        std::exception_ptr error;
+    };
+
     std::size_t max_bytes_;
+    Maker maker_;
     UnionMesh scratch_;  ///< of get()
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
@@ -79,6 +94,8 @@ class UnionCache {
     std::size_t bytes_ = 0;
     std::vector<Keys> wished_;  ///< of the last prepare()
     std::vector<Keys> wanted_;  ///< those of them that the worker has not begun
+    Keys urgent_;               ///< of the last get_within() that got nothing; empty for none
+    Fault fault_;               ///< of the last union that was urgent
     Keys in_progress_;          ///< what the worker makes now; empty for nothing
     std::jthread worker_;       ///< last member: must end before the members it uses
 };

@@ -104,7 +104,7 @@ constexpr Command document_table[] = {
      .menu = "Edit",
      .name = "Edit domain",
      .shortcuts = {{{GLFW_KEY_D}}},
-     .description = "Drag the vertices of the parameter domain instead of the point",
+     .description = "Drag vertices of the parameter domain and points of its path, instead of the point",
      .run = [](ViewerState& state, double) { state.edits_domain = !state.edits_domain; },
      .is_on = [](const ViewerState& state) { return state.edits_domain; },
      .is_possible = has_domain},

@@ -1,5 +1,6 @@
 #include "app/window/document_views.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -61,7 +62,10 @@ void DocumentViews::reload_shaders(ViewerState& state) {
 bool DocumentViews::draw_portrait(const ShownWindow& shown, const Gui& gui) {
     if (!shown.actions.keys) return false;
     const int side = static_cast<int>(std::lround(key_picture_side() * gui.density()));
-    return portraits_.draw_next(shown.actions.keys->first, shown.actions.keys->end, side);
+    if (portraits_.draw_next(shown.actions.keys->first, shown.actions.keys->end, side)) return true;
+    if (!shown.actions.domain) return false;
+    return std::ranges::any_of(shown.actions.domain->pictured,
+                               [&](std::size_t key) { return portraits_.draw_next(key, key + 1, side); });
 }
 
 bool DocumentViews::draw(const ViewerState& state, const FrameLayout& layout,

@@ -33,8 +33,8 @@ class DocumentViews {
     /// shaders. If the family lacks the displayed field, changes the display to one that the family supports.
     void follow(ViewerState& state, const FrameLayout& layout, const Gui& gui);
 
-    /// Draws a missing picture of a key whose row is visible in \p shown. Each call draws at most one
-    /// picture, so that the window stays responsive.
+    /// Draws a missing picture of a key whose row, or whose vertex with room for it, is visible in \p shown.
+    /// Each call draws at most one picture, so that the window stays responsive.
     /// \return whether a picture was missing
     bool draw_portrait(const ShownWindow& shown, const Gui& gui);
 

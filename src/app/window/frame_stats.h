@@ -12,12 +12,13 @@ class FrameStats {
     /// \throw MachineError if the file cannot be written
     explicit FrameStats(const std::filesystem::path& path);
 
-    /// Writes {"frame", "time", "milliseconds", "waited"}.
+    /// Writes {"frame", "time", "milliseconds", "waited", "late"}.
     /// \param time          begin of the frame, seconds since the program was ready
     /// \param milliseconds  duration of the frame
-    /// \param waits         number of unions that the frames so far have waited for
+    /// \param waits         number of unions so far that were not made ahead
+    /// \param is_late       whether the frame shows the last picture, because a union is missing
     /// \throw MachineError if the file cannot be written
-    void record(std::size_t frame, double time, double milliseconds, std::size_t waits);
+    void record(std::size_t frame, double time, double milliseconds, std::size_t waits, bool is_late);
 
   private:
     std::filesystem::path path_;

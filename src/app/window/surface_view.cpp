@@ -29,7 +29,7 @@ void SurfaceView::follow(const Session& session, const FamilyField* field) {
 
 void SurfaceView::aim(ViewTarget view_target, const Extent& all_keys, const Rect& view) {
     if (view_target == ViewTarget::surface)
-        camera_.view_all(surface_.extent(detailed_.weights()), aspect_of(view));
+        camera_.view_all(surface_.extent(), aspect_of(view));
     else if (view_target == ViewTarget::all_keys)
         camera_.view_all(all_keys, aspect_of(view));
 }
@@ -39,13 +39,13 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
     Scene scene{.width = std::max(pixels(view.width), 1),
                 .height = std::max(pixels(view.height), 1),
                 .camera = camera_,
-                .weights = weight_values(detailed_.weights()),
+                .weights = surface_.weights(),
                 .display = session.display,
                 .surface = surface_.figures().rebuilds};
     scene.display.line_width *= gui.scale() * gui.density();
     const bool is_good = picture_.update(surface_.renderer(), scene);
     picture_.target()->blit_to_window(pixels(view.x), pixels(window_height - view.bottom()));
-    return is_good;
+    return is_good && !surface_.figures().is_late;
 }
 
 void SurfaceView::show_value(const Session& session, const FamilyField& field, glm::vec2 pointer,
@@ -53,7 +53,7 @@ void SurfaceView::show_value(const Session& session, const FamilyField& field, g
     const glm::vec2 at = device_coordinates(view, pointer);
     const float aspect = aspect_of(view);
     const Ray ray{camera_.point_at(at, 0, aspect), camera_.point_at(at, 1, aspect)};
-    const std::optional<glm::vec3> value = surface_.field_at(ray, detailed_.weights());
+    const std::optional<glm::vec3> value = surface_.field_at(ray);
     if (!value) return;
     const bool is_scalar = field.label.kind == FieldKind::scalar;
     const glm::vec3 color =

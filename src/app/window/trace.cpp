@@ -111,10 +111,12 @@ void Trace::record(std::size_t frame, double seconds, const ViewerState& state, 
     json["leaves"] = figures.leaves;
     json["vertices"] = figures.vertices;
     json["rebuilds"] = figures.rebuilds;
+    json["late"] = figures.is_late;
     json["eye"] = {record.eye.x, record.eye.y, record.eye.z};
     json["document"] = json_of(state.document);
     json["selected"] = state.selected_key ? Json(*state.selected_key) : Json();
     json["edits_domain"] = state.edits_domain;
+    json["domain_has_focus"] = state.domain_has_focus;
     json["help"] = state.help_shown;
     json["shown_times"] = state.shown_times ? Json{state.shown_times->begin, state.shown_times->end} : Json();
     json["asking"] = record.is_asking;

@@ -67,6 +67,14 @@ constexpr Command view_table[] = {
      .shortcuts = {{{GLFW_KEY_F}}},
      .description = "See the whole surface that is shown (or double-click it)",
      .run = [](ViewerState& state, double) { state.view_target = ViewTarget::surface; }},
+    {.id = CommandId::show_whole_domain,
+     .scope = CommandScope::document,
+     .menu = "View",
+     .name = "Show whole domain",
+     .shortcuts = {{{GLFW_KEY_F, GLFW_MOD_SHIFT}}},
+     .description = "Show the whole parameter domain again (the wheel shows a part)",
+     .run = [](ViewerState& state, double) { state.shown_domain.reset(); },
+     .is_possible = [](const ViewerState& state) { return state.shown_domain.has_value(); }},
     {.id = CommandId::smooth_shading,
      .menu = "View",
      .name = "Smooth shading",
@@ -155,6 +163,8 @@ constexpr Command view_table[] = {
                  state.message.clear();
              else if (state.help_shown)
                  state.help_shown = false;
+             else if (state.domain_has_focus)
+                 state.domain_has_focus = false;
              else
                  state.is_comparing = false;
          }},

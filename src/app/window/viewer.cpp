@@ -16,6 +16,7 @@
 
 #include "app/document/document_title.h"
 #include "app/document/edit_commands.h"
+#include "app/document/path_commands.h"
 #include "app/document/shown_field.h"
 #include "app/storage/document_files.h"
 #include "app/window/commands.h"
@@ -136,6 +137,7 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
     if (const auto last = files_.window_size(); last && !options.size)
         glfwSetWindowSize(window_.handle(), last->x, last->y);
     state_.session.display = options.display;
+    if (options.along) choose_time_source(state_, *options.along, glfwGetTime());
     if (options.time) state_.session.seek(*options.time, glfwGetTime());
     if (options.at) state_.session.move_point(*options.at, glfwGetTime());
     glfwSwapInterval(1);
@@ -200,7 +202,8 @@ void Viewer::frame() {
     if (picture_file_ && !redraw_.is_due() && !files_.is_working()) save_picture();
     glfwSwapBuffers(window_.handle());
     frame_milliseconds_ = 1000 * (glfwGetTime() - now_);
-    if (stats_) stats_->record(frame_, now_, frame_milliseconds_, views_.figures().waits);
+    if (stats_)
+        stats_->record(frame_, now_, frame_milliseconds_, views_.figures().waits, views_.figures().is_late);
     ++frame_;
 }
 
@@ -235,7 +238,8 @@ bool Viewer::has_keyboard() const {
 void Viewer::update(const FrameInput& input, double now) {
     state_.session.advance(now);
     apply_actions(input.actions, now);
-    for (const Shortcut shortcut : input.pressed) run_command(*find_command(shortcut), state_, now);
+    for (const Shortcut shortcut : input.pressed)
+        if (!belongs_to_domain(shortcut, state_)) run_command(*find_command(shortcut), state_, now);
     update_files(input, now);
     follow_state(now);
 }
@@ -284,7 +288,8 @@ void Viewer::follow_state(double now) {
 
 /// \param view  the mouse input over the surface
 void Viewer::draw(const std::optional<ViewInput>& view) {
-    rest_.lacks_portraits = views_.draw_portrait(drawn_, gui_);
+    // A list of keys that follows playback shows ever new rows; their pictures must not slow it.
+    rest_.lacks_portraits = !state_.session.is_playing() && views_.draw_portrait(drawn_, gui_);
     gui_.begin_drawing();
     drawn_ = show_panels();
     rest_.is_coarse = !views_.draw(state_, drawn_.layout, view, gui_);

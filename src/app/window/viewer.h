@@ -13,10 +13,11 @@
 namespace interleaf {
 
 struct ViewerOptions {
-    std::optional<glm::ivec2> size;  ///< of the window, screen coordinates; by default the last size
-    std::optional<glm::dvec2> at;    ///< initial point of the domain; needs a domain
-    std::optional<double> time;      ///< initial time, seconds; needs a timeline
-    Display display;                 ///< initial display
+    std::optional<glm::ivec2> size;   ///< of the window, screen coordinates; by default the last size
+    std::optional<glm::dvec2> at;     ///< initial point of the domain; needs a domain
+    std::optional<double> time;       ///< initial time, seconds; needs a timeline
+    std::optional<TimeSource> along;  ///< what drives the blend; another choice than the family's is an edit
+    Display display;                  ///< initial display
     std::optional<std::filesystem::path>
         picture;  ///< PNG file that receives the resting window, which then closes
     std::optional<std::filesystem::path> trace;  ///< file that receives a JSON line per change (trace.h)

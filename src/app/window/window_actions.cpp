@@ -41,10 +41,7 @@ CommandId command_of_button(TransportButton button) {
     return CommandId::play;
 }
 
-void apply_to_domain(const ParameterDomainResult& done, ViewerState& state, double now) {
-    if (done.moved_to) state.session.move_point(*done.moved_to, now);
-    if (done.moved_to) record_point(state, now);
-    if (done.toggles_recording) toggle_recording(state, now);
+void apply_to_vertices(const ParameterDomainResult& done, ViewerState& state, double now) {
     if (const auto& moved = done.moved_vertex) {
         drag_edit(
             state, "Move a domain vertex",
@@ -57,7 +54,43 @@ void apply_to_domain(const ParameterDomainResult& done, ViewerState& state, doub
     }
     if (done.added) add_domain_vertex(state, done.added->at, done.added->key, done.snap, now);
     if (done.assigned) set_domain_vertex_key(state, done.assigned->vertex, done.assigned->key, now);
+    if (done.asked_place) ask_for_vertex_place(state, *done.asked_place);
     if (done.removed) remove_domain_vertex(state, *done.removed, now);
+}
+
+/// \param held  what the mouse holds in the domain
+void apply_to_path(const PathEdit& done, ViewerState& state, std::optional<DomainDrag>& held, double now) {
+    const auto& path = state.document.family().path;
+    if (!path) return;
+    if (done.selected) select_path_point(state, *done.selected, now);
+    if (done.inserted && !insert_path_point(state, *done.inserted, now) && held) held->path.reset();
+    if (done.moved && done.moved->place < path->points().size())
+        move_path_point(state, done.moved->place, {path->points()[done.moved->place].time, done.moved->to},
+                        now);
+    if (done.asked_time) ask_for_path_point_time(state, *done.asked_time);
+    if (done.asked_place) ask_for_path_point_place(state, *done.asked_place);
+    if (done.removed) remove_path_point(state, *done.removed, now);
+}
+
+/// Zooms and pans the domain, and gives the arrow keys to it.
+void apply_to_domain_view(const ParameterDomainResult& done, ViewerState& state) {
+    if (done.focus) state.domain_has_focus = *done.focus;
+    if (!done.view) return;
+    const DomainBox whole = box_of(state.document.family().domain->vertices());
+    const bool is_whole = done.view->low == whole.low && done.view->high == whole.high;
+    state.shown_domain = is_whole ? std::nullopt : std::optional(*done.view);
+}
+
+/// \param held  what the mouse holds in the domain
+void apply_to_domain(const ParameterDomainResult& done, ViewerState& state, std::optional<DomainDrag>& held,
+                     double now) {
+    apply_to_domain_view(done, state);
+    if (done.moved_to) state.session.move_point(*done.moved_to, now);
+    if (done.moved_to) record_point(state, now);
+    if (done.toggles_recording) toggle_recording(state, now);
+    if (done.asks_for_place) ask_for_place(state);
+    apply_to_path(done.path, state, held, now);
+    apply_to_vertices(done, state, now);
 }
 
 void apply_to_transport(const TransportResult& done, ViewerState& state, double now) {
@@ -82,11 +115,15 @@ void set_in_or_out(ViewerState& state, const RangeEdit& edit, double now) {
     if (edit.out) set_out_point(state, *edit.out, now);
 }
 
-void apply_to_track(const TrackResult& done, ViewerState& state, double now) {
-    Session& session = state.session;
-    if (done.seek_to) session.seek(*done.seek_to, now);
-    if (done.visible) show_times(state, *done.visible);
-    if (done.range) set_in_or_out(state, *done.range, now);
+void apply_to_path_marks(const TrackResult& done, ViewerState& state, double now) {
+    const auto points = state.document.family().path->points();
+    if (const auto& moved = done.moved; moved && moved->place < points.size())
+        move_path_point(state, moved->place, {moved->to, points[moved->place].at}, now);
+    if (done.asked_time) ask_for_path_point_time(state, *done.asked_time);
+    if (done.removed) remove_path_point(state, *done.removed, now);
+}
+
+void apply_to_key_marks(const TrackResult& done, ViewerState& state, double now) {
     if (const auto& moved = done.moved) {
         drag_edit(
             state, "Move a key in time",
@@ -95,6 +132,17 @@ void apply_to_track(const TrackResult& done, ViewerState& state, double now) {
     if (done.added) add_time(state, done.added->key, done.added->time, now);
     if (done.asked_time) ask_for_time(state, *done.asked_time);
     if (done.removed) remove_time(state, *done.removed, now);
+}
+
+void apply_to_track(const TrackResult& done, ViewerState& state, double now) {
+    Session& session = state.session;
+    if (done.seek_to) session.seek(*done.seek_to, now);
+    if (done.visible) show_times(state, *done.visible);
+    if (done.range) set_in_or_out(state, *done.range, now);
+    if (path_drives(state))
+        apply_to_path_marks(done, state, now);
+    else
+        apply_to_key_marks(done, state, now);
 }
 
 void apply_to_keys(const KeysPanelResult& done, ViewerState& state, double now) {
@@ -121,8 +169,8 @@ void apply_to_state(const WindowActions& actions, ViewerState& state, MouseHolds
     // The domain and the timeline come first, because actions on keys may change their indices.
     holds = {};
     if (actions.domain) {
-        apply_to_domain(*actions.domain, state, now);
         holds.domain = actions.domain->drag;
+        apply_to_domain(*actions.domain, state, holds.domain, now);
         holds.domain_menu = actions.domain->menu;
     }
     if (actions.timeline) {

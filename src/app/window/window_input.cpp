@@ -39,4 +39,20 @@ GLFWwindow* watch_input(GLFWwindow* window, WindowInput& input) {
     return window;
 }
 
+bool belongs_to_domain(Shortcut shortcut, const ViewerState& state) {
+    if (!state.domain_has_focus || state.is_comparing || !state.document.family().domain) return false;
+    if ((shortcut.modifiers & ~GLFW_MOD_SHIFT) != 0) return false;
+    switch (shortcut.keyboard_key) {
+        case GLFW_KEY_LEFT:
+        case GLFW_KEY_RIGHT:
+        case GLFW_KEY_UP:
+        case GLFW_KEY_DOWN:
+            return true;
+        case GLFW_KEY_DELETE:
+            return state.edits_domain && state.selected_path_point.has_value();
+        default:
+            return false;
+    }
+}
+
 }  // namespace interleaf

@@ -23,4 +23,7 @@ struct WindowInput {
 /// \return       \p window
 GLFWwindow* watch_input(GLFWwindow* window, WindowInput& input);
 
+/// Whether the parameter domain reads \p shortcut, because it has the arrow keys.
+bool belongs_to_domain(Shortcut shortcut, const ViewerState& state);
+
 }  // namespace interleaf

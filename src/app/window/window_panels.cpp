@@ -97,11 +97,19 @@ void show_detail(const WindowShown& shown, ShownWindow& result) {
 void show_domain(const WindowShown& shown, ShownWindow& result) {
     const ViewerState& state = shown.state;
     const std::vector<glm::dvec2> path = path_through_domain(state.document.family());
+    std::vector<unsigned> pictures;
+    pictures.reserve(shown.portraits.size());
+    for (const KeyPortrait& portrait : shown.portraits) pictures.push_back(portrait.picture.name());
     result.actions.domain =
         parameter_domain_panel(state.document.family(), {.point = state.session.point(),
                                                          .path = path,
                                                          .is_recording = state.recording.has_value(),
                                                          .edits = state.edits_domain,
+                                                         .has_focus = state.domain_has_focus,
+                                                         .reads_keys = shown.has_keyboard,
+                                                         .selected = state.selected_path_point,
+                                                         .view = state.shown_domain,
+                                                         .pictures = pictures,
                                                          .drag = shown.holds.domain,
                                                          .menu = shown.holds.domain_menu});
     result.layout.domain = result.actions.domain->plot;
@@ -111,6 +119,7 @@ TransportState transport_of(const Session& session) {
     const Family& family = session.family();
     return {.time = session.time(),
             .end = session.playback().end(),
+            .unit = unit_of(family, source_of_time(family).value_or(TimeSource::keys)),
             .playing = session.is_playing(),
             .plays_back = session.plays_back(),
             .repeat = session.playback().repeat(),

@@ -47,7 +47,7 @@ struct WindowShown {
     MouseHolds holds;
     FrameLayout layout;                ///< window, content and panels
     const ComparisonView* comparison;  ///< shown instead of the document; null for none
-    bool has_keyboard = true;          ///< whether a comparison receives the keyboard
+    bool has_keyboard = true;          ///< whether the document or a comparison receives the keyboard
 };
 
 /// The user's actions in the panels. Indices refer to the content that the panel showed.

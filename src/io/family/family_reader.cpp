@@ -169,6 +169,15 @@ Interpolation interpolation_at(const JsonPlace& place, double version) {
     return interpolation;
 }
 
+/// The member `unit` of the timeline at \p place, which version 1 does not have.
+TimeUnit unit_at(const JsonPlace& place, double version) {
+    const auto unit_place = place.optional_member("unit");
+    if (!unit_place || version < family_format::version) return TimeUnit::seconds;
+    const std::optional<TimeUnit> unit = time_unit_named(unit_place->string());
+    if (!unit) unit_place->fail_expecting("\"seconds\" or \"steps\"");
+    return *unit;
+}
+
 Timeline timeline_at(const JsonPlace& place, const KeyNames& names, double version) {
     const Interpolation interpolation = interpolation_at(place, version);
 
@@ -180,7 +189,7 @@ Timeline timeline_at(const JsonPlace& place, const KeyNames& names, double versi
         timeline_keys.push_back({key.member("time").number(), names.index_at(key.member("key"))});
     }
     try {
-        return Timeline(std::move(timeline_keys), interpolation);
+        return Timeline(std::move(timeline_keys), interpolation, unit_at(place, version));
     } catch (const InputError& error) {
         place.fail(error.what());
     }

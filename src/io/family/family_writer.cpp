@@ -119,7 +119,8 @@ std::string interpolation_text(const Interpolation& interpolation) {
 /// Whether readers of version 1 would not understand \p family, or would lose a part of it.
 bool needs_version_2(const Family& family) {
     return family.origin != glm::dvec3(0) || family.path || !family.landmarks.empty() ||
-           (family.timeline && family.timeline->interpolation().basis != Basis::linear);
+           (family.timeline && (family.timeline->interpolation().basis != Basis::linear ||
+                                family.timeline->unit() != TimeUnit::seconds));
 }
 
 std::string timeline_text(const Timeline& timeline, const Family& family) {
@@ -127,8 +128,11 @@ std::string timeline_text(const Timeline& timeline, const Family& family) {
     keys.reserve(timeline.keys().size());
     for (const TimelineKey& key : timeline.keys())
         keys.push_back({{"time", key.time}, {"key", family.keys[key.key].name}});
-    return fmt::format("  \"timeline\": {{\n{},\n{}\n  }}", interpolation_text(timeline.interpolation()),
-                       array_text("    ", "keys", keys));
+    std::vector<std::string> members{interpolation_text(timeline.interpolation())};
+    if (timeline.unit() != TimeUnit::seconds)
+        members.push_back(fmt::format("    \"unit\": \"{}\"", name_of(timeline.unit())));
+    members.push_back(array_text("    ", "keys", keys));
+    return fmt::format("  \"timeline\": {{\n{}\n  }}", joined(members, ",\n"));
 }
 
 std::vector<ordered_json> points_json(const DomainPath& path) {

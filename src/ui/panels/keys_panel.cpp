@@ -79,6 +79,22 @@ void show_row_menu(const KeysPanel& panel, ImVec2 spacing, KeysPanelResult& resu
     ImGui::PopStyleVar();
 }
 
+/// Scrolls the list, which is the current window, to the key with the largest weight when that changes, unless
+/// the row is visible or the pointer is over the list.
+void follow_active(const KeysPanel& panel) {
+    const auto largest = std::ranges::max_element(panel.weights, {}, &Weight::value);
+    if (largest == panel.weights.end()) return;
+    int& followed = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("followed"), 0);
+    const auto key = static_cast<int>(largest->key);
+    if (key == followed || ImGui::IsWindowHovered()) return;
+    followed = key;
+    const float top = key_row_height() * static_cast<float>(key);
+    const float height = ImGui::GetWindowHeight();
+    const float scroll = ImGui::GetScrollY();
+    if (top < scroll || top + key_row_height() > scroll + height)
+        ImGui::SetScrollY(std::max(top - (height - key_row_height()) / 2, 0.0F));
+}
+
 void show_rows(const KeysPanel& panel, KeysPanelResult& result) {
     const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
@@ -147,6 +163,7 @@ KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::BeginChild("key list", {0, shown}, false, ImGuiWindowFlags_NoNav);
     ImGui::PopStyleVar();
+    if (wanted > shown) follow_active(panel);
     show_rows(panel, result);
     ImGui::EndChild();
     const float gap = scaled(2);

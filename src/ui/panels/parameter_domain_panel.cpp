@@ -1,15 +1,18 @@
 #include "ui/panels/parameter_domain_panel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include <fmt/core.h>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <imgui.h>
+#include <imgui_internal.h>
 
-#include "render/palette.h"
+#include "family/family_time.h"
+#include "ui/panels/domain_drawing.h"
+#include "ui/panels/domain_view.h"
 #include "ui/panels/keys_panel.h"
 #include "ui/widgets/plot_frame.h"
 #include "ui/widgets/style.h"
@@ -18,72 +21,16 @@ namespace interleaf {
 
 namespace {
 
-/// Fills a triangle with one color per vertex. Dear ImGui has no function for it, but its vertices carry
-/// colors.
-void fill_triangle(ImDrawList& list, const std::array<glm::vec2, 3>& corners,
-                   const std::array<ImU32, 3>& fills) {
-    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
-    list.PrimReserve(3, 3);
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-        list.PrimVtx(to_imgui(corners[corner]), white, fills[corner]);
-    }
+/// The path whose points the user can edit: the one that drives, while the domain is edited. Null for none.
+const DomainPath* edited_path(const Family& family, const DomainPanel& panel) {
+    return panel.edits && source_of_time(family) == TimeSource::path ? &*family.path : nullptr;
 }
 
-void draw_triangles(ImDrawList& list, const ParameterDomain& domain, const PlotFrame& frame) {
-    const auto pixel = [&](Index vertex) { return frame.pixel(domain.vertices()[vertex].at); };
-    const auto fill = [&](Index vertex) {
-        return to_color(0.78F * key_color(domain.vertices()[vertex].key));
-    };
-    for (const Triangle& t : domain.triangles()) {
-        fill_triangle(list, {pixel(t[0]), pixel(t[1]), pixel(t[2])}, {fill(t[0]), fill(t[1]), fill(t[2])});
-    }
-    for (const Triangle& t : domain.triangles()) {
-        list.AddTriangle(to_imgui(pixel(t[0])), to_imgui(pixel(t[1])), to_imgui(pixel(t[2])),
-                         IM_COL32(12, 13, 16, 110), scaled(1));
-    }
-}
-
-void draw_path(ImDrawList& list, std::span<const glm::dvec2> path, const PlotFrame& frame) {
-    // Dear ImGui's indices have 16 bits, so one line has a limited number of points.
-    constexpr int max_points = 4096;
-    const auto stroke = [&] { list.PathStroke(IM_COL32(255, 255, 255, 150), ImDrawFlags_None, scaled(2)); };
-    std::optional<glm::vec2> last;
-    for (const glm::dvec2 at : path) {
-        const glm::vec2 pixel = frame.pixel(at);
-        if (last && glm::distance(*last, pixel) < 0.5F) continue;
-        last = pixel;
-        list.PathLineTo(to_imgui(pixel));
-        if (list._Path.Size < max_points) continue;
-        stroke();
-        list.PathLineTo(to_imgui(pixel));
-    }
-    stroke();
-}
-
-/// Draws a vertex with its key's name, on the side away from the middle of the domain.
-void draw_vertex(ImDrawList& list, glm::vec2 pixel, const Key& key, ImU32 color, const Rect& area,
-                 float middle) {
-    list.AddCircleFilled(to_imgui(pixel), scaled(5), colors::dark);
-    list.AddCircleFilled(to_imgui(pixel), scaled(4), color);
-
-    const float padding = scaled(4);
-    const float room = area.width / 2 - 2 * padding;
-    glm::vec2 size = text_size(key.name);
-    size.x = std::min(size.x, room);
-    const float gap = scaled(11);
-    glm::vec2 corner{pixel.x - size.x / 2, pixel.y > middle + 1 ? pixel.y + gap : pixel.y - gap - size.y};
-    corner.x =
-        std::clamp(corner.x, area.x + padding, std::max(area.right() - padding - size.x, area.x + padding));
-    list.AddRectFilled(to_imgui(corner - glm::vec2(padding, 0)),
-                       to_imgui(corner + size + glm::vec2(padding, 1)), IM_COL32(12, 13, 16, 170), scaled(4));
-    draw_text(corner, size.x + 1, colors::text, key.name);
-}
-
-void draw_point(ImDrawList& list, glm::vec2 pixel, bool held) {
-    const ImVec2 at = to_imgui(pixel);
-    list.AddCircle(at, scaled(held ? 9 : 8), colors::dark, 0, scaled(5));
-    list.AddCircle(at, scaled(held ? 9 : 8), colors::white, 0, scaled(2.5F));
-    list.AddCircleFilled(at, scaled(2), colors::white);
+/// The selected point of the edited path.
+std::optional<std::size_t> selected_point(const Family& family, const DomainPanel& panel) {
+    const DomainPath* const path = edited_path(family, panel);
+    return path != nullptr && panel.selected && *panel.selected < path->points().size() ? panel.selected
+                                                                                        : std::nullopt;
 }
 
 /// The vertex nearest to the pointer; none if all are too far away.
@@ -110,12 +57,20 @@ std::optional<std::size_t> choose_key(const Family& family, std::optional<std::s
     return chosen;
 }
 
-void show_menu(const Family& family, const DomainMenu& place, ParameterDomainResult& result) {
+void show_menu(const Family& family, const DomainPanel& panel, const DomainMenu& place,
+               ParameterDomainResult& result) {
+    if (const DomainPath* const path = edited_path(family, panel);
+        path != nullptr && place.path && place.path->is_of(*path)) {
+        show_path_menu(*path, *place.path, place.at, result.path);
+        if (!place.path->is_line) return;
+        ImGui::Separator();
+    }
     if (place.vertex && *place.vertex < family.domain->vertices().size()) {
         heading("Key at this vertex");
         if (const auto key = choose_key(family, family.domain->vertices()[*place.vertex].key))
             result.assigned = VertexKey{*place.vertex, *key};
         ImGui::Separator();
+        if (ImGui::MenuItem("Set place...")) result.asked_place = place.vertex;
         if (ImGui::MenuItem("Remove vertex")) result.removed = place.vertex;
     } else {
         heading("Add a vertex here, of key");
@@ -123,13 +78,47 @@ void show_menu(const Family& family, const DomainMenu& place, ParameterDomainRes
     }
 }
 
+/// What the pointer touches while the domain is edited: a point of the path, a vertex, or the path's line.
+struct Touched {
+    std::optional<Index> vertex;
+    std::optional<PathPart> path;
+};
+
+Touched touched(const Family& family, const DomainPanel& panel, const PlotFrame& frame, glm::vec2 pointer) {
+    Touched here;
+    if (!panel.edits) return here;
+    if (const DomainPath* const path = edited_path(family, panel))
+        here.path = path_part_near(*path, frame, pointer);
+    if (!here.path || here.path->is_line) here.vertex = vertex_near(*family.domain, frame, pointer);
+    if (here.vertex) here.path.reset();
+    return here;
+}
+
 /// The drag on the canvas, if there is one. The canvas is the last item and shows \p box.
-std::optional<DomainDrag> follow_drag(const ParameterDomain& domain, const DomainPanel& panel,
-                                      const DomainBox& box, const PlotFrame& frame) {
+std::optional<DomainDrag> follow_drag(const Family& family, const DomainPanel& panel, const DomainBox& box,
+                                      const PlotFrame& frame) {
     if (!ImGui::IsItemActive()) return std::nullopt;
     if (panel.drag && !ImGui::IsItemActivated()) return panel.drag;
-    const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
-    return DomainDrag{box, panel.edits ? vertex_near(domain, frame, pointer) : std::nullopt};
+    const Touched here = touched(family, panel, frame, from_imgui(ImGui::GetIO().MousePos));
+    return DomainDrag{box, here.vertex, here.path};
+}
+
+/// Drags the part of \p path that the mouse holds. From a line it draws out a new point, which it then holds;
+/// its time is that of the line where the button was pressed.
+void drag_path(const DomainPath& path, const PlotFrame& frame, ParameterDomainResult& result) {
+    PathPart& held = *result.drag->path;
+    if (!held.is_of(path)) return;
+    if (!held.is_line && ImGui::IsItemActivated()) result.path.selected = held.place;
+    if (!ImGui::IsMouseDragging(ImGuiMouseButton_Left)) return;
+    const ImGuiIO& io = ImGui::GetIO();
+    const glm::dvec2 to = frame.point(from_imgui(io.MousePos));
+    if (held.is_line) {
+        const glm::dvec2 pressed = frame.point(from_imgui(io.MouseClickedPos[ImGuiMouseButton_Left]));
+        result.path.inserted = PathPoint{point_on_line(path, held.place, pressed).time, to};
+        held = {held.place + 1, false};
+    } else {
+        result.path.moved = MovedPathPoint{held.place, to};
+    }
 }
 
 /// Reads the mouse on the canvas, which is the last item.
@@ -139,8 +128,11 @@ void read_mouse(const Family& family, const DomainPanel& panel, const PlotFrame&
     const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
     if (result.drag) {
         const auto vertex = result.drag->vertex;
+        const DomainPath* const path = edited_path(family, panel);
         if (!panel.edits) {
             result.moved_to = frame.point(pointer);
+        } else if (result.drag->path && path != nullptr) {
+            drag_path(*path, frame, result);
         } else if (vertex && *vertex < domain.vertices().size() &&
                    ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
             result.moved_vertex = MovedVertex{*vertex, frame.point(pointer)};
@@ -155,17 +147,45 @@ void read_mouse(const Family& family, const DomainPanel& panel, const PlotFrame&
     }
 }
 
+/// The direction of the arrow keys that were pressed, v up.
+glm::dvec2 pressed_arrows() {
+    const auto is_pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)) ? 1 : 0; };
+    return {is_pressed(ImGuiKey_RightArrow) - is_pressed(ImGuiKey_LeftArrow),
+            is_pressed(ImGuiKey_UpArrow) - is_pressed(ImGuiKey_DownArrow)};
+}
+
+/// Arrow keys move the point, or the selected point of the path, by a hundredth of the visible part; with Shift
+/// by a thousandth.
+/// \param visible  the visible part of the domain
+void read_keys(const Family& family, const DomainPanel& panel, const DomainBox& visible,
+               ParameterDomainResult& result) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!panel.has_focus || !panel.reads_keys || io.KeyCtrl || io.KeyAlt) return;
+    const std::optional<std::size_t> selected = selected_point(family, panel);
+    if (selected && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Delete))) result.path.removed = selected;
+    const glm::dvec2 arrows = pressed_arrows();
+    if (arrows == glm::dvec2(0)) return;
+    const glm::dvec2 size = visible.high - visible.low;
+    const glm::dvec2 way = arrows * (std::max(size.x, size.y) * (io.KeyShift ? 0.001 : 0.01));
+    if (selected)
+        result.path.moved = MovedPathPoint{*selected, family.path->points()[*selected].at + way};
+    else if (!panel.edits)
+        result.moved_to = (panel.point ? panel.point->at : (visible.low + visible.high) / 2.0) + way;
+}
+
 /// Shows the context menu of the canvas, which is the last item.
 void show_canvas_menu(const Family& family, const DomainPanel& panel, const PlotFrame& frame,
                       ParameterDomainResult& result) {
     result.menu = panel.menu;
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
         const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
-        result.menu = DomainMenu{vertex_near(*family.domain, frame, pointer), frame.point(pointer)};
+        const Touched here = touched(family, panel, frame, pointer);
+        result.menu = DomainMenu{here.path ? std::nullopt : vertex_near(*family.domain, frame, pointer),
+                                 here.path, frame.point(pointer)};
         ImGui::OpenPopup("domain menu");
     }
     if (!ImGui::BeginPopup("domain menu")) return;
-    if (result.menu) show_menu(family, *result.menu, result);
+    if (result.menu) show_menu(family, panel, *result.menu, result);
     ImGui::EndPopup();
 }
 
@@ -181,66 +201,115 @@ bool recording_button(bool is_recording, float width) {
     return is_pressed;
 }
 
+/// The row of buttons below the domain.
+void show_buttons(const DomainPanel& panel, const DomainBox& whole, float width,
+                  ParameterDomainResult& result) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float part = panel.view ? std::floor((width - gap) * 0.6F) : width;
+    result.toggles_recording = recording_button(panel.is_recording, part);
+    if (!panel.view) return;
+    ImGui::SameLine();
+    if (ImGui::Button("Show all##domain", {width - gap - part, 0})) result.view = whole;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the whole domain (Shift+F)");
+}
+
+std::string remark_of(const Family& family, const DomainPanel& panel) {
+    if (const auto selected = selected_point(family, panel))
+        return fmt::format("point {} of {}, {:.6g} s", *selected + 1, family.path->points().size(),
+                           family.path->points()[*selected].time);
+    if (edited_path(family, panel) != nullptr) return "drag vertices, path (D)";
+    if (panel.edits) return "drag vertices (D)";
+    if (panel.is_recording) return "drag the point";
+    return panel.point ? fmt::format("{:.3f}, {:.3f}", panel.point->at.x, panel.point->at.y) : std::string();
+}
+
+/// The heading above the domain. A click on the coordinates asks for others.
+void show_heading(const Family& family, const DomainPanel& panel, ParameterDomainResult& result) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float right = corner.x + ImGui::GetContentRegionAvail().x;
+    const std::string remark = remark_of(family, panel);
+    heading("Parameter domain", remark);
+    if (panel.edits || panel.is_recording || remark.empty()) return;
+    ImGui::PushFont(small_font());
+    const glm::vec2 size = text_size(remark);
+    ImGui::PopFont();
+    ImGui::SetCursorScreenPos({right - size.x, corner.y});
+    if (ImGui::InvisibleButton("place", {size.x, size.y})) result.asks_for_place = true;
+    if (!ImGui::IsItemHovered()) return;
+    ImGui::GetWindowDrawList()->AddLine({right - size.x, corner.y + size.y}, {right, corner.y + size.y},
+                                        colors::dim_text);
+    ImGui::SetTooltip("Type the place of the point (Shift+G)");
+}
+
+void draw_canvas(const Family& family, const DomainPanel& panel, const DomainDrawing& drawing,
+                 bool is_hovered, ParameterDomainResult& result) {
+    const auto& [x, y, width, height] = drawing.area;
+    const ImVec2 corner{x, y};
+    const ImVec2 end{drawing.area.right(), drawing.area.bottom()};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(corner, end, colors::well, scaled(4));
+    list.PushClipRect(corner, end, true);
+    draw_domain(drawing);
+    result.pictured = draw_vertices(drawing);
+    draw_path(drawing, panel.path);
+    if (panel.edits) {
+        const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
+        const Touched here = is_hovered ? touched(family, panel, drawing.frame, pointer) : Touched{};
+        draw_vertex_rings(drawing, here.vertex);
+        if (const DomainPath* const path = edited_path(family, panel))
+            draw_path_points(*path, drawing.frame, selected_point(family, panel), here.path, pointer);
+    } else if (panel.point) {
+        draw_domain_point(drawing.frame.pixel(panel.point->at), result.drag.has_value());
+    }
+    list.PopClipRect();
+    if (panel.edits) list.AddRect(corner, end, colors::notice, scaled(4), 0, scaled(1));
+    if (panel.has_focus) list.AddRect(corner, end, colors::accent, scaled(4), 0, scaled(2));
+}
+
 }  // namespace
 
 ParameterDomainResult parameter_domain_panel(const Family& family, const DomainPanel& panel) {
-    const ParameterDomain& domain = *family.domain;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float heading_height = ImGui::GetTextLineHeightWithSpacing();
 
-    // Leave room for the names of the vertices above and below, and for half of the point at the sides.
-    const float margin = scaled(30);
-    const float side_margin = scaled(14);
+    // Leave room for pictures and names of the vertices.
+    const float margin = scaled(38);
+    const float side_margin = scaled(24);
     const float width = ImGui::GetContentRegionAvail().x;
     const Rect widest{corner.x + side_margin, corner.y + heading_height + margin, width - 2 * side_margin,
-                      std::min(scaled(260), 0.4F * ImGui::GetWindowHeight())};
-    const DomainBox box = panel.drag ? panel.drag->box : box_of(domain.vertices());
+                      std::max(0.5F * ImGui::GetWindowHeight() - margin, scaled(60))};
+    const DomainBox whole = box_of(family.domain->vertices());
+    const DomainBox box = panel.drag ? panel.drag->box : shown_part(whole, panel.view);
     const Rect plot = PlotFrame(box, widest).rect();
     const Rect area{corner.x, corner.y + heading_height, width, std::round(plot.height) + 2 * margin};
     const PlotFrame frame(box, {plot.x, widest.y, plot.width, plot.height});
 
     ImGui::SetCursorScreenPos({area.x, area.y});
     ImGui::InvisibleButton("domain", {area.width, area.height});
-    const bool held = ImGui::IsItemActive() && !panel.edits;
-    const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
     const bool is_hovered = ImGui::IsItemHovered();
     ParameterDomainResult result;
-    result.plot = frame.rect();
+    const glm::vec2 low = frame.pixel(whole.low);
+    const glm::vec2 high = frame.pixel(whole.high);
+    result.plot = {low.x, high.y, high.x - low.x, low.y - high.y};
     result.snap = glm::distance(frame.point({0, 0}), frame.point({scaled(6), 0}));
-    result.drag = follow_drag(domain, panel, box, frame);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && is_hovered != panel.has_focus)
+        result.focus = is_hovered;
+    ImGui::SetItemUsingMouseWheel();
+    result.drag = follow_drag(family, panel, box, frame);
+    if (!result.drag) result.view = moved_view(frame, box, whole);
     read_mouse(family, panel, frame, result);
+    read_keys(family, panel, box, result);
     show_canvas_menu(family, panel, frame, result);
 
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({area.x, area.y}, {area.right(), area.bottom()}, colors::well, scaled(4));
-    if (panel.edits)
-        list.AddRect({area.x, area.y}, {area.right(), area.bottom()}, colors::notice, scaled(4), 0,
-                     scaled(1));
-    draw_triangles(list, domain, frame);
-    draw_path(list, panel.path, frame);
-    ImGui::PushFont(small_font());
-    const float middle = frame.rect().y + frame.rect().height / 2;
-    const auto near = panel.edits && is_hovered ? vertex_near(domain, frame, pointer) : std::nullopt;
-    for (Index v = 0; v < domain.vertices().size(); ++v) {
-        const DomainVertex& vertex = domain.vertices()[v];
-        draw_vertex(list, frame.pixel(vertex.at), family.keys[vertex.key], to_color(key_color(vertex.key)),
-                    area, middle);
-        if (panel.edits)
-            list.AddCircle(to_imgui(frame.pixel(vertex.at)), scaled(near == v ? 8 : 6), colors::notice, 0,
-                           scaled(1.5F));
-    }
-    ImGui::PopFont();
-    if (panel.point && !panel.edits) draw_point(list, frame.pixel(panel.point->at), held);
+    draw_canvas(family, panel,
+                {family, frame, area, panel.edits ? std::span<const unsigned>() : panel.pictures}, is_hovered,
+                result);
 
     const ImVec2 after = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos(corner);
-    heading("Parameter domain", panel.edits          ? "drag vertices (D)"
-                                : panel.is_recording ? "drag the point"
-                                : panel.point
-                                    ? fmt::format("{:.3f}, {:.3f}", panel.point->at.x, panel.point->at.y)
-                                    : std::string());
+    show_heading(family, panel, result);
     ImGui::SetCursorScreenPos(after);
-    result.toggles_recording = recording_button(panel.is_recording, width);
+    show_buttons(panel, whole, width, result);
     return result;
 }
 

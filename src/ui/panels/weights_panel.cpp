@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string>
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -11,8 +13,21 @@
 
 namespace interleaf {
 
+namespace {
+
+/// A family with more keys shows only the active ones.
+constexpr std::size_t max_rows = 12;
+
+/// Three decimals, and no minus sign before zero.
+std::string weight_text(double weight) {
+    return fmt::format("{:.3f}", std::abs(weight) < 0.0005 ? 0.0 : weight);
+}
+
+}  // namespace
+
 void weights_panel(const Family& family, const Weights& weights) {
-    heading("Weights");
+    const bool is_long = family.keys.size() > max_rows;
+    heading("Weights", is_long ? fmt::format("{} of {}", weights.size(), family.keys.size()) : std::string());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float width = ImGui::GetContentRegionAvail().x;
     const float name_width = std::round(width * 0.38F);
@@ -20,6 +35,7 @@ void weights_panel(const Family& family, const Weights& weights) {
     for (std::size_t key = 0; key < family.keys.size(); ++key) {
         const auto weight = std::ranges::find(weights, key, &Weight::key);
         const bool active = weight != weights.end();
+        if (is_long && !active) continue;
         const ImU32 text = active ? colors::text : colors::dim_text;
         const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
         const float height = ImGui::GetTextLineHeight();
@@ -33,7 +49,7 @@ void weights_panel(const Family& family, const Weights& weights) {
             list.AddRectFilled({bar.x, bar.y}, {bar.x + part * bar.width, bar.bottom()},
                                to_color(key_color(key)), scaled(2));
         }
-        const std::string number = active ? fmt::format("{:.3f}", weight->value) : "–";
+        const std::string number = active ? weight_text(weight->value) : "–";
         draw_text({corner.x + width - text_size(number).x, corner.y}, number_width, text, number);
         ImGui::Dummy({width, height});
     }

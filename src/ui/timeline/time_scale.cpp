@@ -54,11 +54,14 @@ TimeRange zoomed(TimeRange visible, TimeRange whole, double fixed, double factor
     return panned({begin, begin + wanted}, whole, 0);
 }
 
-std::vector<TimeTick> time_ticks(const TimeScale& scale, float label_distance) {
+std::vector<TimeTick> time_ticks(const TimeScale& scale, float label_distance, TimeUnit unit) {
     const auto [begin, end] = scale.visible;
     const auto max_labels = static_cast<std::size_t>(std::max(scale.track.width / label_distance, 2.0F));
-    const std::vector<double> labelled = scale_ticks(begin, end, max_labels);
-    const std::vector<double> all = scale_ticks(begin, end, 5 * max_labels);
+    std::vector<double> labelled = scale_ticks(begin, end, max_labels);
+    std::vector<double> all = scale_ticks(begin, end, 5 * max_labels);
+    if (unit == TimeUnit::steps && end - begin > 1)
+        for (std::vector<double>* const times : {&labelled, &all})
+            std::erase_if(*times, [](double time) { return std::abs(time - std::round(time)) > 1e-9; });
     std::vector<TimeTick> ticks;
     for (const double time : all)
         if (std::ranges::find_if(labelled, [&](double other) {

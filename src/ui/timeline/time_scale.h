@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "family/playback.h"
+#include "family/timeline.h"
 #include "ui/widgets/rect.h"
 
 namespace interleaf {
@@ -39,7 +40,8 @@ struct TimeTick {
 };
 
 /// The ticks of the ruler: round times with labels at least \p label_distance pixels apart, and ticks between
-/// them.
-std::vector<TimeTick> time_ticks(const TimeScale& scale, float label_distance);
+/// them. Steps have whole numbers, as long as more than one step is visible.
+std::vector<TimeTick> time_ticks(const TimeScale& scale, float label_distance,
+                                 TimeUnit unit = TimeUnit::seconds);
 
 }  // namespace interleaf

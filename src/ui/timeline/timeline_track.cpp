@@ -6,12 +6,12 @@
 #include <span>
 #include <string>
 
-#include <fmt/core.h>
 #include <imgui.h>
 
 #include "family/family_time.h"
 #include "render/palette.h"
 #include "ui/panels/keys_panel.h"
+#include "ui/timeline/path_marks.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 
@@ -50,13 +50,14 @@ double pointed_time(const Timeline* timeline, const TimeScale& scale, float poin
     return std::clamp(scale.time(pointer), scale.visible.begin, scale.visible.end);
 }
 
-/// The time under the pointer for the key at \p place, which stays between its neighbors: a round time if there
-/// is one. Without any, the key keeps its time.
-double dragged_time(const Timeline& timeline, std::size_t place, const TimeScale& scale, float pointer) {
-    const auto keys = timeline.keys();
+/// The time under the pointer for the key or the point at \p place, which stays between its neighbors: a round
+/// time if there is one. Without any, it keeps its time.
+/// \param marks  with times, ascending
+template <typename Mark>
+double dragged_time(std::span<const Mark> marks, std::size_t place, const TimeScale& scale, float pointer) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double low = place > 0 ? keys[place - 1].time : -infinity;
-    const double high = place + 1 < keys.size() ? keys[place + 1].time : infinity;
+    const double low = place > 0 ? marks[place - 1].time : -infinity;
+    const double high = place + 1 < marks.size() ? marks[place + 1].time : infinity;
     const int exponent = scale.readable_exponent();
     for (int finer = 0; finer <= 6; ++finer) {
         const double step = std::pow(10.0, exponent - finer);
@@ -65,13 +66,13 @@ double dragged_time(const Timeline& timeline, std::size_t place, const TimeScale
                                        rounded_to_power(low + step, exponent - finer));
         if (low < wanted && wanted < high) return wanted;
     }
-    return keys[place].time;
+    return marks[place].time;
 }
 
-void draw_ruler(ImDrawList& list, const Rect& ruler, const TimeScale& scale,
+void draw_ruler(ImDrawList& list, const Rect& ruler, const TimeScale& scale, TimeUnit unit,
                 const std::optional<TimeRange>& range) {
     ImGui::PushFont(small_font());
-    for (const auto& [time, label] : time_ticks(scale, scaled(label_distance))) {
+    for (const auto& [time, label] : time_ticks(scale, scaled(label_distance), unit)) {
         const float x = std::round(scale.pixel(time));
         const float height = scaled(label.empty() ? 3 : 5);
         list.AddLine({x, ruler.bottom() - height}, {x, ruler.bottom()}, colors::dim_text);
@@ -213,8 +214,8 @@ class NameRow {
         const bool is_pointed = ImGui::IsItemHovered();
         if (is_pointed || is_held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
         if (is_pointed && !ImGui::IsItemActive())
-            ImGui::SetTooltip("%s, %s s\nDrag to move it in time", family_.keys[key.key].name.c_str(),
-                              fmt::format("{:.10g}", key.time).c_str());
+            ImGui::SetTooltip("%s, %s\nDrag to move it in time", family_.keys[key.key].name.c_str(),
+                              time_text(key.time, family_.timeline->unit()).c_str());
         if (ImGui::IsItemActive()) result_.drag = is_held ? *state_.drag : TimeDrag{place, scale_.visible};
         ImGui::OpenPopupOnItemClick("time menu", ImGuiPopupFlags_MouseButtonRight);
         return is_pointed || is_held;
@@ -276,19 +277,24 @@ TrackResult show_track(const TrackLayout& layout, const Family& family, const Ti
         result.added = KeyTime{*key, scale.readable_time(pointer)};
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    draw_ruler(list, layout.ruler, scale, state.range);
+    draw_ruler(list, layout.ruler, scale, unit_of(family, state.source), state.range);
     draw_well(list, layout.track);
     if (timeline != nullptr)
         draw_keys(list, *timeline, scale);
     else
         draw_points(list, *family.path, scale);
     draw_playhead(list, layout, scale, state);
-    if (timeline == nullptr) return result;
-    NameRow(layout, family, scale, state, result).show();
+    if (timeline != nullptr)
+        NameRow(layout, family, scale, state, result).show();
+    else
+        show_path_marks(layout, *family.path, scale, state, result);
     if (result.drag && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
         const TimeScale drag_scale{result.drag->visible, scale.track};
-        result.moved =
-            MovedTime{result.drag->place, dragged_time(*timeline, result.drag->place, drag_scale, pointer)};
+        const std::size_t place = result.drag->place;
+        const double to = timeline != nullptr
+                              ? dragged_time(timeline->keys(), place, drag_scale, pointer)
+                              : dragged_time(family.path->points(), place, drag_scale, pointer);
+        result.moved = MovedTime{place, to};
     }
     return result;
 }

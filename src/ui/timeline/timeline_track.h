@@ -10,16 +10,16 @@
 
 namespace interleaf {
 
-/// A key of the timeline that is held by the mouse, from press to release.
+/// A key of the timeline, or a point of the path, that is held by the mouse, from press to release.
 struct TimeDrag {
-    std::size_t place;  ///< in the timeline
+    std::size_t place;  ///< in the timeline or the path
     TimeRange visible;  ///< at the press: moving the first or the last key must not move the time under the
                         ///< pointer
 };
 
-/// A key at a time.
+/// A key or a point at a time.
 struct MovedTime {
-    std::size_t place;  ///< in the timeline
+    std::size_t place;  ///< in the timeline or the path
     double to;          ///< seconds
 };
 
@@ -40,7 +40,7 @@ struct TrackResult {
     std::optional<MovedTime> moved;         ///< dragged by its mark or name
     std::optional<KeyTime> added;           ///< dropped on the track
     std::optional<std::size_t> asked_time;  ///< the place whose time is to be typed
-    std::optional<std::size_t> removed;     ///< the place to take off the timeline
+    std::optional<std::size_t> removed;     ///< the place to take off the timeline, or out of the path
     std::optional<TimeDrag> drag;           ///< goes on: hand it to the next call
     std::optional<RangeEdit> range;
     std::optional<TimeRange> visible;  ///< the times to show from now on

@@ -12,8 +12,9 @@ namespace interleaf {
 
 /// The state of playback that the controls show.
 struct TransportState {
-    double time;  ///< seconds
-    double end;   ///< of the timeline, seconds
+    double time;                        ///< seconds
+    double end;                         ///< of the timeline, seconds
+    TimeUnit unit = TimeUnit::seconds;  ///< what these times count
     bool playing;
     bool plays_back;  ///< whether playback runs backward
     Repeat repeat;

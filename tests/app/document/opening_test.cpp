@@ -92,6 +92,8 @@ TEST_CASE("files of keys are keys, and only meshes can be fitted instead") {
     const OpenedKeys series = keys({"m.2.obj", "m.1.obj"});
     CHECK(series.can_be_fitted());
     CHECK(series.files == samples.paths({"m.1.obj", "m.2.obj"}));
+    REQUIRE(series.family.timeline);
+    CHECK(series.family.timeline->unit() == TimeUnit::steps);
     CHECK(series.family.keys.size() == 2);
     CHECK(keys({"m.*.obj"}).files.size() == 2);
     const OpenedKeys gltf = keys({"family.glb"});

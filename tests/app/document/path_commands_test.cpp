@@ -1,6 +1,9 @@
 // Tests of the commands on the path through the domain.
 #include "app/document/path_commands.h"
 
+#include <string>
+#include <utility>
+
 #include <doctest/doctest.h>
 
 #include "app/document/edit_commands.h"
@@ -125,4 +128,132 @@ TEST_CASE("while the path drives, no key is put on the hidden timeline or taken 
     remove_present_time(state, 14);
     add_present_time(state, 14);
     CHECK(*state.document.family().timeline == before);
+}
+
+namespace {
+
+/// A viewer whose path of three points drives.
+ViewerState viewer_on_a_path() {
+    Family family = sample_family();
+    family.path.emplace(std::vector<PathPoint>{{0, {-1, -1}}, {2, {0, 0.5}}, {4, {1, 1}}});
+    return ViewerState(with_time_source(std::move(family), TimeSource::path));
+}
+
+/// Types \p text into the question that \p state asks.
+void answer(ViewerState& state, const std::string& text, double now) {
+    const TextQuestion question = *std::exchange(state.question, std::nullopt);
+    REQUIRE(question.fault(text).empty());
+    question.answer(state, text, now);
+}
+
+}  // namespace
+
+TEST_CASE("dragging a path point is one step, and the surface shows the blend at the point") {
+    ViewerState state = viewer_on_a_path();
+    move_path_point(state, 1, {2, {0.2, 0.3}}, 1);
+    move_path_point(state, 1, {2, {0.4, 0.1}}, 2);
+    end_drag(state);
+    CHECK(state.document.family().path->points()[1].at == glm::dvec2(0.4, 0.1));
+    CHECK(state.selected_path_point == 1);
+    CHECK(state.session.time() == 2);
+    REQUIRE(state.session.point());
+    CHECK(state.session.point()->at == glm::dvec2(0.4, 0.1));
+    undo(state, 3);
+    CHECK(state.document.family().path->points()[1].at == glm::dvec2(0, 0.5));
+    CHECK(state.document.undo_step() == nullptr);
+}
+
+TEST_CASE("an inserted path point is dragged on in the same step, and removed again") {
+    ViewerState state = viewer_on_a_path();
+    CHECK(insert_path_point(state, {3, {0.5, 0.7}}, 1));
+    CHECK(state.selected_path_point == 2);
+    move_path_point(state, 2, {3, {0.6, 0.2}}, 2);
+    end_drag(state);
+    CHECK(state.document.family().path->points().size() == 4);
+    CHECK(*state.document.undo_step() == "Insert a path point");
+    remove_path_point(state, 2, 3);
+    CHECK(state.document.family().path->points().size() == 3);
+    CHECK_FALSE(state.selected_path_point);
+    undo(state, 4);
+    undo(state, 4);
+    CHECK(state.document.undo_step() == nullptr);
+    CHECK_FALSE(insert_path_point(state, {2, {0, 0}}, 5));  // a point has that time
+}
+
+TEST_CASE("time and place of a path point can be typed, and a point may pass others") {
+    ViewerState state = viewer_on_a_path();
+    ask_for_path_point_time(state, 1);
+    REQUIRE(state.question);
+    CHECK(state.question->entry == "2");
+    CHECK_FALSE(state.question->fault("soon").empty());
+    answer(state, "5.5", 1);
+    CHECK(state.document.family().path->end() == 5.5);
+    CHECK(state.selected_path_point == 2);
+    ask_for_path_point_place(state, 2);
+    CHECK(state.question->entry == "0, 0.5");
+    for (const char* const fault : {"", "1", "1,", "1, x", "nan, 1", "1, 2, 3"})
+        CHECK_FALSE(state.question->fault(fault).empty());
+    answer(state, "0.25 -0.5", 2);
+    CHECK(state.document.family().path->points()[2] == PathPoint{5.5, {0.25, -0.5}});
+    undo(state, 3);
+    undo(state, 3);
+    CHECK(state.document.undo_step() == nullptr);
+}
+
+TEST_CASE("a time that another path point has is refused with a message") {
+    ViewerState state = viewer_on_a_path();
+    ask_for_path_point_time(state, 1);
+    answer(state, "4", 1);
+    CHECK(state.message.is_fault());
+    CHECK(state.document.undo_step() == nullptr);
+}
+
+TEST_CASE("removing all points of the path removes the path, and the selection goes with its point") {
+    ViewerState state = viewer_on_a_path();
+    for (int i = 0; i < 3; ++i) remove_path_point(state, 0, 1);
+    CHECK_FALSE(state.document.family().path);
+    undo(state, 2);
+    undo(state, 2);
+    select_path_point(state, 1, 3);
+    undo(state, 4);
+    CHECK(state.selected_path_point == 1);
+    remove_path(state, 5);
+    CHECK_FALSE(state.selected_path_point);
+}
+
+TEST_CASE("going from key to key selects the points of the path while the domain is edited") {
+    ViewerState state = viewer_on_a_path();
+    go_to_key(state, 1, 0);
+    CHECK(state.session.time() == 2);
+    CHECK_FALSE(state.selected_path_point);
+    state.edits_domain = true;
+    go_to_key(state, 1, 0);
+    CHECK(state.selected_path_point == 2);
+    go_to_key(state, -1, 0);
+    CHECK(state.selected_path_point == 1);
+}
+
+TEST_CASE("the place of a domain vertex is typed, unless a triangle would turn over there") {
+    ViewerState state(sample_family());
+    ask_for_vertex_place(state, 4);
+    REQUIRE(state.question);
+    answer(state, "0.25, 0.125", 1);
+    CHECK(state.document.family().domain->vertices()[4].at == glm::dvec2(0.25, 0.125));
+    CHECK(*state.document.undo_step() == "Set a domain vertex");
+    ask_for_vertex_place(state, 4);
+    answer(state, "3, 0", 2);
+    CHECK(state.message.is_fault());
+    CHECK(state.document.family().domain->vertices()[4].at == glm::dvec2(0.25, 0.125));
+    ask_for_vertex_place(state, 99);
+    CHECK_FALSE(state.question);
+}
+
+TEST_CASE("the place of the point is typed") {
+    ViewerState state(sample_family());
+    ask_for_place(state);
+    REQUIRE(state.question);
+    answer(state, "0.5,0.25", 1);
+    REQUIRE(state.session.point());
+    CHECK(state.session.point()->at == glm::dvec2(0.5, 0.25));
+    CHECK(state.session.driver() == Driver::point);
 }

@@ -1,7 +1,10 @@
 // Tests of the cache of unions: it gives what unite() gives, makes unions ahead, and stays within its memory.
 #include "app/pictures/union_cache.h"
 
+#include <chrono>
+#include <memory>
 #include <random>
+#include <thread>
 
 #include <doctest/doctest.h>
 
@@ -118,4 +121,43 @@ TEST_CASE("random requests, with and without the worker, always give the right u
         const UnionCache::Keys wanted = some();
         REQUIRE(are_equal(cache.get(wanted).united->mesh, united(wanted)));
     }
+}
+
+namespace {
+
+UnionCache::Prepared slowly_prepared(const UnionCache::Keys& keys, UnionMesh& scratch) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    std::vector<const Hierarchy*> pointers;
+    for (const SharedHierarchy& key : keys) pointers.push_back(&*key);
+    unite(pointers, scratch);
+    return std::make_shared<const PreparedSurface>(prepared_surface(scratch));
+}
+
+}  // namespace
+
+TEST_CASE("a slow union is not waited for, comes before all that are made ahead, and is there later") {
+    const auto keys = some_keys();
+    UnionCache cache(UnionCache::usual_bytes, slowly_prepared);
+    const UnionCache::Keys urgent{keys[0], keys[3]};
+    cache.prepare({{keys[0], keys[1]}, {keys[1], keys[2]}, {keys[2], keys[3]}});
+    const auto start = std::chrono::steady_clock::now();
+    const auto first = cache.get_within(urgent, std::chrono::milliseconds(5));
+    CHECK(first.united == nullptr);
+    CHECK_FALSE(first.is_ready);
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::milliseconds(80));
+    const auto later = cache.get_within(urgent, std::chrono::seconds(10));
+    REQUIRE(later.united != nullptr);
+    CHECK_FALSE(later.is_ready);
+    CHECK(are_equal(later.united->mesh, united(urgent)));
+    CHECK(cache.peek({keys[2], keys[3]}) == nullptr);
+    CHECK(cache.get_within(urgent, std::chrono::milliseconds(0)).is_ready);
+}
+
+TEST_CASE("a union that cannot be made fails for the one who waits for it, each time") {
+    const auto keys = some_keys();
+    const SharedHierarchy other(make_key(*find_shape("brezel"), {.leaves = 200, .tolerance = {}}));
+    UnionCache cache;
+    for (int i = 0; i < 2; ++i)
+        CHECK_THROWS_AS(cache.get_within({keys[0], other}, std::chrono::seconds(10)), InputError);
+    CHECK(cache.get_within({keys[0], keys[1]}, std::chrono::seconds(10)).united != nullptr);
 }

@@ -1,10 +1,13 @@
 // Tests of the panels together: an action in one panel shows in all panels in the same frame.
 #include "app/window/window_panels.h"
 
+#include <utility>
+
 #include <doctest/doctest.h>
 
 #include "app/sample_family.h"
 #include "app/window/window_actions.h"
+#include "family/family_time.h"
 #include "render/palette.h"
 #include "ui/headless_gui.h"
 #include "ui/widgets/style.h"
@@ -141,4 +144,56 @@ TEST_CASE("showing the panels changes nothing") {
     CHECK(panels.state().session.weights() == Weights{{0, 1}, {1, 0}});
     CHECK(panels.state().selected_key == 1);
     CHECK(panels.state().session.display == Display());
+}
+
+TEST_CASE("the points of a path are dragged and inserted while the domain is edited, each as one step") {
+    Panels panels;
+    ViewerState& state = panels.state();
+    state.document.edit("Add a path", [&] {
+        Family family = state.document.family();
+        family.path.emplace(std::vector<PathPoint>{{0, {-0.5, -0.5}}, {2, {0.5, -0.5}}});
+        return with_time_source(std::move(family), TimeSource::path);
+    }());
+    state.session.replace_family(state.document.snapshot(), 0);
+    state.edits_domain = true;
+    const Rect plot = *panels.frame({0, 0}, false).layout.domain;
+    const auto drag = [&](glm::vec2 from, glm::vec2 to) {
+        panels.frame(domain_pixel(plot, from), false);
+        panels.frame(domain_pixel(plot, from), true);
+        panels.frame(domain_pixel(plot, (from + to) / 2.0F), true);
+        panels.frame(domain_pixel(plot, to), true);
+        panels.frame(domain_pixel(plot, to), false);
+    };
+    const auto points = [&] { return state.document.family().path->points(); };
+    drag({0.5, -0.5}, {0.7, 0.2});
+    CHECK(points()[1].at.x == doctest::Approx(0.7).epsilon(0.05));
+    CHECK(points()[1].at.y == doctest::Approx(0.2).epsilon(0.1));
+    CHECK(points()[1].time == 2);
+    CHECK(state.selected_path_point == 1);
+    CHECK(*state.document.undo_step() == "Move a path point");
+
+    drag(glm::vec2(points()[0].at + points()[1].at) / 2.0F, {0.0, 0.6});
+    REQUIRE(points().size() == 3);
+    CHECK(points()[1].at.y == doctest::Approx(0.6).epsilon(0.05));
+    CHECK(points()[1].time == doctest::Approx(1).epsilon(0.1));
+    CHECK(*state.document.undo_step() == "Insert a path point");
+    CHECK(state.document.family().domain == sample_family().domain);
+    state.document.undo();
+    state.document.undo();
+    CHECK(points().size() == 2);
+    CHECK(*state.document.undo_step() == "Add a path");
+}
+
+TEST_CASE("a click in the domain gives it the arrow keys, and a click elsewhere takes them away") {
+    Panels panels;
+    const Rect plot = *panels.frame({0, 0}, false).layout.domain;
+    const auto click = [&](glm::vec2 at) {
+        panels.frame(at, false);
+        panels.frame(at, true);
+        panels.frame(at, false);
+    };
+    click(domain_pixel(plot, {0.5, 0}));
+    CHECK(panels.state().domain_has_focus);
+    click({640, 300});
+    CHECK_FALSE(panels.state().domain_has_focus);
 }

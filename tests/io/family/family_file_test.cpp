@@ -163,6 +163,18 @@ TEST_CASE("a path and whether it drives are written and read again, in version 2
     }
 }
 
+TEST_CASE("a timeline of steps is written and read again, in version 2") {
+    std::mt19937 random(1);
+    const ScratchFolder folder;
+    Family family = sample_family(random);
+    REQUIRE(family.timeline);
+    family.timeline = family.timeline->with_unit(TimeUnit::steps);
+    write_family(family, folder / "f");
+    check_same(read_family(folder / "f"), family);
+    CHECK(contains(content(folder / "f/family.json"), "\"version\": 2,"));
+    CHECK(contains(content(folder / "f/family.json"), "\"unit\": \"steps\""));
+}
+
 TEST_CASE("a path is read from version 2 on") {
     const KeyFolder keys;
     const std::string_view path = R"("path": [{"time": 0, "at": [0, 0]}, {"time": 1.5, "at": [0.5, 2]}])";

@@ -1,6 +1,7 @@
 // Tests of the timeline's scale: zoom and pan stay within the timeline, and ticks are round.
 #include "ui/timeline/time_scale.h"
 
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -65,4 +66,14 @@ TEST_CASE("a timeline of one key has a scale, too") {
     CHECK(time_ticks(scale, 50).empty());
     CHECK(zoomed({4, 4}, {4, 4}, 4, 0.5) == TimeRange{4, 4});
     CHECK(panned({4, 4}, {4, 4}, 3) == TimeRange{4, 4});
+}
+
+TEST_CASE("the ruler of steps has whole steps, unless a single one fills it") {
+    for (const double length : {1.5, 3.0, 20.0, 300.0}) {
+        CAPTURE(length);
+        const auto ticks = time_ticks({{2, 2 + length}, {0, 0, 1200, 20}}, 70, TimeUnit::steps);
+        CHECK_FALSE(ticks.empty());
+        for (const TimeTick& tick : ticks) CHECK(tick.time == doctest::Approx(std::round(tick.time)));
+    }
+    CHECK(time_ticks({{2.1, 2.9}, {0, 0, 1200, 20}}, 70, TimeUnit::steps).size() > 5);
 }

@@ -1,0 +1,45 @@
+// A union with everything that the GPU needs of it. It is made without OpenGL, on any thread.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hierarchy/union_mesh.h"
+#include "hierarchy/vertex_normals.h"
+#include "render/palette.h"
+
+namespace interleaf {
+
+/// Four keys take 14 of the 16 vertex attributes that OpenGL 3.3 guarantees.
+inline constexpr std::size_t max_gpu_keys = 4;
+
+/// The data of a leaf that surface.frag reads.
+struct LeafTexel {
+    std::uint32_t tag;
+    /// Bits 0-2: whether the corner lies on an edge of the roots; above: place in the palette.
+    std::uint32_t origin_and_corners;
+};
+
+/// What belongs to the leaves of a surface.
+struct SurfaceLeaves {
+    std::vector<LeafTexel> texels;
+    std::vector<KeySet> origins;  ///< that occur; a texel counts them in this order
+    LevelRange levels{};
+};
+
+SurfaceLeaves surface_leaves(const UnionMesh& mesh);
+
+struct PreparedSurface {
+    UnionMesh mesh;
+    NormalForm form;  ///< empty with more than max_gpu_keys keys
+    SurfaceLeaves leaves;
+
+    /// Memory of the large arrays, in bytes.
+    std::size_t byte_count() const;
+};
+
+/// \p mesh with its normal products and the data of its leaves.
+PreparedSurface prepared_surface(UnionMesh mesh);
+
+}  // namespace interleaf

@@ -1,0 +1,111 @@
+// Tests of the surface in the window: where a union takes long, the last surface stays and no call waits
+// for it.
+#include "app/pictures/morph_surface.h"
+
+#include <chrono>
+#include <memory>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "render/context.h"
+#include "shapes/shapes.h"
+
+using namespace interleaf;
+
+namespace {
+
+constexpr std::chrono::milliseconds slow{150};
+
+UnionCache::Prepared made_slowly(const UnionCache::Keys& keys, UnionMesh& scratch) {
+    std::this_thread::sleep_for(slow);
+    std::vector<const Hierarchy*> hierarchies;
+    hierarchies.reserve(keys.size());
+    for (const SharedHierarchy& key : keys) hierarchies.push_back(&*key);
+    unite(hierarchies, scratch);
+    return std::make_shared<const PreparedSurface>(prepared_surface(scratch));
+}
+
+Family family_of(Index leaves) {
+    Family family;
+    family.name = "slow";
+    for (const char* const name : {"star", "sphere", "bone"})
+        family.keys.push_back(
+            {name, SharedHierarchy(make_key(*find_shape(name), {.leaves = leaves, .tolerance = {}}))});
+    return family;
+}
+
+std::chrono::duration<double> duration_of(auto action) {
+    const auto start = std::chrono::steady_clock::now();
+    action();
+    return std::chrono::steady_clock::now() - start;
+}
+
+}  // namespace
+
+TEST_CASE("while a union is made, the last surface stays with its weights, and no update waits for it") {
+    const EglContext context;
+    const Family family = family_of(400);
+    MorphSurface surface(made_slowly);
+    surface.update(family, {{0, 0.5}, {1, 0.5}}, nullptr);
+    REQUIRE(surface.figures().rebuilds == 1);  // the first surface is waited for
+    CHECK_FALSE(surface.figures().is_late);
+
+    const Weights next{{1, 0.25}, {2, 0.75}};
+    int late = 0;
+    for (;;) {
+        const auto taken = duration_of([&] { surface.update(family, next, nullptr); });
+        if (!surface.figures().is_late) break;
+        CHECK(taken < slow / 2);
+        CHECK(surface.weights() == std::vector<float>{0.5F, 0.5F});
+        CHECK(surface.figures().keys == std::vector<std::size_t>{0, 1});
+        REQUIRE(++late < 1000);
+    }
+    CHECK(late > 0);
+    CHECK(surface.weights() == std::vector<float>{0.25F, 0.75F});
+    CHECK(surface.figures().keys == std::vector<std::size_t>{1, 2});
+    CHECK(surface.figures().rebuilds == 2);
+    CHECK(surface.figures().waits == 2);
+}
+
+TEST_CASE("going back while a union is made shows the present union at once") {
+    const EglContext context;
+    const Family family = family_of(400);
+    MorphSurface surface(made_slowly);
+    const Weights first{{0, 0.5}, {1, 0.5}};
+    surface.update(family, first, nullptr);
+    surface.update(family, {{1, 0.5}, {2, 0.5}}, nullptr);
+    CHECK(surface.figures().is_late);
+    surface.update(family, first, nullptr);
+    CHECK_FALSE(surface.figures().is_late);
+    CHECK(surface.figures().rebuilds == 1);
+}
+
+TEST_CASE("a large union is sent in slices, ahead of its need or while the last surface stays") {
+    const EglContext context;
+    const Family family = family_of(120'000);
+    const Weights first{{0, 0.5}, {1, 0.5}};
+    const Weights next{{1, 0.5}, {2, 0.5}};
+    const std::vector<std::vector<std::size_t>> expected{{1, 2}};
+    for (const bool is_ahead : {false, true}) {
+        CAPTURE(is_ahead);
+        MorphSurface surface;
+        surface.update(family, first, nullptr);
+        surface.expect(family, expected);
+        // Each call of update() is a frame.
+        for (int frame = 0; is_ahead && frame < 300; ++frame) {
+            surface.update(family, first, nullptr);
+            surface.expect(family, expected);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        int late = 0;
+        for (surface.update(family, next, nullptr); surface.figures().is_late && late < 1000; ++late)
+            surface.update(family, next, nullptr);
+        CHECK(surface.figures().rebuilds == 2);
+        CHECK(surface.figures().keys == std::vector<std::size_t>{1, 2});
+        if (is_ahead) CHECK(late == 0);
+        if (!is_ahead) CHECK(late > 1);
+    }
+}
