@@ -85,9 +85,9 @@ std::uint64_t primitive_size(const UnionMesh& mesh) {
 }
 
 ordered_json add_primitive(GlbBuilder& builder, const UnionMesh& mesh, std::size_t base,
-                           std::span<const KeyPair> pairs) {
+                           std::span<const KeyPair> pairs, const Progress& progress) {
     const std::vector<std::string> names = attribute_names(mesh.fields);
-    const TargetNormals normals = target_normals(mesh, base, pairs);
+    const TargetNormals normals = target_normals(mesh, base, pairs, progress);
 
     ordered_json attributes;
     attributes[gltf::position] = builder.add_vectors(mesh.positions[base], GlbBounds::with);
