@@ -84,5 +84,34 @@ TEST_CASE("a film that cannot be made is refused before anything is written") {
     CHECK(contains(refusal({"-o", folder / "no folder" / "a.mp4", "--size", film_size}, 3), "no folder"));
 }
 
+TEST_CASE("on a full disk a film fails with its name and the words of ffmpeg, and leaves nothing") {
+    const ScratchFolder folder;
+    const Outcome outcome =
+        run_interleaf({"render", "-o", folder / "a.mp4", "--size", "320x180", "--to", "1"},
+                      {.standard_output = {}, .max_file_size = 3000, .display = {}});
+    CHECK(outcome.status == 3);
+    CHECK(is_one_message(outcome.errors));
+    CHECK(contains(outcome.errors, (folder / "a.mp4").string() + ": ffmpeg: "));
+    CHECK(std::filesystem::is_empty(folder.path()));
+}
+
+TEST_CASE("without ffmpeg a film is the machine's fault, and a film of one key needs an end") {
+    const ScratchFolder folder;
+    const std::string path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): one thread
+    ::setenv("PATH", "/nonexistent", 1);           // NOLINT(concurrency-mt-unsafe)
+    const Outcome outcome =
+        run_interleaf({"render", "-o", folder / "a.mp4", "--size", film_size, "--to", "1"});
+    ::setenv("PATH", path.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+    CHECK(outcome.status == 3);
+    CHECK(is_one_message(outcome.errors));
+    CHECK(contains(outcome.errors, "frame.####.png"));
+    CHECK(std::filesystem::is_empty(folder.path()));
+
+    REQUIRE(run_interleaf({"make", "star", "--leaves", "200", "-o", folder / "star.ilh"}).status == 0);
+    const Outcome still = run_interleaf({"render", folder / "star.ilh", "-o", folder / "a.mp4"});
+    CHECK(still.status == 2);
+    CHECK(contains(still.errors, "--to: the blend does not change"));
+}
+
 }  // namespace
 }  // namespace interleaf

@@ -46,7 +46,9 @@ std::vector<std::string> codec_arguments(std::string_view extension) {
 std::vector<std::string> encoder_arguments(const FilmFormat& format, const FilmPicture& picture,
                                            const std::filesystem::path& file) {
     const std::string extension(format.extension);
+    // -xerror: otherwise a film that is cut off, as on a full disk, would count as success.
     std::vector<std::string> arguments = {"-nostdin",
+                                          "-xerror",
                                           "-hide_banner",
                                           "-loglevel",
                                           "error",

@@ -40,14 +40,6 @@ UnionMesh united(const Family& family, std::span<const std::size_t> keys) {
     return mesh;
 }
 
-void check_size(const UnionMesh& mesh) {
-    if (const std::uint64_t size = primitive_size(mesh); size > max_glb_size)
-        throw InputError(fmt::format(
-            "the union of all {} keys has {} vertices; as .glb it would take {} bytes, expected at most {}. "
-            "--segments takes less for a long timeline",
-            mesh.key_count(), mesh.vertex_count(), size, max_glb_size));
-}
-
 /// What all files have in common. The caller adds nodes, meshes and animations.
 ordered_json document_of(const Family& family, const UnionMesh& mesh) {
     const bool has_colors = std::ranges::any_of(
@@ -131,7 +123,7 @@ std::vector<KeyPair> blended_pairs(const Family& family) {
 /// One mesh with all keys.
 void write_whole(const Export& exported, const UnionMesh& mesh, const OutputTarget& target) {
     const Family& family = exported.family;
-    check_size(mesh);
+    require_primitive_size(mesh);
     const std::size_t base = base_key(family);
     std::vector<std::size_t> targets(family.keys.size());
     std::iota(targets.begin(), targets.end(), std::size_t{0});

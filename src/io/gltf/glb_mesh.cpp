@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "hierarchy/error.h"
 #include "io/gltf/gltf_constants.h"
 
 namespace interleaf {
@@ -82,6 +83,14 @@ std::uint64_t primitive_size(const UnionMesh& mesh) {
     const std::uint64_t index_size = mesh.vertex_count() > 0xffff ? 4 : 2;
     return sizeof(float) * floats * mesh.vertex_count() * mesh.key_count() +
            3 * index_size * mesh.leaf_count();
+}
+
+void require_primitive_size(const UnionMesh& mesh, std::uint64_t max_size) {
+    if (const std::uint64_t size = primitive_size(mesh); size > max_size)
+        throw InputError(fmt::format(
+            "the union of all {} keys has {} vertices; as .glb it would take {} bytes, expected at most {}. "
+            "--segments takes less for a long timeline",
+            mesh.key_count(), mesh.vertex_count(), size, max_size));
 }
 
 ordered_json add_primitive(GlbBuilder& builder, const UnionMesh& mesh, std::size_t base,

@@ -24,6 +24,9 @@ std::vector<std::string> attribute_names(std::span<const UnionField> fields);
 /// The size of the arrays that add_primitive() would add, in bytes.
 std::uint64_t primitive_size(const UnionMesh& mesh);
 
+/// \throw InputError if primitive_size() is above \p max_size
+void require_primitive_size(const UnionMesh& mesh, std::uint64_t max_size = max_glb_size);
+
 /// Adds the arrays of \p mesh with its fields to \p builder.
 /// \param base   index of the base among the keys of \p mesh; the others become targets, in their order
 /// \param pairs  keys that are blended with each other (target_normals.h)
