@@ -33,6 +33,42 @@ TEST_CASE("a film has the size, the rate and the frames that are asked for") {
     CHECK(probe(folder / "film.mp4", folder) == "64,36,10/1,16\n");
 }
 
+/// The pixels of a frame of \p file, a film or a picture, as ffmpeg decodes them: 8 bits each of red, green and
+/// blue.
+std::string pixels(const std::filesystem::path& file, int frame, const ScratchFolder& folder) {
+    const std::filesystem::path raw = folder.path() / "pixels";
+    const std::string command = fmt::format(
+        "ffmpeg -nostdin -loglevel error -y -i '{}' -vf 'select=eq(n\\,{}),scale=in_color_matrix=bt709' "
+        "-frames:v 1 -f rawvideo -pix_fmt rgb24 '{}'",
+        file.string(), frame, raw.string());
+    REQUIRE(std::system(command.c_str()) == 0);  // NOLINT(concurrency-mt-unsafe): one thread
+    return content(raw);
+}
+
+TEST_CASE("a frame of a film is the picture of its time, to the accuracy of the codec") {
+    const ScratchFolder folder;
+    const char* const size = "320x180";
+    REQUIRE(
+        run_interleaf({"render", "-o", folder / "a.mp4", "--size", size, "--fps", "4", "--to", "2"}).status ==
+        0);
+    const auto mean_difference = [&](int frame, const char* time) {
+        REQUIRE(run_interleaf({"render", "-o", folder / "a.png", "--size", size, "--time", time}).status ==
+                0);
+        const std::string film = pixels(folder / "a.mp4", frame, folder);
+        const std::string still = pixels(folder / "a.png", 0, folder);
+        REQUIRE(film.size() == std::size_t{3} * 320 * 180);
+        REQUIRE(still.size() == film.size());
+        double sum = 0;
+        for (std::size_t i = 0; i < film.size(); ++i)
+            sum += std::abs(static_cast<unsigned char>(film[i]) - static_cast<unsigned char>(still[i]));
+        return sum / static_cast<double>(film.size());
+    };
+    const double own = mean_difference(5, "1.25");
+    CAPTURE(own);
+    CHECK(own < 2);
+    CHECK(mean_difference(5, "1.75") > 3 * own);
+}
+
 TEST_CASE("a numbered picture has the same bytes whoever draws it, and as a single picture of its time") {
     const ScratchFolder folder;
     const auto draw = [&](const char* name, const char* frames) {
