@@ -131,6 +131,20 @@ TEST_CASE("on a full disk a film fails with its name and the words of ffmpeg, an
     CHECK(std::filesystem::is_empty(folder.path()));
 }
 
+TEST_CASE("a film that is interrupted leaves nothing, and an ignored interrupt has no effect") {
+    const ScratchFolder folder;
+    const auto status_after = [&](const char* signal, const char* end) {
+        const std::string command =
+            fmt::format("'{}' render -o '{}' --size 320x180 --to {} & p=$!; sleep 0.3; kill -{} $p; wait $p",
+                        INTERLEAF_PROGRAM, (folder / "a.mp4").string(), end, signal);
+        return std::system(command.c_str());  // NOLINT(concurrency-mt-unsafe): one thread
+    };
+    CHECK(status_after("TERM", "100") != 0);
+    CHECK(std::filesystem::is_empty(folder.path()));
+    CHECK(status_after("INT", "1") == 0);  // the shell lets jobs in the background ignore it
+    CHECK(std::filesystem::exists(folder / "a.mp4"));
+}
+
 TEST_CASE("without ffmpeg a film is the machine's fault, and a film of one key needs an end") {
     const ScratchFolder folder;
     const std::string path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): one thread

@@ -122,7 +122,7 @@ GIVES = {
     "ratio": "milli",
     "set": "multiset set",
     "shared_mutex": "shared_lock shared_mutex",
-    "signal.h": "SIGINT SIGTERM",
+    "signal.h": "SIGINT SIGTERM SIG_IGN",
     "source_location": "source_location",
     "span": "as_bytes as_writable_bytes dynamic_extent span",
     "sstream": "istringstream ostringstream stringstream",
