@@ -33,9 +33,9 @@ struct Cursor {
 
 /// The walk over the nodes of the union. A node is alive in the keys in which it is a node; the streams of
 /// the other keys pause. The buffers of the mesh have room for the largest possible union.
-class Walk {
+class UnionWalk {
   public:
-    Walk(std::span<Cursor> cursors, UnionMesh& mesh)
+    UnionWalk(std::span<Cursor> cursors, UnionMesh& mesh)
         : cursors_(cursors),
           triangles_(mesh.triangles.data()),
           tags_(mesh.tags.data()),
@@ -210,7 +210,7 @@ void unite(std::span<const Hierarchy* const> keys, UnionMesh& mesh) {
         cursors.push_back({keys[key]->bits.data(), keys[key]->midpoints.data(), keys[key]->positions.data(),
                            mesh.positions[key].data(), mesh.own_vertices[key].data(), 0,
                            mesh.roots.vertex_count(), key_bit(key)});
-    Walk walk(cursors, mesh);
+    UnionWalk walk(cursors, mesh);
     walk.run(mesh.roots.triangles());
 
     mesh.triangles.resize(walk.leaf_count());

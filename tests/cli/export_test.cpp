@@ -1,5 +1,6 @@
 // `interleaf export`: the written file is the morphed union.
 #include <algorithm>
+#include <filesystem>
 
 #include "cli/process.h"
 #include "scratch_folder.h"
@@ -201,6 +202,36 @@ TEST_CASE("a single key or mesh needs no choice of a blend") {
         run_interleaf({"export", folder / "star.obj", "--at", "0,0", "-o", folder / "a.obj"});
     CHECK(outcome.status == 2);
     CHECK(contains(outcome.errors, "--at"));
+}
+
+TEST_CASE("on a full disk an export of the whole family fails with the file's name, and leaves nothing") {
+    for (const char* const name : {"a.glb", "a.html", "a.pvd"}) {
+        CAPTURE(name);
+        const ScratchFolder folder;
+        const Outcome outcome = run_interleaf(
+            {"export", "-o", folder / name}, {.standard_output = {}, .max_file_size = 50'000, .display = {}});
+        CHECK(outcome.status == 3);
+        CHECK(is_one_message(outcome.errors));
+        CHECK(contains(outcome.errors, (folder / "a.").string()));
+        CHECK(contains(outcome.errors, "cannot write: File too large"));
+        CHECK(std::filesystem::is_empty(folder.path()));
+    }
+}
+
+TEST_CASE("one key goes out in every format of whole families") {
+    const ScratchFolder folder;
+    REQUIRE(run_interleaf({"make", "star", "--leaves", "200", "-o", folder / "star.ilh"}).status == 0);
+    for (const char* const name : {"a.glb", "a.html"}) {
+        const Outcome outcome = export_to(folder / name, {folder / "star.ilh"});
+        CHECK_MESSAGE(outcome.status == 0, outcome.errors);
+    }
+    const Outcome series = export_to(folder / "a.pvd", {folder / "star.ilh"});
+    CHECK_MESSAGE(series.status == 0, series.errors);
+    CHECK(std::filesystem::exists(folder / "a.0000.vtp"));
+    CHECK_FALSE(std::filesystem::exists(folder / "a.0001.vtp"));
+    const Outcome segments = export_to(folder / "b.glb", {folder / "star.ilh", "--segments"});
+    CHECK(segments.status == 2);
+    CHECK(contains(segments.errors, "expected a family with a linear timeline of at least two keys"));
 }
 
 }  // namespace

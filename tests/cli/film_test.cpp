@@ -33,6 +33,42 @@ TEST_CASE("a film has the size, the rate and the frames that are asked for") {
     CHECK(probe(folder / "film.mp4", folder) == "64,36,10/1,16\n");
 }
 
+/// The pixels of a frame of \p file, a film or a picture, as ffmpeg decodes them: 8 bits each of red, green and
+/// blue.
+std::string pixels(const std::filesystem::path& file, int frame, const ScratchFolder& folder) {
+    const std::filesystem::path raw = folder.path() / "pixels";
+    const std::string command = fmt::format(
+        "ffmpeg -nostdin -loglevel error -y -i '{}' -vf 'select=eq(n\\,{}),scale=in_color_matrix=bt709' "
+        "-frames:v 1 -f rawvideo -pix_fmt rgb24 '{}'",
+        file.string(), frame, raw.string());
+    REQUIRE(std::system(command.c_str()) == 0);  // NOLINT(concurrency-mt-unsafe): one thread
+    return content(raw);
+}
+
+TEST_CASE("a frame of a film is the picture of its time, to the accuracy of the codec") {
+    const ScratchFolder folder;
+    const char* const size = "320x180";
+    REQUIRE(
+        run_interleaf({"render", "-o", folder / "a.mp4", "--size", size, "--fps", "4", "--to", "2"}).status ==
+        0);
+    const auto mean_difference = [&](int frame, const char* time) {
+        REQUIRE(run_interleaf({"render", "-o", folder / "a.png", "--size", size, "--time", time}).status ==
+                0);
+        const std::string film = pixels(folder / "a.mp4", frame, folder);
+        const std::string still = pixels(folder / "a.png", 0, folder);
+        REQUIRE(film.size() == std::size_t{3} * 320 * 180);
+        REQUIRE(still.size() == film.size());
+        double sum = 0;
+        for (std::size_t i = 0; i < film.size(); ++i)
+            sum += std::abs(static_cast<unsigned char>(film[i]) - static_cast<unsigned char>(still[i]));
+        return sum / static_cast<double>(film.size());
+    };
+    const double own = mean_difference(5, "1.25");
+    CAPTURE(own);
+    CHECK(own < 2);
+    CHECK(mean_difference(5, "1.75") > 3 * own);
+}
+
 TEST_CASE("a numbered picture has the same bytes whoever draws it, and as a single picture of its time") {
     const ScratchFolder folder;
     const auto draw = [&](const char* name, const char* frames) {
@@ -82,6 +118,49 @@ TEST_CASE("a film that cannot be made is refused before anything is written") {
     CHECK(contains(refusal({"-o", "-", "--format", "mp4"}, 2), "needs a file"));
     CHECK(contains(refusal({"-o", folder / "a.png", "--fps", "25"}, 2), "frame.####.png"));
     CHECK(contains(refusal({"-o", folder / "no folder" / "a.mp4", "--size", film_size}, 3), "no folder"));
+}
+
+TEST_CASE("on a full disk a film fails with its name and the words of ffmpeg, and leaves nothing") {
+    const ScratchFolder folder;
+    const Outcome outcome =
+        run_interleaf({"render", "-o", folder / "a.mp4", "--size", "320x180", "--to", "1"},
+                      {.standard_output = {}, .max_file_size = 3000, .display = {}});
+    CHECK(outcome.status == 3);
+    CHECK(is_one_message(outcome.errors));
+    CHECK(contains(outcome.errors, (folder / "a.mp4").string() + ": ffmpeg: "));
+    CHECK(std::filesystem::is_empty(folder.path()));
+}
+
+TEST_CASE("a film that is interrupted leaves nothing, and an ignored interrupt has no effect") {
+    const ScratchFolder folder;
+    const auto status_after = [&](const char* signal, const char* end) {
+        const std::string command =
+            fmt::format("'{}' render -o '{}' --size 320x180 --to {} & p=$!; sleep 0.3; kill -{} $p; wait $p",
+                        INTERLEAF_PROGRAM, (folder / "a.mp4").string(), end, signal);
+        return std::system(command.c_str());  // NOLINT(concurrency-mt-unsafe): one thread
+    };
+    CHECK(status_after("TERM", "100") != 0);
+    CHECK(std::filesystem::is_empty(folder.path()));
+    CHECK(status_after("INT", "1") == 0);  // the shell lets jobs in the background ignore it
+    CHECK(std::filesystem::exists(folder / "a.mp4"));
+}
+
+TEST_CASE("without ffmpeg a film is the machine's fault, and a film of one key needs an end") {
+    const ScratchFolder folder;
+    const std::string path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): one thread
+    ::setenv("PATH", "/nonexistent", 1);           // NOLINT(concurrency-mt-unsafe)
+    const Outcome outcome =
+        run_interleaf({"render", "-o", folder / "a.mp4", "--size", film_size, "--to", "1"});
+    ::setenv("PATH", path.c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
+    CHECK(outcome.status == 3);
+    CHECK(is_one_message(outcome.errors));
+    CHECK(contains(outcome.errors, "frame.####.png"));
+    CHECK(std::filesystem::is_empty(folder.path()));
+
+    REQUIRE(run_interleaf({"make", "star", "--leaves", "200", "-o", folder / "star.ilh"}).status == 0);
+    const Outcome still = run_interleaf({"render", folder / "star.ilh", "-o", folder / "a.mp4"});
+    CHECK(still.status == 2);
+    CHECK(contains(still.errors, "--to: the blend does not change"));
 }
 
 }  // namespace

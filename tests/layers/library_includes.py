@@ -122,7 +122,7 @@ GIVES = {
     "ratio": "milli",
     "set": "multiset set",
     "shared_mutex": "shared_lock shared_mutex",
-    "signal.h": "SIGINT SIGTERM",
+    "signal.h": "SIGINT SIGTERM SIG_IGN",
     "source_location": "source_location",
     "span": "as_bytes as_writable_bytes dynamic_extent span",
     "sstream": "istringstream ostringstream stringstream",
@@ -140,7 +140,7 @@ GIVES = {
     "sys/mman.h": "::madvise() ::memfd_create() ::mmap() ::mremap() ::munmap()",
     "sys/socket.h": "::send() ::socketpair()",
     "sys/stat.h": "::fchmod() ::fstat() ::lstat() ::mkdir() ::stat()",
-    "sys/wait.h": "::waitpid()",
+    "sys/wait.h": "::waitid() ::waitpid()",
     "system_error": """
         errc error_category error_code error_condition generic_category make_error_code make_error_condition
         system_category system_error""",

@@ -1,14 +1,18 @@
 #include "app/cli/export_command.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "app/cli/error_message.h"
+#include "app/cli/held_interrupts.h"
+#include "app/cli/progress_line.h"
 #include "app/document/opening.h"
 #include "family/origin.h"
 #include "hierarchy/error.h"
+#include "hierarchy/progress.h"
 #include "io/formats.h"
 #include "io/text/joined_text.h"
 
@@ -26,13 +30,24 @@ void run_export(const ExportOptions& options) {
         throw UsageError(fmt::format("--fps and --union: expected the format pvd, got '{}'", name));
     const Family family = open_family(options.morph.family);
     std::vector<std::string> remarks;
-    format.write({.family = family,
-                  .weights = chosen_weights(options.morph, family),
-                  .form = options.form,
-                  .series = options.series,
-                  .segments = options.segments,
-                  .remarks = &remarks},
-                 target_of(options.output));
+    const HeldInterrupts interrupts;
+    try {
+        ProgressLine line;
+        format.write({.family = family,
+                      .weights = chosen_weights(options.morph, family),
+                      .form = options.form,
+                      .series = options.series,
+                      .segments = options.segments,
+                      .remarks = &remarks,
+                      .progress =
+                          [&](std::string_view stage, double part) {
+                              line.show(stage, part);
+                              return !interrupts.is_waiting();
+                          }},
+                     target_of(options.output));
+    } catch (const Cancelled&) {
+        return;  // the held interrupt ends the program when `interrupts` is destroyed
+    }
     for (const std::string& remark : remarks)
         print_error(fmt::format("{}: {}", options.output.target, remark));
     if (!format.written->origin && family.origin != glm::dvec3(0))

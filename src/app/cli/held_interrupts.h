@@ -7,7 +7,8 @@
 namespace interleaf {
 
 /// Holds back SIGINT and SIGTERM during its lifetime. Its destructor releases a signal that came meanwhile,
-/// which then has its usual effect: it ends the program. So no work is left half done.
+/// which then has its usual effect: it ends the program. So no work is left half done. A signal that the program
+/// ignores stays without effect.
 class HeldInterrupts {
   public:
     HeldInterrupts();

@@ -1,8 +1,10 @@
 #include "app/cli/render_film.h"
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "app/pictures/film.h"
 #include "family/family_time.h"
 #include "hierarchy/error.h"
+#include "hierarchy/progress.h"
 #include "io/film/film_encoder.h"
 #include "io/mesh/mesh_file.h"
 #include "render/context.h"
@@ -85,6 +88,19 @@ bool paint_frames(BlendPainter& painter, const Film& film, const Family& family,
     return true;
 }
 
+/// Waits for ffmpeg, which may take long after the last frame, unless an interrupt comes.
+void finish(FilmEncoder& encoder, const HeldInterrupts& interrupts) {
+    constexpr std::chrono::milliseconds between_looks{50};
+    std::future<void> finished = std::async(std::launch::async, [&encoder] { encoder.finish(); });
+    while (finished.wait_for(between_looks) != std::future_status::ready)
+        if (interrupts.is_waiting()) encoder.cancel();
+    try {
+        finished.get();
+    } catch (const Cancelled&) {
+        return;  // the held interrupt ends the program when `interrupts` is destroyed
+    }
+}
+
 }  // namespace
 
 bool has_frame_number(const std::string& target) {
@@ -120,7 +136,7 @@ void render_film(const RenderOptions& options, const std::string& format, const 
         FilmEncoder encoder(target, *film_format, picture);
         if (paint_frames(painter, film, family, wanted, interrupts,
                          [&](std::size_t, std::vector<std::uint8_t> rgba) { encoder.add(std::move(rgba)); }))
-            encoder.finish();
+            finish(encoder, interrupts);
     }
 }
 

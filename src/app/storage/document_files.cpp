@@ -136,6 +136,7 @@ void DocumentFiles::show(const Rect& area, double now) {
     if (auto choice = browser_.show(area)) choice_ = std::move(choice);
     if (auto answer = dialog_.show(area)) answer_ = std::move(answer);
     fitting_.show(area, now);
+    exporting_.show(area, now);
 }
 
 void DocumentFiles::act(float density, double now) {
@@ -310,7 +311,7 @@ void DocumentFiles::export_as(const fs::path& file) {
     if (extension == ".png" || film_format_with_extension(extension) != nullptr)
         state_.film_wish = file;
     else if (is_called(file, &Format::is_exported))
-        exporting_.begin(state_.document.snapshot(), state_.session.weights(), file);
+        exporting_.begin(state_.document.snapshot(), state_.session.weights(), file, now_);
     else
         complain(fmt::format("{}: expected the name of an {} file, a picture .png, or a film {}",
                              file.filename().string(), extensions_in_words(&Format::is_exported),

@@ -46,8 +46,10 @@ class DocumentFiles {
 
     const std::vector<std::filesystem::path>& recent_files() const { return settings_.recent_files; }
 
-    /// Whether a dialog or the file browser has the keyboard focus.
-    bool is_asking() const { return browser_.is_open() || dialog_.is_open() || fitting_.is_open(); }
+    /// Whether a dialog, the file browser or progress has the keyboard focus.
+    bool is_asking() const {
+        return browser_.is_open() || dialog_.is_open() || fitting_.is_open() || exporting_.is_shown();
+    }
 
     /// Whether work in progress needs new frames soon.
     bool is_working() const { return fitting_.is_working(); }

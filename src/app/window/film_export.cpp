@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 #include <glm/common.hpp>
 
+#include "hierarchy/progress.h"
 #include "io/file/file_pattern.h"
 #include "io/file/safe_write.h"
 #include "io/mesh/mesh_file.h"
@@ -78,6 +79,7 @@ void FilmExport::show(const Rect& area, double now) {
              .part = static_cast<double>(work_->next) / static_cast<double>(count),
              .seconds = now - work_->started},
             area, work_->is_closing);
+        if (is_cancelled && work_->encoder) work_->encoder->cancel();
         work_->is_cancelled |= is_cancelled && !is_painted;
     }
 }
@@ -156,10 +158,15 @@ void FilmExport::paint_some() {
 std::optional<Message> FilmExport::end_work(double now) {
     Work work = *std::exchange(work_, std::nullopt);
     const Offer offer = *std::exchange(offer_, std::nullopt);
-    if (work.finished.valid()) work.finished.get();
+    try {
+        if (work.finished.valid()) work.finished.get();
+    } catch (const Cancelled&) {
+        work.is_cancelled = true;
+    }
     if (work.is_cancelled) return std::nullopt;
     const std::string made = offer.format != nullptr ? fmt::format(": {}", detail_of(work.plan)) : "";
-    return Message{.text = fmt::format("Made {}{}", name_of_film(offer.file), made),
+    const std::string folder = shown_name(offer.file.parent_path().string());
+    return Message{.text = fmt::format("Made {} in {}{}", name_of_film(offer.file), folder, made),
                    .kind = MessageKind::notice,
                    .seen = now};
 }

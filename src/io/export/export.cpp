@@ -31,6 +31,10 @@ std::vector<Field> morphed_fields(const UnionMesh& mesh, std::span<const float> 
 
 }  // namespace
 
+void report_progress(const Export& exported, std::string_view stage, double part) {
+    if (exported.progress && !exported.progress(stage, part)) throw Cancelled();
+}
+
 Blend blend_of(const Export& exported) {
     if (!exported.weights) throw UsageError(no_default_blend);
     return blend_over(exported.family, *exported.weights, nullptr);

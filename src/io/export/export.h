@@ -5,11 +5,13 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "family/family.h"
+#include "hierarchy/progress.h"
 #include "io/file/output_target.h"
 #include "io/hierarchy/hierarchy_file.h"
 
@@ -39,12 +41,19 @@ struct Export {
     /// If given, receives sentences about content that the format holds only approximately, or otherwise than
     /// asked for.
     std::vector<std::string>* remarks = nullptr;
+
+    Progress progress{};  ///< of formats of the whole family
 };
+
+/// Tells the progress of an export.
+/// \throw Cancelled if its receiver says so
+void report_progress(const Export& exported, std::string_view stage, double part);
 
 /// Writes an export in one format.
 /// \throw UsageError    if the export lacks data that the format needs
 /// \throw InputError    if the family does not fit into the format
 /// \throw MachineError  if the target cannot be written
+/// \throw Cancelled     if the receiver of the progress says so; then no target is written
 using ExportWriter = void (*)(const Export& exported, const OutputTarget& target);
 
 /// One blend of a family: the union of the active keys, and the blended positions and fields.

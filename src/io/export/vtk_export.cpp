@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -66,6 +69,31 @@ std::size_t largest_union(const Family& family, std::span<const Frame> frames) {
     }
     return most;
 }
+
+/// Removes the files that a series has made if the series does not become complete. Files that were there before
+/// stay, with their new content.
+class UnfinishedSeries {
+  public:
+    UnfinishedSeries() = default;
+    UnfinishedSeries(const UnfinishedSeries&) = delete;
+    UnfinishedSeries& operator=(const UnfinishedSeries&) = delete;
+    ~UnfinishedSeries() {
+        std::error_code ignored;
+        for (const std::filesystem::path& file : new_files_) std::filesystem::remove(file, ignored);
+    }
+
+    void write(const std::filesystem::path& file, std::string_view bytes) {
+        std::error_code ignored;
+        const bool is_new = !std::filesystem::exists(file, ignored);
+        write_output({file}, bytes);
+        if (is_new) new_files_.push_back(file);
+    }
+
+    void keep() { new_files_.clear(); }
+
+  private:
+    std::vector<std::filesystem::path> new_files_;
+};
 
 /// The finest mesh, unless frames are to have their own unions, or it is much larger than these.
 std::optional<Hierarchy> finest_mesh(const Export& exported, std::span<const Frame> intervals,
@@ -153,6 +181,7 @@ void export_vtu(const Export& exported, const OutputTarget& target) {
 
 void export_pvd(const Export& exported, const OutputTarget& target) {
     if (target.file.empty()) throw UsageError(".pvd names other files, expected a file for -o");
+    report_progress(exported, "uniting keys", 0);
     std::vector<Frame> frames = frames_of(exported, true);
     const std::vector<std::size_t> keys = keys_of(frames);
     FrameMesh shared{finest_mesh(exported, frames, keys), {}, fields_of_all(exported.family, keys)};
@@ -164,9 +193,12 @@ void export_pvd(const Export& exported, const OutputTarget& target) {
 
     const std::string stem = target.file.stem().string();
     std::string list;
+    UnfinishedSeries written;
     for (std::size_t n = 0; n < frames.size(); ++n) {
+        report_progress(exported, fmt::format("file {} of {}", n + 1, frames.size()),
+                        0.1 + 0.9 * static_cast<double>(n) / static_cast<double>(frames.size()));
         const std::string name = fmt::format("{}.{:04}.vtp", stem, n);
-        write_output({target.file.parent_path() / name}, frame_bytes(exported, shared, frames[n]));
+        written.write(target.file.parent_path() / name, frame_bytes(exported, shared, frames[n]));
         list += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frames[n].time,
                             xml_escaped(name));
     }
@@ -174,6 +206,7 @@ void export_pvd(const Export& exported, const OutputTarget& target) {
                  fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n"
                              "<Collection>\n{}</Collection>\n</VTKFile>\n",
                              list));
+    written.keep();
 }
 
 }  // namespace interleaf

@@ -100,7 +100,7 @@ EncoderProcess::EncoderProcess(const std::vector<std::string>& arguments)
 
 EncoderProcess::~EncoderProcess() {
     if (process_ < 0) return;
-    ::kill(process_, SIGKILL);
+    kill();
     finish();
 }
 
@@ -116,11 +116,21 @@ bool EncoderProcess::write(std::span<const std::uint8_t> bytes) {
 
 bool EncoderProcess::finish() {
     input_.close();
+    // Until it is forgotten, the ended process keeps its number, so kill() reaches no other process.
+    siginfo_t ended{};
+    while (::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
+    }
+    const std::lock_guard lock(mutex_);
     int status = 0;
     while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
     }
     process_ = -1;
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+void EncoderProcess::kill() {
+    const std::lock_guard lock(mutex_);
+    if (process_ >= 0) ::kill(process_, SIGKILL);
 }
 
 std::string EncoderProcess::last_message() const {

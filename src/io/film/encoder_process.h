@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,13 +31,17 @@ class EncoderProcess {
     /// \return whether ffmpeg reports success
     bool finish();
 
+    /// Kills ffmpeg if it still runs, so that write() and finish() return soon. Can be called from another thread.
+    void kill();
+
     /// The last line that ffmpeg has written to its standard error; may be empty.
     std::string last_message() const;
 
   private:
     FileDescriptor input_;     ///< our end of ffmpeg's standard input
     FileDescriptor messages_;  ///< a file in memory that takes ffmpeg's standard error
-    int process_ = -1;         ///< while ffmpeg runs
+    std::mutex mutex_;         ///< held while the process is killed, or forgotten
+    int process_ = -1;         ///< until the end of ffmpeg is known
 };
 
 }  // namespace interleaf

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 namespace {
@@ -45,7 +46,9 @@ std::vector<std::string> codec_arguments(std::string_view extension) {
 std::vector<std::string> encoder_arguments(const FilmFormat& format, const FilmPicture& picture,
                                            const std::filesystem::path& file) {
     const std::string extension(format.extension);
+    // -xerror: otherwise a film that is cut off, as on a full disk, would count as success.
     std::vector<std::string> arguments = {"-nostdin",
+                                          "-xerror",
                                           "-hide_banner",
                                           "-loglevel",
                                           "error",
@@ -149,9 +152,21 @@ void FilmEncoder::end_frames() {
 
 void FilmEncoder::finish() {
     end_frames();
-    const bool is_done = process_.finish() && !is_broken_;
-    if (!is_done) throw_failure();
+    const bool is_done = process_.finish();
+    {
+        const std::lock_guard lock(mutex_);
+        if (is_cancelled_) throw Cancelled();
+        if (!is_done || is_broken_) throw_failure();
+    }
     film_.commit();
+}
+
+void FilmEncoder::cancel() {
+    {
+        const std::lock_guard lock(mutex_);
+        is_cancelled_ = true;
+    }
+    process_.kill();
 }
 
 void FilmEncoder::throw_failure() const {

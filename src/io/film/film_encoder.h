@@ -63,7 +63,12 @@ class FilmEncoder {
 
     /// Waits until ffmpeg has written all frames, and moves the film to its place.
     /// \throw MachineError as add(), or if the film cannot be moved there
+    /// \throw Cancelled    after cancel()
     void finish();
+
+    /// Ends ffmpeg, so that a finish() in progress on another thread returns soon. The target stays as it was,
+    /// unless the film is moved there just now.
+    void cancel();
 
   private:
     void pass_frames_on();
@@ -78,6 +83,7 @@ class FilmEncoder {
     std::condition_variable changed_;
     std::deque<std::vector<std::uint8_t>> waiting_;  ///< frames that the thread has not taken yet
     bool is_complete_ = false;                       ///< whether no frame follows
+    bool is_cancelled_ = false;                      ///< whether the film is not wanted any more
     bool is_broken_ = false;                         ///< whether ffmpeg takes no more frames
     std::thread thread_;                             ///< passes the frames on
 };

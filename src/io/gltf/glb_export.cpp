@@ -15,6 +15,7 @@
 #include "io/gltf/glb_builder.h"
 #include "io/gltf/glb_mesh.h"
 #include "io/gltf/gltf_constants.h"
+#include "io/gltf/scene_hierarchies.h"
 #include "io/gltf/weight_animation.h"
 
 namespace interleaf {
@@ -39,14 +40,6 @@ UnionMesh united(const Family& family, std::span<const std::size_t> keys) {
     return mesh;
 }
 
-void check_size(const UnionMesh& mesh) {
-    if (const std::uint64_t size = primitive_size(mesh); size > max_glb_size)
-        throw InputError(fmt::format(
-            "the union of all {} keys has {} vertices; as .glb it would take {} bytes, expected at most {}. "
-            "--segments takes less for a long timeline",
-            mesh.key_count(), mesh.vertex_count(), size, max_glb_size));
-}
-
 /// What all files have in common. The caller adds nodes, meshes and animations.
 ordered_json document_of(const Family& family, const UnionMesh& mesh) {
     const bool has_colors = std::ranges::any_of(
@@ -57,7 +50,7 @@ ordered_json document_of(const Family& family, const UnionMesh& mesh) {
         {"pbrMetallicRoughness",
          {{"baseColorFactor", {gray, gray, gray, 1.0}}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.6}}}};
     if (mesh.roots.boundary_edge_count() > 0) material["doubleSided"] = true;
-    return {{"asset", {{"version", "2.0"}, {"generator", "Interleaf"}}},
+    return {{"asset", {{"version", "2.0"}, {"generator", gltf::generator}}},
             {"scene", 0},
             {"scenes", ordered_json::array({{{"name", family.name}}})},
             {"materials", ordered_json::array({std::move(material)})}};
@@ -130,16 +123,17 @@ std::vector<KeyPair> blended_pairs(const Family& family) {
 /// One mesh with all keys.
 void write_whole(const Export& exported, const UnionMesh& mesh, const OutputTarget& target) {
     const Family& family = exported.family;
-    check_size(mesh);
+    require_primitive_size(mesh);
     const std::size_t base = base_key(family);
     std::vector<std::size_t> targets(family.keys.size());
     std::iota(targets.begin(), targets.end(), std::size_t{0});
     std::erase(targets, base);
 
+    const Progress normals = part_of(exported.progress, 0.3, 0.9);
     GlbBuilder builder;
     ordered_json gltf_mesh = {{"name", family.name}};
     gltf_mesh["primitives"] =
-        ordered_json::array({add_primitive(builder, mesh, base, blended_pairs(family))});
+        ordered_json::array({add_primitive(builder, mesh, base, blended_pairs(family), normals)});
     ordered_json extras;
     if (!targets.empty()) {
         gltf_mesh["weights"] = target_weights(exported.weights.value_or(Weights{{base, 1}}), targets);
@@ -156,6 +150,7 @@ void write_whole(const Export& exported, const UnionMesh& mesh, const OutputTarg
         document["animations"] = ordered_json::array({animation_of(builder, *animation)});
         remark_on(exported, *animation);
     }
+    report_progress(exported, "writing", 0.9);
     write_output(target, builder.file(std::move(document)));
 }
 
@@ -165,11 +160,13 @@ bool has_segments(const Family& family) {
 }
 
 /// The largest number of vertices of the union of an interval's two keys.
-std::size_t largest_segment(const Family& family) {
+std::size_t largest_segment(const Export& exported) {
     std::size_t most = 0;
+    const Family& family = exported.family;
     const auto keys = family.timeline->keys();
     UnionMesh mesh;
     for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+        report_progress(exported, "uniting keys", 0.2);
         unite(family, sorted_weights({{keys[i].key, 0}, {keys[i + 1].key, 0}}), mesh);
         most = std::max(most, mesh.vertex_count());
     }
@@ -239,6 +236,8 @@ void write_segments(const Export& exported, const OutputTarget& target) {
     ordered_json document;
     std::uint64_t size = 0;
     for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+        report_progress(exported, fmt::format("segment {} of {}", i + 1, keys.size() - 1),
+                        0.9 * static_cast<double>(i) / static_cast<double>(keys.size() - 1));
         const UnionMesh mesh = united(family, std::vector{keys[i].key, keys[i + 1].key});
         size += primitive_size(mesh);
         if (size > max_glb_size)
@@ -255,11 +254,13 @@ void write_segments(const Export& exported, const OutputTarget& target) {
         segments.add_channel(i, "weights", "LINEAR", interval, rise);
     }
     for (std::size_t i = 0; i + 1 < keys.size(); ++i) document["scenes"][0]["nodes"].push_back(i);
+    document["scenes"][0]["extras"][gltf::extras_member] = scene_extras(family);
     document["nodes"] = std::move(segments.nodes);
     document["meshes"] = std::move(segments.meshes);
     document["animations"] = ordered_json::array({{{"name", "timeline"},
                                                    {"samplers", std::move(segments.samplers)},
                                                    {"channels", std::move(segments.channels)}}});
+    report_progress(exported, "writing", 0.9);
     write_output(target, segments.builder.file(std::move(document)));
 }
 
@@ -273,9 +274,10 @@ void export_glb(const Export& exported, const OutputTarget& target) {
 
     std::vector<std::size_t> all(family.keys.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
+    report_progress(exported, "uniting keys", 0);
     const UnionMesh mesh = united(family, all);
     if (has_segments(family) && !family.domain && family.keys.size() > 2) {
-        const std::size_t most = largest_segment(family);
+        const std::size_t most = largest_segment(exported);
         if (mesh.vertex_count() > max_growth * most) {
             remark(exported,
                    fmt::format("the union of all keys has {} vertices, over four times the {} of an "

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "hierarchy/error.h"
 #include "io/gltf/gltf_constants.h"
 
 namespace interleaf {
@@ -84,10 +85,18 @@ std::uint64_t primitive_size(const UnionMesh& mesh) {
            3 * index_size * mesh.leaf_count();
 }
 
+void require_primitive_size(const UnionMesh& mesh, std::uint64_t max_size) {
+    if (const std::uint64_t size = primitive_size(mesh); size > max_size)
+        throw InputError(fmt::format(
+            "the union of all {} keys has {} vertices; as .glb it would take {} bytes, expected at most {}. "
+            "--segments takes less for a long timeline",
+            mesh.key_count(), mesh.vertex_count(), size, max_size));
+}
+
 ordered_json add_primitive(GlbBuilder& builder, const UnionMesh& mesh, std::size_t base,
-                           std::span<const KeyPair> pairs) {
+                           std::span<const KeyPair> pairs, const Progress& progress) {
     const std::vector<std::string> names = attribute_names(mesh.fields);
-    const TargetNormals normals = target_normals(mesh, base, pairs);
+    const TargetNormals normals = target_normals(mesh, base, pairs, progress);
 
     ordered_json attributes;
     attributes[gltf::position] = builder.add_vectors(mesh.positions[base], GlbBounds::with);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hierarchy/field.h"
+#include "hierarchy/progress.h"
 #include "hierarchy/union_mesh.h"
 #include "io/gltf/glb_builder.h"
 #include "io/gltf/target_normals.h"
@@ -23,11 +24,15 @@ std::vector<std::string> attribute_names(std::span<const UnionField> fields);
 /// The size of the arrays that add_primitive() would add, in bytes.
 std::uint64_t primitive_size(const UnionMesh& mesh);
 
+/// \throw InputError if primitive_size() is above \p max_size
+void require_primitive_size(const UnionMesh& mesh, std::uint64_t max_size = max_glb_size);
+
 /// Adds the arrays of \p mesh with its fields to \p builder.
 /// \param base   index of the base among the keys of \p mesh; the others become targets, in their order
 /// \param pairs  keys that are blended with each other (target_normals.h)
 /// \return       the only element of the mesh's `primitives`, with material 0
+/// \throw        Cancelled when \p progress says so
 nlohmann::ordered_json add_primitive(GlbBuilder& builder, const UnionMesh& mesh, std::size_t base,
-                                     std::span<const KeyPair> pairs);
+                                     std::span<const KeyPair> pairs, const Progress& progress = {});
 
 }  // namespace interleaf

@@ -35,7 +35,10 @@ inline constexpr std::string_view position = "POSITION";
 inline constexpr std::string_view normal = "NORMAL";
 inline constexpr std::string_view color = "COLOR_0";
 
-/// The member of `extras` of a mesh that holds what glTF has no place for (docs/file-formats.md).
+/// The `generator` of our own files. A program that has changed a file since puts its own name there.
+inline constexpr std::string_view generator = "Interleaf";
+
+/// The member of `extras` of a mesh, or of the scene, that holds what glTF has no place for (docs/file-formats.md).
 inline constexpr std::string_view extras_member = "interleaf";
 
 }  // namespace interleaf::gltf

@@ -13,6 +13,7 @@
 #include "io/family/family_format.h"
 #include "io/file/input_file.h"
 #include "io/gltf/gltf_constants.h"
+#include "io/text/base64.h"
 
 namespace interleaf {
 
@@ -68,32 +69,6 @@ Chunks chunks_of(std::string_view bytes, std::string_view name) {
     return chunks;
 }
 
-/// The six bits of a character of base64; none for another character.
-std::optional<std::uint32_t> bits_of(char c) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const std::size_t place = digits.find(c);
-    if (place == std::string_view::npos) return std::nullopt;
-    return static_cast<std::uint32_t>(place);
-}
-
-std::string from_base64(std::string_view text, const JsonPlace& place) {
-    while (text.ends_with('=')) text.remove_suffix(1);
-    std::string bytes;
-    bytes.reserve(text.size() / 4 * 3 + 2);
-    std::uint32_t held = 0;
-    unsigned held_bits = 0;
-    for (const char c : text) {
-        const auto bits = bits_of(c);
-        if (!bits) place.fail("is a data URI with a character that is not base64");
-        held = (held << 6 | *bits) & 0xffff;
-        held_bits += 6;
-        if (held_bits < 8) continue;
-        held_bits -= 8;
-        bytes += static_cast<char>(held >> held_bits & 0xff);
-    }
-    return bytes;
-}
-
 /// \p uri with %20 and the like replaced.
 std::string decoded(std::string_view uri, const JsonPlace& place) {
     const auto digit = [](char c) -> std::uint32_t {
@@ -143,7 +118,9 @@ std::string buffer_of(const JsonPlace& buffer, std::size_t index, const Chunks& 
         constexpr std::string_view mark = ";base64,";
         const std::size_t begin = text.find(mark);
         if (begin == std::string::npos) uri->fail("is a data URI that is not base64");
-        bytes = from_base64(std::string_view(text).substr(begin + mark.size()), *uri);
+        auto decoded_bytes = from_base64(std::string_view(text).substr(begin + mark.size()));
+        if (!decoded_bytes) uri->fail("is a data URI with a character that is not base64");
+        bytes = *std::move(decoded_bytes);
     } else {
         bytes = content_of(*uri, text, folder);
         byte_count += bytes.size();

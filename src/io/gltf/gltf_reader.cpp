@@ -20,7 +20,9 @@
 #include "io/gltf/gltf_file.h"
 #include "io/gltf/gltf_mesh.h"
 #include "io/gltf/gltf_scene.h"
+#include "io/gltf/scene_hierarchies.h"
 #include "io/gltf/vertex_welding.h"
+#include "io/gltf/weight_timeline.h"
 #include "io/mesh/polygon_mesh.h"
 
 namespace interleaf {
@@ -171,6 +173,10 @@ std::optional<std::vector<glm::vec3>> local_positions(const GltfMesh& mesh, std:
     return positions;
 }
 
+Misfit too_far(const std::string& file, std::size_t key) {
+    return {fmt::format("{}: a vertex of key {} is too far from the origin", file, key)};
+}
+
 /// The origin that positions of a file of export_glb() are relative to.
 glm::dvec3 origin_of(const std::optional<JsonPlace>& own) {
     glm::dvec3 origin(0);
@@ -181,8 +187,24 @@ glm::dvec3 origin_of(const std::optional<JsonPlace>& own) {
     return origin;
 }
 
+/// The keys of a file of segments.
+std::variant<FileKeys, Misfit> keys_of_scene(const JsonPlace& own, const std::string& name,
+                                             const std::optional<glm::dvec3>& origin) {
+    FileKeys read = read_scene_keys(own);
+    const glm::dvec3 own_origin = origin_of(own);
+    read.origin = origin.value_or(own_origin);
+    for (std::size_t key = 0; key < read.keys.size(); ++key)
+        for (glm::vec3& position : read.keys[key].positions) {
+            const glm::dvec3 moved = glm::dvec3(position) + own_origin - *read.origin;
+            if (!is_place(moved)) return too_far(name, key);
+            position = glm::vec3(moved);
+        }
+    return read;
+}
+
 /// The keys of one file.
 std::variant<FileKeys, Misfit> keys_of_file(const GltfFile& file, std::optional<glm::dvec3> origin) {
+    if (const auto own = own_scene_extras(file)) return keys_of_scene(*own, file.name, origin);
     FileKeys read;
     const std::vector<MeshInstance> instances = chosen_instances(file, read.remarks);
     if (instances.empty()) file.root().fail("shows no mesh");
@@ -199,8 +221,7 @@ std::variant<FileKeys, Misfit> keys_of_file(const GltfFile& file, std::optional<
     const std::size_t key_count = mesh.deltas.size() + 1;
     for (std::size_t key = 0; key < key_count; ++key) {
         const auto positions = local_positions(mesh, key, *read.origin - own_origin);
-        if (!positions)
-            return Misfit{fmt::format("{}: a vertex of key {} is too far from the origin", file.name, key)};
+        if (!positions) return too_far(file.name, key);
         read.keys.push_back(unrefined(std::get<RootComplex>(roots), *positions));
         read.keys.back().fields = fields_of_key(mesh, names, key);
     }
@@ -232,6 +253,17 @@ void compose(const JsonPlace& own, Family& family) {
     family = std::move(composed);
 }
 
+/// Takes the timeline from the animation of another program, if there is one.
+void take_animation(const GltfFile& file, std::size_t mesh, Family& family,
+                    std::vector<std::string>* changes) {
+    if (family.keys.size() < 2) return;
+    std::vector<std::string> remarks;
+    if (auto timeline = weight_timeline(file, mesh, family.keys.size() - 1, remarks))
+        family.timeline = std::move(timeline);
+    if (changes == nullptr) return;
+    for (const std::string& remark : remarks) changes->push_back(fmt::format("{}: {}", file.name, remark));
+}
+
 }  // namespace
 
 Family read_gltf_family(const fs::path& path, std::vector<std::string>* changes) {
@@ -239,9 +271,13 @@ Family read_gltf_family(const fs::path& path, std::vector<std::string>* changes)
     auto read = keys_of_file(file, std::nullopt);
     if (const auto* misfit = std::get_if<Misfit>(&read)) throw InputError(misfit->reason);
     Family family = family_of_files(std::span(&path, 1), std::get<FileKeys>(std::move(read)), changes);
-    std::vector<std::string> ignored;
-    const std::vector<MeshInstance> instances = chosen_instances(file, ignored);
-    const auto own = own_extras(file, instances.front().mesh);
+    auto own = own_scene_extras(file);
+    if (!own) {
+        std::vector<std::string> known;  // remarks that were made before
+        const std::size_t mesh = chosen_instances(file, known).front().mesh;
+        own = own_extras(file, mesh);
+        if (!own) take_animation(file, mesh, family, changes);
+    }
     if (!own || family.keys.size() < 2) return family;
     try {
         compose(*own, family);

@@ -21,7 +21,7 @@ namespace interleaf {
 ///
 /// Vertices are welded where the base and all targets have the same positions, because other programs split
 /// vertices along the seams of textures; not in files of export_glb(). The order of the corners of each
-/// triangle marks its refinement edge.
+/// triangle marks its refinement edge. An animation of the weights becomes the timeline (weight_timeline.h).
 /// \param changes      if given, receives one sentence per remark on the file
 /// \throw InputError   naming the file, the place and what was expected, also if the mesh is no manifold
 /// \throw MachineError if a file cannot be opened or read

@@ -133,14 +133,28 @@ void improve(std::vector<double>& lengths, std::size_t base, std::span<const Key
 
 }  // namespace
 
-TargetNormals target_normals(const UnionMesh& mesh, std::size_t base, std::span<const KeyPair> pairs) {
+TargetNormals target_normals(const UnionMesh& mesh, std::size_t base, std::span<const KeyPair> pairs,
+                             const Progress& progress) {
+    constexpr std::size_t vertices_per_report = 4096;
     const std::size_t key_count = mesh.key_count();
+    const std::size_t steps = key_count + pairs.size() + mesh.vertex_count() / vertices_per_report + 1;
+    std::size_t step = 0;
+    const auto report = [&] {
+        const double part = static_cast<double>(step++) / static_cast<double>(steps);
+        if (progress && !progress("normals", part)) throw Cancelled();
+    };
     std::vector<Buffer<glm::vec3>> areas;
     areas.reserve(key_count);
-    for (std::size_t key = 0; key < key_count; ++key) areas.push_back(area_normals(mesh, std::span(&key, 1)));
+    for (std::size_t key = 0; key < key_count; ++key) {
+        report();
+        areas.push_back(area_normals(mesh, std::span(&key, 1)));
+    }
     std::vector<Buffer<glm::vec3>> blends;
     blends.reserve(pairs.size());
-    for (const KeyPair& pair : pairs) blends.push_back(area_normals(mesh, pair));
+    for (const KeyPair& pair : pairs) {
+        report();
+        blends.push_back(area_normals(mesh, pair));
+    }
 
     TargetNormals normals{base_normals(mesh, base, areas[base]), {}};
     normals.deltas.resize(key_count);
@@ -150,6 +164,7 @@ TargetNormals target_normals(const UnionMesh& mesh, std::size_t base, std::span<
     std::vector<double> lengths(key_count);
     std::vector<Ratio> ratios(pairs.size());
     for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+        if (v % vertices_per_report == 0) report();
         const glm::dvec3 shown(normals.base[v]);
         for (std::size_t key = 0; key < key_count; ++key) {
             units[key] = direction(areas[key][v], shown);

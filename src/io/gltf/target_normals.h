@@ -12,6 +12,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "hierarchy/progress.h"
 #include "hierarchy/union_mesh.h"
 
 namespace interleaf {
@@ -30,6 +31,8 @@ struct TargetNormals {
 /// the normals of the targets. The base normals of such corners are therefore tilted by 0.002.
 /// \param base   index of the base
 /// \param pairs  keys that are blended with each other, each pair once, of two different keys
-TargetNormals target_normals(const UnionMesh& mesh, std::size_t base, std::span<const KeyPair> pairs);
+/// \throw Cancelled when \p progress says so
+TargetNormals target_normals(const UnionMesh& mesh, std::size_t base, std::span<const KeyPair> pairs,
+                             const Progress& progress = {});
 
 }  // namespace interleaf

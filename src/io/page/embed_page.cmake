@@ -1,5 +1,6 @@
 # Writes the files of the web page, and the hashes of its style and its script, into a C++ source. All .js
 # files together become one script, in their order, in a block of its own so that its names stay its own.
+# Comments on lines of their own and indentation are left out: they are a fifth of the page's script.
 #   cmake -D OUTPUT=FILE -P embed_page.cmake -- FILE...
 
 # The base64 form of the SHA-256 of a file.
@@ -18,6 +19,14 @@ function(hash_of file result)
   endforeach()
   string(SUBSTRING ${text} 0 43 text)
   set(${result} "${text}=" PARENT_SCOPE)
+endfunction()
+
+# Without lines that are only a comment, empty lines and the blanks before lines.
+function(trim_lines source result)
+  string(REGEX REPLACE "\n *//[^\n]*" "" text "\n${source}")
+  string(REGEX REPLACE "\n[ \n]+" "\n" text "${text}")
+  string(SUBSTRING "${text}" 1 -1 text)
+  set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
 function(append_part name file)
@@ -41,7 +50,8 @@ foreach(position RANGE ${last})
     cmake_path(GET argument FILENAME name)
     if(name MATCHES "\\.js$")
       file(READ ${argument} source)
-      string(APPEND script "${source}\n")
+      trim_lines("${source}" source)
+      string(APPEND script "${source}")
     else()
       append_part(${name} ${argument})
     endif()

@@ -64,7 +64,7 @@ std::string filled(std::string_view page, const std::map<std::string, std::strin
 void export_page(const Export& exported, const OutputTarget& target) {
     const Family& family = exported.family;
     check_active_keys(family);
-    const PagePayload payload = page_payload(family);
+    const PagePayload payload = page_payload(family, exported.progress);
     const std::string title = escaped_text(family.name);
     const std::string description = escaped_json(
         payload.description.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
@@ -73,6 +73,7 @@ void export_page(const Export& exported, const OutputTarget& target) {
     parts.emplace("title", title);
     parts.emplace("family", description);
     parts.emplace("data", payload.base64);
+    report_progress(exported, "writing", 0.95);
     write_output(target, filled(parts.find("page.html")->second, parts));
 }
 

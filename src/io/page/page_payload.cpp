@@ -19,6 +19,7 @@
 #include "hierarchy/error.h"
 #include "hierarchy/union_mesh.h"
 #include "io/family/composition.h"
+#include "io/text/base64.h"
 
 namespace interleaf {
 
@@ -135,20 +136,6 @@ std::string compressed(std::string_view bytes) {
     return result;
 }
 
-std::string to_base64(std::string_view bytes) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t n = 0; n < bytes.size(); n += 3) {
-        const std::size_t given = std::min<std::size_t>(3, bytes.size() - n);
-        std::uint32_t three = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            three = three << 8 | (i < given ? static_cast<unsigned char>(bytes[n + i]) : 0U);
-        for (std::size_t i = 0; i < 4; ++i) text += i <= given ? digits[three >> (18 - 6 * i) & 63] : '=';
-    }
-    return text;
-}
-
 void append_key(std::string& bytes, const Hierarchy& key, std::span<const FamilyField> fields, const Box& box,
                 double unit) {
     const Hierarchy* const only = &key;
@@ -173,7 +160,7 @@ ordered_json fields_json(std::span<const FamilyField> fields) {
 
 }  // namespace
 
-PagePayload page_payload(const Family& family) {
+PagePayload page_payload(const Family& family, const Progress& progress) {
     const Box box = box_of_keys(family);
     const glm::dvec3 size = box.high - box.low;
     const double longest = std::max({size.x, size.y, size.z});
@@ -192,7 +179,11 @@ PagePayload page_payload(const Family& family) {
     std::string bytes;
     append_planes(bytes,
                   differences(std::span(roots.triangles().front().data(), 3 * roots.triangles().size())));
+    const auto report = [&progress](std::string_view stage, double part) {
+        if (progress && !progress(stage, part)) throw Cancelled();
+    };
     for (std::size_t i = 0; i < family.keys.size(); ++i) {
+        report("keys", 0.5 * static_cast<double>(i) / static_cast<double>(family.keys.size()));
         const Hierarchy& key = *family.keys[i].hierarchy;
         if (key.vertex_count() > max_page_vertices)
             throw InputError(
@@ -203,6 +194,7 @@ PagePayload page_payload(const Family& family) {
         description["keys"][i]["bisections"] = key.midpoints.size();
         append_key(bytes, key, fields, box, unit);
     }
+    report("compressing", 0.5);
     payload.base64 = to_base64(compressed(bytes));
     return payload;
 }

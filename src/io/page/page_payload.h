@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "family/family.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 
@@ -24,6 +25,7 @@ inline constexpr std::size_t max_page_vertices = std::size_t{1} << 22;
 inline constexpr double page_steps = 65535;
 
 /// \throw InputError if a key has more than max_page_vertices vertices
-PagePayload page_payload(const Family& family);
+/// \throw Cancelled  when \p progress says so
+PagePayload page_payload(const Family& family, const Progress& progress = {});
 
 }  // namespace interleaf

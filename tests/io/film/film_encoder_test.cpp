@@ -4,11 +4,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <future>
 
 #include "messages.h"
 #include "scratch_folder.h"
 #include "thrown_errors.h"
 #include <doctest/doctest.h>
+
+#include "hierarchy/progress.h"
 
 using namespace interleaf;
 
@@ -74,6 +77,26 @@ TEST_CASE("without finish() the target stays as it was, and no other file remain
     }
     CHECK(content(film) == "old");
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+}
+
+TEST_CASE("a film is cancelled while ffmpeg finishes, and the target stays as it was") {
+    const ScratchFolder folder;
+    const std::filesystem::path film = folder.path() / "film.webm";
+    std::ofstream(film) << "old";
+    constexpr int large = 1024;
+    FilmEncoder encoder(film, *film_format_with_extension(".webm"), {large, large, 25});
+    // Noise, which takes VP9 long.
+    std::vector<std::uint8_t> frame(std::size_t{4} * large * large);
+    std::uint32_t noise = 1;
+    for (int n = 0; n < 6; ++n) {
+        for (std::uint8_t& byte : frame)
+            byte = static_cast<std::uint8_t>((noise = 1664525 * noise + 7) >> 24);
+        encoder.add(frame);
+    }
+    std::future<void> finished = std::async(std::launch::async, [&encoder] { encoder.finish(); });
+    encoder.cancel();
+    CHECK_THROWS_AS(finished.get(), Cancelled);
+    CHECK(content(film) == "old");
 }
 
 TEST_CASE("an encoder that fails says why, and leaves the target as it was") {

@@ -10,9 +10,12 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
+#include "family/family_fields.h"
 #include "family/new_family.h"
 #include "hierarchy/error.h"
 #include "hierarchy/morph.h"
+#include "io/gltf/glb_builder.h"
+#include "io/gltf/glb_mesh.h"
 #include "io/gltf/glb_parts.h"
 #include "io/samples.h"
 
@@ -159,6 +162,30 @@ TEST_CASE("segments are the unions of neighboring keys, each shown in its interv
         CHECK(sampler["interpolation"] == "STEP");
         const auto scales = values_of<glm::vec3>(parts, sampler["output"]);
         CHECK(scales == std::vector{glm::vec3(0), glm::vec3(0), glm::vec3(1), glm::vec3(1)});
+    }
+}
+
+TEST_CASE("a file of more than 4 GiB is refused by the size that its arrays would have") {
+    Family family = family_with_fields();
+    family.timeline.reset();
+    UnionMesh mesh = union_of_all(family);
+    unite_fields(family, {{0, 0}, {1, 0}, {2, 0}}, mesh);
+    const GlbParts parts = glb_parts(exported_bytes({family, std::nullopt, {}}));
+    std::uint64_t size = 0;
+    for (const auto& view : parts.document["bufferViews"]) size += view["byteLength"].get<std::uint64_t>();
+    CHECK(primitive_size(mesh) == size);
+    CHECK(max_glb_size == (std::uint64_t{1} << 32) - 1);
+    CHECK_NOTHROW(require_primitive_size(mesh, size));
+    const std::string error = text_of_thrown<InputError>([&] { require_primitive_size(mesh, size - 1); });
+    CHECK(contains(error, "bytes, expected at most"));
+    CHECK(contains(error, "--segments takes less"));
+}
+
+TEST_CASE("the same family makes the same bytes") {
+    const Family family = family_with_fields();
+    for (const bool segments : {false, true}) {
+        const Export exported{.family = family, .weights = std::nullopt, .form = {}, .segments = segments};
+        CHECK(exported_bytes(exported) == exported_bytes(exported));
     }
 }
 

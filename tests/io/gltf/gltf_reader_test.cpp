@@ -15,6 +15,7 @@
 #include "hierarchy/error.h"
 #include "io/gltf/glb_export.h"
 #include "io/gltf/gltf_text.h"
+#include "io/hierarchy/hierarchy_file.h"
 #include "io/read_files.h"
 #include "io/samples.h"
 
@@ -83,6 +84,57 @@ TEST_CASE("an exported family comes back: names, order, timeline, domain, fields
     }
 }
 
+TEST_CASE("a file of segments comes back whole: hierarchies to the last bit, timeline, fields and origin") {
+    std::mt19937 random(22);
+    Family family = sample_family(random);
+    for (Key& key : family.keys) {
+        Hierarchy hierarchy = *key.hierarchy;
+        hierarchy.fields = {{"heat", FieldKind::scalar, Buffer<float>(hierarchy.vertex_count(), 2)}};
+        key.hierarchy = std::move(hierarchy);
+    }
+    family.timeline = Timeline({{0, 2}, {1, 0}, {2.5, 0}, {3, 1}});
+    family.origin = {500'000, 5'400'000, 0};
+    const ScratchFolder folder;
+    export_glb({.family = family, .weights = std::nullopt, .form = {}, .segments = true}, {folder / "a.glb"});
+    std::vector<std::string> changes;
+    const Family read = read_gltf_family(folder / "a.glb", &changes);
+    CHECK_FALSE(mentions(changes, "only the first"));
+    CHECK(read.name == family.name);
+    CHECK(read.timeline == family.timeline);
+    CHECK(read.domain == family.domain);
+    CHECK(read.origin == family.origin);
+    REQUIRE(read.keys.size() == family.keys.size());
+    for (std::size_t key = 0; key < read.keys.size(); ++key) {
+        CHECK(read.keys[key].name == family.keys[key].name);
+        CHECK(serialize_hierarchy(*read.keys[key].hierarchy) ==
+              serialize_hierarchy(*family.keys[key].hierarchy));
+    }
+}
+
+TEST_CASE("damaged keys of a file of segments are an error that names the place") {
+    std::mt19937 random(23);
+    Family family = sample_family(random);
+    family.timeline = Timeline({{0, 2}, {1, 0}});
+    const ScratchFolder folder;
+    export_glb({.family = family, .weights = std::nullopt, .form = {}, .segments = true}, {folder / "a.glb"});
+    const std::string bytes = content(folder / "a.glb");
+    const auto error_with = [&](std::string_view text) {
+        std::string damaged = bytes;
+        constexpr std::string_view mark = "\"hierarchy\":\"";
+        damaged.replace(damaged.find(mark) + mark.size(), text.size(), text);
+        put(folder / "b.glb", damaged);
+        return input_error_of([&] { read_gltf_family(folder / "b.glb"); });
+    };
+    CHECK(contains(error_with("*"), "b.glb: scenes[0].extras.interleaf.keys[0].hierarchy"));
+    CHECK(contains(error_with("*"), "expected base64"));
+    CHECK(contains(error_with("AAAA"), "keys[0].hierarchy: the key: "));
+    // Another program may have changed the meshes, so the first segment counts.
+    std::string foreign = bytes;
+    foreign.replace(foreign.find("Interleaf"), 9, "Blunderer");
+    put(folder / "c.glb", foreign);
+    CHECK(read_gltf_family(folder / "c.glb").keys.size() == 2);
+}
+
 TEST_CASE("extras that do not fit are a remark, and the keys are read all the same") {
     SquareText square = split();
     square.extras = R"({"targetNames":["a","b"],"interleaf":{"version":2,"base":"x","keys":[{"name":"y"}]}})";
@@ -91,6 +143,34 @@ TEST_CASE("extras that do not fit are a remark, and the keys are read all the sa
     CHECK(read.keys.size() == 3);
     CHECK(read.keys[1].name == "a");
     CHECK(mentions(changes, "expected the name of a target or of the base"));
+}
+
+TEST_CASE("an animation that shows one key at each time is the timeline; any other is a remark") {
+    const auto read = [](const std::vector<float>& weights, const std::string& interpolation,
+                         std::vector<std::string>& changes) {
+        SquareText square = split();
+        square.scalars = {{0.5F, 1, 3}, weights};
+        square.rest = R"(,"animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"weights"}}],)"
+                      R"("samplers":[{"input":3,"output":4)" +
+                      interpolation + "}]}]";
+        return read_text_as_family(square.text(), &changes);
+    };
+    std::vector<std::string> changes;
+    const Family linear = read({0, 0, 0, 1, 1, 0}, "", changes);
+    CHECK(linear.timeline == Timeline({{0.5, 0}, {1, 2}, {3, 1}}));
+    const Family stepped = read({0, 0, 0, 1, 1, 0}, R"(,"interpolation":"STEP")", changes);
+    CHECK(stepped.timeline == Timeline({{0.5, 0}, {1, 2}, {3, 1}}, {Basis::hold}));
+    CHECK_FALSE(mentions(changes, "animation"));
+
+    const Family blended = read({0, 0, 0.5F, 0.5F, 1, 0}, "", changes);
+    CHECK(mentions(changes, "passed over: it blends targets at its times"));
+    CHECK(blended.timeline->keys().size() == 3);
+    read({0, 0, 0, 1, 1, 0}, R"(,"interpolation":"CUBICSPLINE")", changes);
+    CHECK(mentions(changes, "neither LINEAR nor STEP"));
+    CHECK(contains(input_error_of([&] {
+                       read({0, 0, 0, 1}, "", changes);
+                   }),
+                   "animations[0].samplers[0]: has 3 times and 4 weights, expected 2 weights per time"));
 }
 
 TEST_CASE("vertices are welded where the base and all targets agree") {

@@ -45,6 +45,7 @@ std::string SquareText::bytes() const {
     std::string all;
     append(all, positions);
     for (const auto& target : deltas) append(all, target);
+    for (const auto& numbers : scalars) append(all, numbers);
     return all;
 }
 
@@ -59,6 +60,14 @@ std::string SquareText::text(const std::string& uri) const {
         views += fmt::format(R"({}{{"buffer":0,"byteOffset":{},"byteLength":{}}})", comma,
                              12 * n * positions.size(), 12 * positions.size());
         if (n > 0) targets += fmt::format(R"({}{{"POSITION":{}}})", n == 1 ? "" : ",", n);
+    }
+    std::size_t place = 12 * (deltas.size() + 1) * positions.size();
+    for (std::size_t n = 0; n < scalars.size(); ++n) {
+        accessors += fmt::format(R"(,{{"bufferView":{},"componentType":5126,"count":{},"type":"SCALAR"}})",
+                                 deltas.size() + 1 + n, scalars[n].size());
+        views +=
+            fmt::format(R"(,{{"buffer":0,"byteOffset":{},"byteLength":{}}})", place, 4 * scalars[n].size());
+        place += 4 * scalars[n].size();
     }
     const std::string mesh = fmt::format(R"({{"primitives":[{{"attributes":{{"POSITION":0}}{}}}]{}}})",
                                          targets.empty() ? "" : fmt::format(R"(,"targets":[{}])", targets),

@@ -14,6 +14,7 @@ std::string base64_of(const std::string& bytes);
 struct SquareText {
     std::vector<glm::vec3> positions;
     std::vector<std::vector<glm::vec3>> deltas;  ///< per target
+    std::vector<std::vector<float>> scalars{};   ///< further accessors, after those of the targets
     std::string extras{};                        ///< JSON of the mesh's extras; none if empty
     std::string node{};                          ///< further members of the node, after a comma
     std::string rest{};                          ///< further members of the document, after a comma
