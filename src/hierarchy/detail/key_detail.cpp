@@ -1,21 +1,80 @@
 #include "hierarchy/detail/key_detail.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <span>
+
+#include "hierarchy/detail/bisection_forest.h"
+#include "hierarchy/detail/normal_cones.h"
 #include "hierarchy/detail/vertex_errors.h"
 
 namespace interleaf {
 
+namespace {
+
+/// The bisections in the order of their errors; those of one vertex are adjacent.
+std::vector<Index> order_by_error(const BisectionForest& forest, std::span<const float> errors) {
+    std::vector<Index> order(forest.bisections.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    std::ranges::sort(order, [&](Index a, Index b) {
+        const Index v = forest.bisections[a].midpoint;
+        const Index w = forest.bisections[b].midpoint;
+        if (v == w) return a < b;
+        return errors[v] != errors[w] ? errors[v] > errors[w] : v < w;
+    });
+    return order;
+}
+
+float sine_of(const NormalCone& cone) {
+    return cone.half_angle < std::numbers::pi_v<float> / 2 ? std::sin(cone.half_angle) : 2;
+}
+
+}  // namespace
+
+std::size_t KeyDetail::byte_count() const {
+    return bisections.size() * sizeof(DetailBisection) + roots.size() * sizeof(Index) +
+           errors.size() * sizeof(float);
+}
+
 KeyDetail measure_detail(const Hierarchy& hierarchy, const DetailProgress& progress) {
-    constexpr double part_of_deviations = 0.6;
+    // The parts of the time that the stages take.
+    constexpr double until_deviations = 0.45;
+    constexpr double until_cones = 0.55;
+    constexpr double until_errors = 0.85;
+    const auto report = [&](double part) {
+        if (progress) progress(part);
+    };
+    const std::vector<float> deviation =
+        deviations(hierarchy, [&](double part) { report(until_deviations * part); });
+    const BisectionForest forest = bisection_forest(hierarchy);
+    const std::vector<NormalCone> cones = normal_cones(hierarchy, forest);
+    report(until_cones);
     KeyDetail detail;
-    detail.deviations =
-        deviations(hierarchy, progress ? [&progress](double part) { progress(part_of_deviations * part); }
-                                       : DetailProgress());
-    if (progress) progress(part_of_deviations);
-    detail.forest = bisection_forest(hierarchy);
-    detail.cones = normal_cones(hierarchy, detail.forest);
-    if (progress) progress(0.75);
-    detail.errors = vertex_errors(hierarchy, detail.forest, detail.deviations);
-    if (progress) progress(1);
+    detail.errors = vertex_errors(hierarchy, forest, deviation);
+    report(until_errors);
+
+    const std::vector<Index> order = order_by_error(forest, detail.errors);
+    std::vector<Index> rank(order.size());
+    for (Index n = 0; n < order.size(); ++n) rank[order[n]] = n;
+    const auto rank_of = [&](Index place) { return place != no_index ? rank[place] : no_index; };
+    detail.bisections.reserve(order.size());
+    for (const Index place : order) {
+        const Bisection& from = forest.bisections[place];
+        const std::array<Index, 2>& both = forest.at[from.midpoint];
+        detail.bisections.push_back({.midpoint = from.midpoint,
+                                     .partner = rank_of(both[0] == place ? both[1] : both[0]),
+                                     .needed = rank_of(forest.at[from.newest][0]),
+                                     .children = {rank_of(from.children[0]), rank_of(from.children[1])},
+                                     .deviation = deviation[place],
+                                     .position = hierarchy.positions[from.midpoint],
+                                     .axis = cones[place].axis,
+                                     .sine = sine_of(cones[place])});
+    }
+    detail.roots.reserve(forest.roots.size());
+    for (const Index place : forest.roots) detail.roots.push_back(rank_of(place));
+    report(1);
     return detail;
 }
 

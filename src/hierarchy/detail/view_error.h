@@ -7,15 +7,13 @@
 
 #include <glm/vec3.hpp>
 
-#include "hierarchy/detail/normal_cones.h"
-
 namespace interleaf {
 
 /// The view of a camera.
 struct ViewPoint {
     glm::vec3 eye{0};
     glm::vec3 forward{0, 0, -1};  ///< unit vector
-    float half_angle = 0.5F;      ///< between forward and the corners of the picture, radians
+    float cosine = 0.9F;          ///< of the angle between forward and the corners of the picture
 };
 
 struct Ball {
@@ -23,13 +21,27 @@ struct Ball {
     float radius = 0;
 };
 
-/// What a length inside \p ball is multiplied with to compare it in the picture: 1 / distance from the nearest
-/// point of the ball, where the ball is in the picture; down to 1/64 of it outside.
-float magnification(const ViewPoint& view, const Ball& ball);
+/// A ball as the eye sees it.
+class SeenBall {
+  public:
+    SeenBall(const ViewPoint& view, const Ball& ball);
 
-/// From 1/4, for a surface that the camera faces, to 1 where a silhouette is possible: where a normal in
-/// \p cone is perpendicular to the direction from some point of \p ball to the eye.
-/// \param is_closed  whether nobody sees the surface from behind; there the result goes down to 1/16
-float prominence(const ViewPoint& view, const Ball& ball, const NormalCone& cone, bool is_closed);
+    /// What a length inside the ball is multiplied with to compare it in the picture: 1 / distance from the
+    /// nearest point of the ball, where the ball is in the picture; down to 1/64 of it outside.
+    float magnification() const { return magnification_; }
+
+    /// From 1/4, for a surface that the camera faces, to 1 where a silhouette is possible: where a normal in
+    /// a cone is perpendicular to the direction from some point of the ball to the eye.
+    /// \param axis       unit vector; of the cone, as in DetailBisection
+    /// \param sine       as in DetailBisection
+    /// \param is_closed  whether nobody sees the surface from behind; there the result goes down to 1/16
+    float prominence(const glm::vec3& axis, float sine, bool is_closed) const;
+
+  private:
+    bool is_inside_;       ///< whether the eye is in the ball
+    glm::vec3 to_eye_{0};  ///< unit vector
+    float sine_ = 0;       ///< of the angle under which the eye sees the radius
+    float magnification_ = 0;
+};
 
 }  // namespace interleaf

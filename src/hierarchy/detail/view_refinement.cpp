@@ -37,12 +37,10 @@ ViewRefinement::ViewRefinement(std::vector<const Hierarchy*> keys, std::vector<c
     : keys_(std::move(keys)),
       details_(std::move(details)),
       is_closed_(is_closed_manifold(keys_.at(0)->roots.triangles())),
-      places_(keys_.size()) {
+      states_(keys_.size()) {
     assert(details_.size() == keys_.size());
-    for (std::size_t key = 0; key < keys_.size(); ++key) {
-        places_[key].vertex_of.assign(keys_[key]->vertex_count(), no_index);
-        places_[key].node_of.assign(keys_[key]->midpoints.size(), no_index);
-    }
+    for (std::size_t key = 0; key < keys_.size(); ++key)
+        states_[key].resize(details_[key]->bisections.size());
 }
 
 const RefinedView& ViewRefinement::refine(std::span<const float> weights, const ViewPoint& view,
@@ -67,11 +65,8 @@ const RefinedView& ViewRefinement::refine(std::span<const float> weights, const 
 
 /// Clears what the last refinement has left, in time proportional to its size.
 void ViewRefinement::forget() {
-    const std::size_t count = keys_.size();
-    for (std::size_t n = 0; n < refined_.own.size(); ++n)
-        if (refined_.own[n] != no_index) places_[n % count].vertex_of[refined_.own[n]] = no_index;
     for (std::size_t n = 0; n < refined_.places.size(); ++n)
-        if (refined_.places[n] != no_index) places_[n % count].node_of[refined_.places[n]] = no_index;
+        if (refined_.places[n] != no_index) states_[n % keys_.size()][refined_.places[n]] = {};
     refined_.vertices.clear();
     refined_.nodes.clear();
     refined_.own.clear();
@@ -88,7 +83,6 @@ void ViewRefinement::start() {
         for (std::size_t key = 0; key < keys_.size(); ++key) {
             refined_.own.push_back(v);
             positions_.push_back(keys_[key]->positions[v]);
-            places_[key].vertex_of[v] = v;
         }
     }
     const auto triangles = roots.triangles();
@@ -96,9 +90,9 @@ void ViewRefinement::start() {
     for (Index root = 0; root < triangles.size(); ++root) {
         refined_.nodes.push_back({.vertices = triangles[root]});
         for (std::size_t key = 0; key < keys_.size(); ++key) {
-            const Index place = details_[key]->forest.roots[root];
+            const Index place = details_[key]->roots[root];
             refined_.places.push_back(place);
-            if (place != no_index) places_[key].node_of[place] = root;
+            if (place != no_index) states_[key][place].node = root;
         }
         push(root, std::numeric_limits<float>::infinity());
     }
@@ -110,40 +104,45 @@ bool ViewRefinement::make(Index node, float error) {
     const std::size_t count = keys_.size();
     std::size_t key = 0;
     while (refined_.places[node * count + key] == no_index) ++key;
-    const BisectionForest& forest = details_[key]->forest;
-    if (!close(key, forest.bisections[refined_.places[node * count + key]].midpoint)) return false;
+    if (!close(key, refined_.places[node * count + key])) return false;
     // Triangles of the closure that do not exist yet are bisected when they are made.
-    for (std::size_t n = 0; n < closure_.size(); ++n)
-        for (const Index place : forest.at[closure_[n]]) {
-            if (place == no_index) continue;
-            const Index existing = places_[key].node_of[place];
+    for (const Index place : closure_)
+        for (const Index each : {place, details_[key]->bisections[place].partner}) {
+            if (each == no_index) continue;
+            const Index existing = states_[key][each].node;
             if (existing != no_index && refined_.nodes[existing].first_child == no_index)
                 bisect_node(existing, error);
         }
     return true;
 }
 
-/// Collects \p vertex of \p key and the vertices that it depends on, and marks them as pending. The keys bisect
-/// parts of one infinite forest, so the closure in one key is the closure in all keys that have the vertex.
-bool ViewRefinement::close(std::size_t key, Index vertex) {
-    const BisectionForest& forest = details_[key]->forest;
-    std::vector<Index>& vertex_of = places_[key].vertex_of;
+/// The vertex at the midpoint of bisection \p place of \p key.
+Index& ViewRefinement::vertex_of(std::size_t key, Index place) {
+    return states_[key][std::min(place, details_[key]->bisections[place].partner)].vertex;
+}
+
+/// Collects the midpoint of \p place in \p key and the vertices that it depends on, and marks them as pending.
+/// The keys bisect parts of one infinite forest, so the closure in one key is the closure in all keys that have
+/// the vertex.
+bool ViewRefinement::close(std::size_t key, Index place) {
+    const std::vector<DetailBisection>& bisections = details_[key]->bisections;
     closure_.clear();
     const auto add = [&](Index each) {
-        if (vertex_of[each] != no_index) return;
-        vertex_of[each] = pending_vertex;
-        closure_.push_back(each);
+        Index& vertex = vertex_of(key, each);
+        if (vertex != no_index) return;
+        vertex = pending_vertex;
+        closure_.push_back(std::min(each, bisections[each].partner));
     };
-    add(vertex);
+    add(place);
     std::size_t leaves = refined_.leaf_count;
     for (std::size_t n = 0; n < closure_.size() && leaves <= max_leaves_; ++n)
-        for (const Index place : forest.at[closure_[n]]) {
-            if (place == no_index) continue;
+        for (const Index each : {closure_[n], bisections[closure_[n]].partner}) {
+            if (each == no_index) continue;
             ++leaves;
-            add(forest.bisections[place].newest);
+            if (bisections[each].needed != no_index) add(bisections[each].needed);
         }
     if (leaves <= max_leaves_) return true;
-    for (const Index each : closure_) vertex_of[each] = no_index;
+    for (const Index each : closure_) states_[key][each].vertex = no_index;
     return false;
 }
 
@@ -169,7 +168,7 @@ Index ViewRefinement::vertex_at(Index node, float error) {
     for (std::size_t key = 0; key < count; ++key) {
         const Index place = refined_.places[node * count + key];
         if (place == no_index) continue;
-        const Index found = places_[key].vertex_of[details_[key]->forest.bisections[place].midpoint];
+        const Index found = vertex_of(key, place);
         if (found < pending_vertex) return found;
     }
     add_midpoint(node, error);
@@ -188,10 +187,10 @@ void ViewRefinement::add_midpoint(Index node, float error) {
             positions_.push_back((positions_[a * count + key] + positions_[b * count + key]) * 0.5F);
             continue;
         }
-        const Index own = details_[key]->forest.bisections[place].midpoint;
-        places_[key].vertex_of[own] = made;
-        refined_.own.push_back(own);
-        positions_.push_back(keys_[key]->positions[own]);
+        const DetailBisection& own = details_[key]->bisections[place];
+        vertex_of(key, place) = made;
+        refined_.own.push_back(own.midpoint);
+        positions_.push_back(own.position);
     }
 }
 
@@ -201,20 +200,17 @@ void ViewRefinement::add_child(const Triangle& vertices, Index parent, std::size
     refined_.nodes.push_back({.vertices = vertices});
     for (std::size_t key = 0; key < count; ++key) {
         const Index above = refined_.places[parent * count + key];
-        const Index place =
-            above == no_index ? no_index : details_[key]->forest.bisections[above].children[child];
+        const Index place = above == no_index ? no_index : details_[key]->bisections[above].children[child];
         refined_.places.push_back(place);
-        if (place != no_index) places_[key].node_of[place] = node;
+        if (place != no_index) states_[key][place].node = node;
     }
 }
 
 /// Whether the closure needs the bisection of the new triangle \p node.
-bool ViewRefinement::is_due(Index node) const {
+bool ViewRefinement::is_due(Index node) {
     for (std::size_t key = 0; key < keys_.size(); ++key) {
         const Index place = refined_.places[node * keys_.size() + key];
-        if (place != no_index &&
-            places_[key].vertex_of[details_[key]->forest.bisections[place].midpoint] != no_index)
-            return true;
+        if (place != no_index && vertex_of(key, place) != no_index) return true;
     }
     return false;
 }
@@ -243,20 +239,21 @@ float ViewRefinement::view_error(Index node) const {
         for (const glm::vec3& corner : p)
             squared = std::max(squared, glm::dot(corner - center, corner - center));
         const Index place = refined_.places[node * count + key];
-        const float deviation = place != no_index ? details_[key]->deviations[place] : 0;
+        const float deviation = place != no_index ? details_[key]->bisections[place].deviation : 0;
         ball.center += weights_[key] * center;
         ball.radius += std::abs(weights_[key]) * (std::sqrt(squared) + deviation);
     }
+    const SeenBall seen(view_, ball);
     float error = 0;
     for (std::size_t key = 0; key < count; ++key) {
         const Index place = refined_.places[node * count + key];
         if (place == no_index) continue;
-        const float lost = details_[key]->deviations[place] *
-                           prominence(view_, ball, details_[key]->cones[place], is_closed_);
+        const DetailBisection& below = details_[key]->bisections[place];
+        const float lost = below.deviation * seen.prominence(below.axis, below.sine, is_closed_);
         error += std::abs(weights_[key]) * (lost + size_part * ball.radius);
     }
-    const float seen = error * magnification(view_, ball);
-    return seen < max_error ? seen : max_error;  // coordinates may be near the end of the range of floats
+    error *= seen.magnification();
+    return error < max_error ? error : max_error;  // coordinates may be near the end of the range of floats
 }
 
 }  // namespace interleaf

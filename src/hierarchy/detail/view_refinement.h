@@ -43,7 +43,8 @@ struct RefinedView {
     /// own[v * key count + i]: the vertex of key i that vertex v is; no_index if key i has none there.
     std::vector<Index> own{};
 
-    /// places[n * key count + i]: the bisection of key i at node n; no_index if key i does not bisect it.
+    /// places[n * key count + i]: the bisection of key i at node n, in KeyDetail::bisections; no_index if key i
+    /// does not bisect it.
     std::vector<Index> places{};
 
     std::size_t leaf_count = 0;
@@ -67,10 +68,10 @@ class ViewRefinement {
     const std::vector<const Hierarchy*>& keys() const { return keys_; }
 
   private:
-    /// Where a key's parts are in the refinement.
-    struct KeyPlaces {
-        std::vector<Index> vertex_of{};  ///< by vertex of the key: no_index, pending, or the vertex
-        std::vector<Index> node_of{};  ///< by place: the node that exists and has this bisection; or no_index
+    /// The state of a bisection of a key.
+    struct State {
+        Index node = no_index;    ///< the node that exists and has this bisection
+        Index vertex = no_index;  ///< its midpoint: no_index, pending, or made; kept at the first of partners
     };
     struct Candidate {
         float error;
@@ -83,25 +84,26 @@ class ViewRefinement {
     void start();
     void forget();
     bool make(Index node, float error);
-    bool close(std::size_t key, Index vertex);
+    bool close(std::size_t key, Index place);
     void bisect_node(Index node, float error);
     Index vertex_at(Index node, float error);
     void add_midpoint(Index node, float error);
     void add_child(const Triangle& vertices, Index parent, std::size_t child);
-    bool is_due(Index node) const;
+    Index& vertex_of(std::size_t key, Index place);
+    bool is_due(Index node);
     void push(Index node, float error);
     float view_error(Index node) const;
 
     std::vector<const Hierarchy*> keys_;
     std::vector<const KeyDetail*> details_;
     bool is_closed_;
-    std::vector<KeyPlaces> places_;
+    std::vector<std::vector<State>> states_;  ///< of each key, by place
     std::span<const float> weights_;
     ViewPoint view_;
     std::size_t max_leaves_ = 0;
     std::vector<glm::vec3> positions_;  ///< positions_[v * key count + i]: of vertex v on key i
     std::vector<Candidate> candidates_;
-    std::vector<Index> closure_;
+    std::vector<Index> closure_;  ///< places, the first of partners
     RefinedView refined_;
 };
 

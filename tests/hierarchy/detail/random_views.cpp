@@ -10,7 +10,7 @@ ViewPoint random_view(Random& random) {
     const glm::vec3 toward = 0.5F * random.point() - eye;
     return {.eye = eye,
             .forward = glm::normalize(toward + glm::vec3(1e-3F, 0, 0)),
-            .half_angle = 0.2F + 0.5F * static_cast<float>(random.unit())};
+            .cosine = 0.7F + 0.29F * static_cast<float>(random.unit())};
 }
 
 std::vector<float> random_weights(Random& random, std::size_t count) {
@@ -25,7 +25,7 @@ std::vector<float> random_weights(Random& random, std::size_t count) {
 ViewPoint between(const ViewPoint& a, const ViewPoint& b, float part) {
     return {.eye = glm::mix(a.eye, b.eye, part),
             .forward = glm::normalize(glm::mix(a.forward, b.forward, part)),
-            .half_angle = glm::mix(a.half_angle, b.half_angle, part)};
+            .cosine = glm::mix(a.cosine, b.cosine, part)};
 }
 
 DetailedKeys::DetailedKeys(const std::vector<Hierarchy>& family) {

@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
 #include "hierarchy/checker.h"
 #include "hierarchy/detail/bisected_nodes.h"
+#include "hierarchy/detail/bisection_forest.h"
 #include "hierarchy/detail/cut.h"
 #include "hierarchy/detail/deviation.h"
 #include "hierarchy/detail/literal_detail.h"
+#include "hierarchy/detail/normal_cones.h"
 #include "hierarchy/detail/random_views.h"
 #include "hierarchy/detail/view_mesh.h"
 #include "hierarchy/measure.h"
@@ -31,8 +34,10 @@ Hierarchy cut_in(const RefinedView& view, const std::vector<const Hierarchy*>& k
 }
 
 /// The view error of each bisection of a single key, literally.
-std::vector<float> literal_view_errors(const Hierarchy& key, const KeyDetail& detail, const ViewPoint& view) {
+std::vector<float> literal_view_errors(const Hierarchy& key, const ViewPoint& view) {
     const bool is_closed = is_closed_manifold(key.roots.triangles());
+    const std::vector<float> deviation = deviations(key);
+    const std::vector<NormalCone> cones = normal_cones(key, bisection_forest(key));
     std::vector<float> errors;
     for_each_bisected_node(key, [&](const BisectedNode& node) {
         std::array<glm::vec3, 3> p;
@@ -40,10 +45,13 @@ std::vector<float> literal_view_errors(const Hierarchy& key, const KeyDetail& de
         Ball ball{(p[0] + p[1] + p[2]) / 3.0F, 0};
         for (const glm::vec3& corner : p)
             ball.radius = std::max(ball.radius, glm::distance(corner, ball.center));
-        ball.radius += detail.deviations[node.place];
-        const float lost =
-            detail.deviations[node.place] * prominence(view, ball, detail.cones[node.place], is_closed);
-        errors.push_back((lost + ball.radius / 4096) * magnification(view, ball));
+        ball.radius += deviation[node.place];
+        const NormalCone& cone = cones[node.place];
+        const float sine = cone.half_angle < std::numbers::pi_v<float> / 2 ? std::sin(cone.half_angle) : 2;
+        const SeenBall seen(view, ball);
+        errors.push_back(
+            (deviation[node.place] * seen.prominence(cone.axis, sine, is_closed) + ball.radius / 4096) *
+            seen.magnification());
     });
     return errors;
 }
@@ -88,7 +96,7 @@ TEST_CASE("errors in a view are those of the literal greedy refinement") {
         const DetailedKeys detailed(family.keys);
         const ViewPoint at = random_view(random);
         const std::vector<float> expected =
-            literal_errors(family.keys[0], literal_view_errors(family.keys[0], detailed.details[0], at));
+            literal_errors(family.keys[0], literal_view_errors(family.keys[0], at));
         ViewRefinement refinement = detailed.refinement();
         const RefinedView& view =
             refinement.refine(std::array{1.0F}, at, 1 + family.keys[0].leaf_count() / 2);
@@ -118,18 +126,20 @@ TEST_CASE("a refinement leaves nothing behind for the next view") {
 }
 
 TEST_CASE("what is near, in the picture or at a silhouette matters more") {
-    const ViewPoint view{.eye = {0, 0, 5}, .forward = {0, 0, -1}, .half_angle = 0.4F};
-    CHECK(magnification(view, {{0, 0, 3}, 0.1F}) > magnification(view, {{0, 0, 0}, 0.1F}));
-    CHECK(magnification(view, {{5, 0, 5}, 0.1F}) < 0.1F * magnification(view, {{0, 0, 0}, 0.1F}));
-    const Ball ball{{0, 0, 0}, 0.01F};
+    const ViewPoint view{.eye = {0, 0, 5}, .forward = {0, 0, -1}, .cosine = 0.92F};
+    const auto larger = [&](glm::vec3 center) { return SeenBall(view, {center, 0.1F}).magnification(); };
+    CHECK(larger({0, 0, 3}) > 1.5F * larger({0, 0, 0}));
+    CHECK(larger({5, 0, 5}) < 0.1F * larger({0, 0, 0}));
+    const SeenBall ball(view, {{0, 0, 0}, 0.01F});
     const auto seen = [&](glm::vec3 normal, bool is_closed) {
-        return prominence(view, ball, {glm::normalize(normal), 0.05F}, is_closed);
+        return ball.prominence(glm::normalize(normal), 0.05F, is_closed);
     };
     CHECK(seen({1, 0, 0}, true) == 1);
     CHECK(seen({0, 0, 1}, true) < 0.3F);
     CHECK(seen({0, 0, -1}, true) < 0.1F);
     CHECK(seen({0, 0, -1}, false) == doctest::Approx(seen({0, 0, 1}, false)).epsilon(0.01));
-    CHECK(prominence(view, ball, {}, true) == 1);
+    CHECK(seen({1, 0, 1}, true) > seen({1, 0, 2}, true));
+    CHECK(ball.prominence({}, 2, true) == 1);
 }
 
 TEST_CASE("a cone around two cones holds both") {
