@@ -57,6 +57,9 @@ struct Display {
 
     /// Level of detail, from 0 for the roots alone to 1 for the whole keys; the renderer draws what it is given.
     float detail = 1;
+
+    /// Whether the detail follows the camera instead, within a budget of leaves.
+    bool follows_camera = false;
     bool operator==(const Display&) const = default;
 };
 

@@ -166,6 +166,28 @@ const GlProgram& Renderer::surface_program(const SurfaceKind& kind) {
 void Renderer::upload(const UnionMesh& mesh, const NormalForm& form, std::span<const std::size_t> keys) {
     assert(mesh.key_count() > 0);
     assert(mesh.key_count() > max_gpu_keys || form.product_count == product_count(mesh.key_count()));
+    upload_leaves(mesh, keys);
+    if (mesh.key_count() <= max_gpu_keys) {
+        processor_blend_.reset();
+        gpu_key_count_ = mesh.key_count();
+        upload_streams(std::vector<Stream>(mesh.positions.begin(), mesh.positions.end()), form.products);
+    } else {
+        processor_blend_ = ProcessorBlend{.mesh = mesh};
+        gpu_key_count_ = 1;
+    }
+}
+
+void Renderer::upload_blend(const UnionMesh& mesh, Stream positions, Stream normals,
+                            std::span<const std::size_t> keys) {
+    assert(positions.size() == mesh.vertex_count() && normals.size() == mesh.vertex_count());
+    upload_leaves(mesh, keys);
+    processor_blend_.reset();
+    gpu_key_count_ = 1;
+    upload_streams({&positions, 1}, normals);
+}
+
+/// Uploads what does not depend on the number of streams.
+void Renderer::upload_leaves(const UnionMesh& mesh, std::span<const std::size_t> keys) {
     check_limit(mesh.leaf_count(), "leaves");
     std::vector<std::size_t> family_keys(keys.begin(), keys.end());
     if (family_keys.empty()) {
@@ -179,20 +201,7 @@ void Renderer::upload(const UnionMesh& mesh, const NormalForm& form, std::span<c
     for (const KeySet origin : origins_)
         origin_colors_.push_back(linear_light(origin_color(origin, family_keys)));
     levels_ = level_range(mesh);
-    upload_leaves(mesh);
     field_components_ = 0;
-
-    if (mesh.key_count() <= max_gpu_keys) {
-        processor_blend_.reset();
-        gpu_key_count_ = mesh.key_count();
-        upload_streams(std::vector<Stream>(mesh.positions.begin(), mesh.positions.end()), form.products);
-    } else {
-        processor_blend_ = ProcessorBlend{.mesh = mesh};
-        gpu_key_count_ = 1;
-    }
-}
-
-void Renderer::upload_leaves(const UnionMesh& mesh) {
     fill_buffer_texture<LeafTexel>(leaf_data_, leaf_texture_, GL_RG32UI, leaf_texels(mesh, origins_));
     tags_.assign(mesh.tags.begin(), mesh.tags.end());
 

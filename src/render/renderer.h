@@ -38,6 +38,16 @@ class Renderer {
     /// \throw MachineError if there are more leaves than a buffer texture holds here; the old surface stays
     void upload(const UnionMesh& mesh, const NormalForm& form, std::span<const std::size_t> keys = {});
 
+    /// Replaces the surface by a blend that the caller has made. The only weight in draw() is then 1, and a
+    /// field in set_field() has one stream, its blend.
+    /// \param mesh       gives the leaves and their data, but no positions
+    /// \param positions  of the blend, one per vertex
+    /// \param normals    of the blend, one per vertex, not normalized
+    /// \param keys       as in upload()
+    /// \throw MachineError as upload() does
+    void upload_blend(const UnionMesh& mesh, std::span<const glm::vec3> positions,
+                      std::span<const glm::vec3> normals, std::span<const std::size_t> keys);
+
     /// Makes Coloring::field show \p field, a field of the uploaded mesh; null for none. Without a field it
     /// looks like Coloring::plain.
     /// \throw MachineError if the field has more values than a buffer texture holds here
@@ -83,7 +93,7 @@ class Renderer {
     static GlProgram make_surface_program(const SurfaceKind& kind);
     const GlProgram& surface_program(const SurfaceKind& kind);
     void upload_paths();
-    void upload_leaves(const UnionMesh& mesh);
+    void upload_leaves(const UnionMesh& mesh, std::span<const std::size_t> keys);
     void upload_streams(std::span<const Stream> positions, Stream products);
     void upload_field(std::span<const std::span<const float>> values, std::size_t components);
     void blend_on_processor(ProcessorBlend& blend, std::span<const float> weights);

@@ -6,7 +6,7 @@ namespace interleaf {
 namespace {
 
 constexpr int all_samples = 4;
-constexpr std::chrono::milliseconds slow_from{25};
+constexpr double slow_from = 25;  // milliseconds
 
 }  // namespace
 
@@ -29,7 +29,9 @@ void ScenePicture::draw(Renderer& renderer, const Scene& scene, int samples) {
     const auto start = std::chrono::steady_clock::now();
     renderer.draw(*target_, scene.camera, scene.weights, scene.display);
     target_->finish();
-    if (samples == all_samples) is_slow_ = std::chrono::steady_clock::now() - start > slow_from;
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+    milliseconds_ = taken.count();
+    if (samples == all_samples) is_slow_ = milliseconds_ > slow_from;
     samples_ = samples;
     drawn_ = scene;
 }

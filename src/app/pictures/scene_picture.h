@@ -24,6 +24,7 @@ struct Scene {
     std::vector<float> weights;
     Display display;
     std::size_t surface;  ///< version number of the uploaded surface
+    std::size_t view;     ///< version number of the surface for the view; 0 if it is not drawn
     bool operator==(const Scene&) const = default;
 };
 
@@ -36,6 +37,9 @@ class ScenePicture {
     /// Makes the next update draw even if the scene has not changed.
     void forget() { drawn_.reset(); }
 
+    /// Duration of the last drawing.
+    double milliseconds() const { return milliseconds_; }
+
     /// The drawn picture; null before the first update.
     OffscreenTarget* target() { return target_.get(); }
 
@@ -46,6 +50,7 @@ class ScenePicture {
     std::optional<Scene> drawn_;
     int samples_ = 0;       ///< per pixel of target_
     bool is_slow_ = false;  ///< whether drawing with all samples is slow
+    double milliseconds_ = 0;
 };
 
 }  // namespace interleaf

@@ -10,16 +10,12 @@
 // details.
 #pragma once
 
-#include <functional>
 #include <vector>
 
+#include "hierarchy/detail/detail_progress.h"
 #include "hierarchy/hierarchy.h"
 
 namespace interleaf {
-
-/// Receives the fraction of the work that is done, 0 to 1. It may throw, which ends the work. An empty function
-/// is never called.
-using DetailProgress = std::function<void(double part)>;
 
 /// The deviation of each bisected node, in the order of Hierarchy::midpoints and in the unit of positions,
 /// rounded up to a float. Takes time proportional to the sum of the levels of all vertices.

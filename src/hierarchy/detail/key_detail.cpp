@@ -7,6 +7,7 @@
 #include <span>
 
 #include "hierarchy/detail/bisection_forest.h"
+#include "hierarchy/detail/cut.h"
 #include "hierarchy/detail/normal_cones.h"
 #include "hierarchy/detail/vertex_errors.h"
 
@@ -14,16 +15,14 @@ namespace interleaf {
 
 namespace {
 
-/// The bisections in the order of their errors; those of one vertex are adjacent.
+/// The bisections, first those with the errors of the highest power of two, and among these in preorder.
 std::vector<Index> order_by_error(const BisectionForest& forest, std::span<const float> errors) {
+    std::vector<int> powers;
+    powers.reserve(forest.bisections.size());
+    for (const Bisection& each : forest.bisections) powers.push_back(std::ilogb(errors[each.midpoint]));
     std::vector<Index> order(forest.bisections.size());
     std::iota(order.begin(), order.end(), Index{0});
-    std::ranges::sort(order, [&](Index a, Index b) {
-        const Index v = forest.bisections[a].midpoint;
-        const Index w = forest.bisections[b].midpoint;
-        if (v == w) return a < b;
-        return errors[v] != errors[w] ? errors[v] > errors[w] : v < w;
-    });
+    std::ranges::stable_sort(order, [&](Index a, Index b) { return powers[a] > powers[b]; });
     return order;
 }
 
@@ -35,25 +34,21 @@ float sine_of(const NormalCone& cone) {
 
 std::size_t KeyDetail::byte_count() const {
     return bisections.size() * sizeof(DetailBisection) + roots.size() * sizeof(Index) +
-           errors.size() * sizeof(float);
+           errors.size() * sizeof(float) + levels.size() * sizeof(DetailLevel);
 }
 
 KeyDetail measure_detail(const Hierarchy& hierarchy, const DetailProgress& progress) {
     // The parts of the time that the stages take.
     constexpr double until_deviations = 0.45;
     constexpr double until_cones = 0.55;
-    constexpr double until_errors = 0.85;
-    const auto report = [&](double part) {
-        if (progress) progress(part);
-    };
-    const std::vector<float> deviation =
-        deviations(hierarchy, [&](double part) { report(until_deviations * part); });
+    constexpr double until_errors = 0.8;
+    const std::vector<float> deviation = deviations(hierarchy, detail_part(progress, 0, until_deviations));
     const BisectionForest forest = bisection_forest(hierarchy);
     const std::vector<NormalCone> cones = normal_cones(hierarchy, forest);
-    report(until_cones);
     KeyDetail detail;
-    detail.errors = vertex_errors(hierarchy, forest, deviation);
-    report(until_errors);
+    detail.errors =
+        vertex_errors(hierarchy, forest, deviation, detail_part(progress, until_cones, until_errors));
+    detail.levels = detail_levels(CutSizes(hierarchy, detail.errors));
 
     const std::vector<Index> order = order_by_error(forest, detail.errors);
     std::vector<Index> rank(order.size());
@@ -74,7 +69,7 @@ KeyDetail measure_detail(const Hierarchy& hierarchy, const DetailProgress& progr
     }
     detail.roots.reserve(forest.roots.size());
     for (const Index place : forest.roots) detail.roots.push_back(rank_of(place));
-    report(1);
+    if (progress) progress(1);
     return detail;
 }
 

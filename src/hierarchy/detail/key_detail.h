@@ -1,7 +1,8 @@
 // All that levels of detail of one key take. Measured once per key.
 //
-// A refinement for a view visits the bisections that matter most, in any order. So they are sorted by their
-// errors: those that most views need lie together in memory, and everything about a bisection is in one place.
+// A refinement for a view reads bisections in any order, mostly those with large errors, and neighbors together.
+// Memory decides its speed. So bisections are sorted by the powers of two of their errors, and among these by
+// their place on the surface, and everything about a bisection is in one place.
 #pragma once
 
 #include <array>
@@ -10,6 +11,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "hierarchy/detail/detail_levels.h"
 #include "hierarchy/detail/deviation.h"
 #include "hierarchy/hierarchy.h"
 
@@ -28,9 +30,10 @@ struct DetailBisection {
 };
 
 struct KeyDetail {
-    std::vector<DetailBisection> bisections{};  ///< errors descend
-    std::vector<Index> roots{};                 ///< by root triangle: its bisection; no_index for a leaf
-    std::vector<float> errors{};                ///< vertex_errors(), by vertex of the key
+    std::vector<DetailBisection> bisections{};
+    std::vector<Index> roots{};         ///< by root triangle: its bisection; no_index for a leaf
+    std::vector<float> errors{};        ///< vertex_errors(), by vertex of the key
+    std::vector<DetailLevel> levels{};  ///< detail_levels()
 
     std::size_t byte_count() const;
 };

@@ -35,12 +35,17 @@ class ErrorRefinement {
         std::fill_n(errors_.begin(), hierarchy.roots.vertex_count(), std::numeric_limits<float>::infinity());
     }
 
-    std::vector<float> run() && {
+    std::vector<float> run(const DetailProgress& progress) && {
+        constexpr std::size_t between_reports = 1 << 13;
+        std::size_t taken = 0;
         for (const Index root : forest_.roots)
             if (root != no_index) candidates_.push({deviations_[root], root});
         while (!candidates_.empty()) {
             const auto [error, place] = candidates_.top();
             candidates_.pop();
+            if (progress && taken % between_reports == 0)
+                progress(static_cast<double>(taken) / static_cast<double>(deviations_.size()));
+            ++taken;
             const Index midpoint = forest_.bisections[place].midpoint;
             if (errors_[midpoint] == no_error) make(midpoint, error);
         }
@@ -80,13 +85,16 @@ class ErrorRefinement {
 
 }  // namespace
 
-std::vector<float> vertex_errors(const Hierarchy& hierarchy) {
-    return vertex_errors(hierarchy, bisection_forest(hierarchy), deviations(hierarchy));
+std::vector<float> vertex_errors(const Hierarchy& hierarchy, const DetailProgress& progress) {
+    constexpr double until_deviations = 0.6;
+    const std::vector<float> deviation = deviations(hierarchy, detail_part(progress, 0, until_deviations));
+    return vertex_errors(hierarchy, bisection_forest(hierarchy), deviation,
+                         detail_part(progress, until_deviations, 1));
 }
 
 std::vector<float> vertex_errors(const Hierarchy& hierarchy, const BisectionForest& forest,
-                                 std::span<const float> deviations) {
-    return ErrorRefinement(hierarchy, forest, deviations).run();
+                                 std::span<const float> deviations, const DetailProgress& progress) {
+    return ErrorRefinement(hierarchy, forest, deviations).run(progress);
 }
 
 }  // namespace interleaf

@@ -251,6 +251,12 @@ float ViewRefinement::view_error(Index node) const {
         const DetailBisection& below = details_[key]->bisections[place];
         const float lost = below.deviation * seen.prominence(below.axis, below.sine, is_closed_);
         error += std::abs(weights_[key]) * (lost + size_part * ball.radius);
+        // They are read next if the node is bisected.
+        for (const Index child : below.children)
+            if (child != no_index) {
+                __builtin_prefetch(&details_[key]->bisections[child]);
+                __builtin_prefetch(&states_[key][child]);
+            }
     }
     error *= seen.magnification();
     return error < max_error ? error : max_error;  // coordinates may be near the end of the range of floats
