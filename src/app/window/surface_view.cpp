@@ -85,7 +85,8 @@ void SurfaceView::want_details(const Session& session) {
 bool SurfaceView::wants_view(const Session& session, double now) {
     const Display& display = session.display;
     const std::size_t leaves = leaves_of(session.family(), session.weights());
-    if (leaves <= view_leaf_budget) return false;
+    const std::size_t roots = session.family().keys.front().hierarchy->roots.triangle_count();
+    if (leaves <= view_leaf_budget || roots > view_leaf_budget) return false;
     if (display.follows_camera) {
         waits_ = false;
         return true;
@@ -97,8 +98,9 @@ bool SurfaceView::wants_view(const Session& session, double now) {
 
 void SurfaceView::aim(ViewTarget view_target, const Extent& all_keys, const Rect& view) {
     if (view_target == ViewTarget::surface)
-        camera_.view_all(shows_view_ ? view_.extent() : surface_.extent(detailed_.weights()),
-                         aspect_of(view));
+        camera_.view_all(
+            shows_view_ && view_.version() > 0 ? view_.extent() : surface_.extent(detailed_.weights()),
+            aspect_of(view));
     else if (view_target == ViewTarget::all_keys)
         camera_.view_all(all_keys, aspect_of(view));
     last_camera_ = camera_;

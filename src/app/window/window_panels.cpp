@@ -90,7 +90,7 @@ void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
 void show_detail(const WindowShown& shown, ShownWindow& result) {
     const Display& display = shown.state.session.display;
     const DetailChoice choice{display.detail, display.follows_camera};
-    const DetailChoice wanted = detail_panel(choice, shown.figures.leaves);
+    const DetailChoice wanted = detail_panel(choice, shown.figures.leaves, shown.follows_camera);
     if (wanted == choice) return;
     result.actions.display = display;
     result.actions.display->detail = wanted.detail;

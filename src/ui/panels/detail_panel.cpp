@@ -12,16 +12,17 @@ namespace interleaf {
 
 namespace {
 
-std::string part_in_words(const DetailChoice& choice) {
+std::string part_in_words(const DetailChoice& choice, bool is_coarse) {
     if (choice.follows_camera) return "by camera";
+    if (is_coarse) return "while moving";
     if (choice.detail >= 1) return "whole keys";
     return fmt::format("{:.0f} %", 100 * static_cast<double>(choice.detail));
 }
 
 }  // namespace
 
-DetailChoice detail_panel(DetailChoice choice, std::size_t leaves) {
-    heading("Detail", fmt::format("{}, {} leaves", part_in_words(choice), grouped(leaves)));
+DetailChoice detail_panel(DetailChoice choice, std::size_t leaves, bool is_coarse) {
+    heading("Detail", fmt::format("{}, {} leaves", part_in_words(choice, is_coarse), grouped(leaves)));
     ImGui::BeginDisabled(choice.follows_camera);
     ImGui::SetNextItemWidth(-1);
     ImGui::SliderFloat("##detail", &choice.detail, 0, 1, "", ImGuiSliderFlags_AlwaysClamp);

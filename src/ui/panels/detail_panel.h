@@ -11,8 +11,9 @@ struct DetailChoice {
     bool operator==(const DetailChoice&) const = default;
 };
 
-/// \param leaves  number of leaves of the shown surface
+/// \param leaves       number of leaves of the shown surface
+/// \param is_coarse    whether the surface is shown with less detail than chosen, because it moves
 /// \return what the user wants
-DetailChoice detail_panel(DetailChoice choice, std::size_t leaves);
+DetailChoice detail_panel(DetailChoice choice, std::size_t leaves, bool is_coarse);
 
 }  // namespace interleaf
