@@ -17,7 +17,7 @@ namespace interleaf {
 namespace {
 
 /// A whole surface that takes longer to draw, milliseconds, is not drawn while it moves.
-constexpr double slow_from = 40;
+constexpr double slow_whole_from = 40;
 
 /// Fewer leaves are drawn whole in any case: fewer would not be much faster.
 constexpr std::size_t min_slow_leaves = 100'000;
@@ -129,7 +129,7 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
     scene.display.follows_camera = false;
     scene.display.line_width *= gui.scale() * gui.density();
     const bool is_good = picture_.update(shows_view_ ? view_.renderer() : surface_.renderer(), scene);
-    if (!shows_view_ && session.display.detail >= 1) is_slow_ = picture_.milliseconds() > slow_from;
+    if (!shows_view_ && session.display.detail >= 1) is_slow_ = picture_.milliseconds() > slow_whole_from;
     picture_.target()->blit_to_window(pixels(view.x), pixels(window_height - view.bottom()));
     return is_good;
 }

@@ -29,6 +29,8 @@ ViewPoint between(const ViewPoint& a, const ViewPoint& b, float part) {
 }
 
 DetailedKeys::DetailedKeys(const std::vector<Hierarchy>& family) {
+    keys.reserve(family.size());
+    details.reserve(family.size());
     for (const Hierarchy& key : family) {
         keys.push_back(&key);
         details.push_back(measure_detail(key));

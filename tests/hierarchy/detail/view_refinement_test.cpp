@@ -73,11 +73,13 @@ TEST_CASE("each key's cut for a view passes the checker, their union is the view
             REQUIRE(view.leaf_count <= budget);
             REQUIRE(view.nodes.size() == 2 * view.leaf_count - roots);
             std::vector<Hierarchy> cuts;
+            cuts.reserve(family.keys.size());
             for (std::size_t key = 0; key < family.keys.size(); ++key) {
                 cuts.push_back(cut_in(view, detailed.keys, key));
                 REQUIRE(check(cuts.back()).empty());
             }
             std::vector<const Hierarchy*> pointers;
+            pointers.reserve(cuts.size());
             for (const Hierarchy& each : cuts) pointers.push_back(&each);
             const UnionMesh expected = unite(pointers);
             view_mesh(view, detailed.keys, weights, mesh);
