@@ -61,6 +61,9 @@ struct Display {
     /// Level of detail, from 0 for the roots alone to 1 for the whole keys; the renderer draws what it is given.
     float detail = 1;
 
+    /// Whether the detail follows the camera instead, within a budget of leaves.
+    bool follows_camera = false;
+
     /// How much hollows are darkened, 0 to 1: less where colors have a meaning.
     float occlusion_strength() const;
 

@@ -115,16 +115,32 @@ void Renderer::begin_sending(const UnionMesh& mesh, const SurfaceLeaves& leaves,
     assert(mesh.key_count() > max_gpu_keys || form.product_count == product_count(mesh.key_count()));
     next_.key_count = 0;
     next_.buffers.begin(mesh, leaves.texels, form);
-    next_.levels = leaves.levels;
-    next_.origins = leaves.origins;
-    next_.tags.assign(mesh.tags.begin(), mesh.tags.end());
-    next_.processor_blend.reset();
+    describe_next(mesh, leaves);
     if (mesh.key_count() > max_gpu_keys)
         next_.processor_blend =
             ProcessorBlend{.mesh = sending_ ? std::shared_ptr<const UnionMesh>(sending_, &sending_->mesh)
                                             : std::make_shared<const UnionMesh>(mesh)};
-    next_.key_count = mesh.key_count();
     if (!sending_) next_.buffers.send(std::numeric_limits<std::size_t>::max());
+}
+
+void Renderer::describe_next(const UnionMesh& mesh, const SurfaceLeaves& leaves) {
+    next_.levels = leaves.levels;
+    next_.origins = leaves.origins;
+    next_.tags.assign(mesh.tags.begin(), mesh.tags.end());
+    next_.processor_blend.reset();
+    next_.key_count = mesh.key_count();
+}
+
+void Renderer::upload_blend(const UnionMesh& mesh, std::span<const glm::vec3> positions,
+                            std::span<const glm::vec3> normals, std::span<const std::size_t> keys) {
+    assert(positions.size() == mesh.vertex_count() && normals.size() == mesh.vertex_count());
+    sending_.reset();
+    const SurfaceLeaves leaves = surface_leaves(mesh);
+    next_.key_count = 0;
+    next_.buffers.begin_blend(mesh, leaves.texels, positions, normals);
+    describe_next(mesh, leaves);
+    next_.buffers.send(std::numeric_limits<std::size_t>::max());
+    show_sent(keys);
 }
 
 bool Renderer::send(std::size_t max_bytes) {

@@ -51,6 +51,16 @@ class Renderer {
     /// \pre send() has returned true since begin_upload()
     void show_sent(std::span<const std::size_t> keys = {});
 
+    /// Replaces the surface by a blend that the caller has made. The only weight in draw() is then 1, and a
+    /// field in set_field() has one stream, its blend.
+    /// \param mesh       gives the leaves and their data, but no positions
+    /// \param positions  of the blend, one per vertex
+    /// \param normals    of the blend, one per vertex, not normalized
+    /// \param keys       as in upload()
+    /// \throw MachineError as upload() does
+    void upload_blend(const UnionMesh& mesh, std::span<const glm::vec3> positions,
+                      std::span<const glm::vec3> normals, std::span<const std::size_t> keys);
+
     /// Makes Coloring::field show \p field, a field of the uploaded mesh; null for none. Without a field it
     /// looks like Coloring::plain.
     /// \throw MachineError if the field has more values than a buffer texture holds here
@@ -105,6 +115,7 @@ class Renderer {
     const GlProgram& surface_program(const SurfaceKind& kind);
     void upload_paths();
     void begin_sending(const UnionMesh& mesh, const SurfaceLeaves& leaves, const NormalForm& form);
+    void describe_next(const UnionMesh& mesh, const SurfaceLeaves& leaves);
     void upload_field(std::span<const std::span<const float>> values, std::size_t components);
     void blend_on_processor(ProcessorBlend& blend, std::span<const float> weights);
     void upload_palette(Coloring coloring, ColorMap map);

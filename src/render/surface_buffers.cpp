@@ -53,10 +53,26 @@ SurfaceBuffers::SurfaceBuffers()
       leaf_texture_(GlTexture::create()) {}
 
 void SurfaceBuffers::begin(const UnionMesh& mesh, std::span<const LeafTexel> texels, const NormalForm& form) {
-    check_texel_count(mesh.leaf_count(), "leaves");
     const bool is_blended_here = mesh.key_count() <= max_gpu_keys;
+    begin_leaves(mesh, texels, is_blended_here ? mesh.key_count() : 1);
+    if (!is_blended_here) return;
+    for (std::size_t key = 0; key < key_count_; ++key)
+        add_piece(positions_[key], std::as_bytes(Stream(mesh.positions[key])));
+    add_piece(products_, std::as_bytes(Stream(form.products)));
+}
+
+void SurfaceBuffers::begin_blend(const UnionMesh& mesh, std::span<const LeafTexel> texels, Stream positions,
+                                 Stream normals) {
+    begin_leaves(mesh, texels, 1);
+    add_piece(positions_[0], std::as_bytes(positions));
+    add_piece(products_, std::as_bytes(normals));
+}
+
+void SurfaceBuffers::begin_leaves(const UnionMesh& mesh, std::span<const LeafTexel> texels,
+                                  std::size_t key_count) {
+    check_texel_count(mesh.leaf_count(), "leaves");
     leaf_count_ = mesh.leaf_count();
-    key_count_ = is_blended_here ? mesh.key_count() : 1;
+    key_count_ = key_count;
     for (std::size_t key = 0; key < max_gpu_keys; ++key) {
         if (key >= key_count_)
             positions_[key] = {};
@@ -66,10 +82,6 @@ void SurfaceBuffers::begin(const UnionMesh& mesh, std::span<const LeafTexel> tex
     pieces_.clear();
     add_piece(leaf_data_, std::as_bytes(texels));
     add_piece(corners_, std::as_bytes(std::span(mesh.triangles.data(), mesh.triangles.size())));
-    if (!is_blended_here) return;
-    for (std::size_t key = 0; key < key_count_; ++key)
-        add_piece(positions_[key], std::as_bytes(Stream(mesh.positions[key])));
-    add_piece(products_, std::as_bytes(Stream(form.products)));
 }
 
 void SurfaceBuffers::add_piece(const GlBuffer& buffer, std::span<const std::byte> data) {

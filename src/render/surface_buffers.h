@@ -28,6 +28,9 @@ class SurfaceBuffers {
     /// \throw MachineError if there are more leaves than a buffer texture holds here; the old surface stays
     void begin(const UnionMesh& mesh, std::span<const LeafTexel> texels, const NormalForm& form);
 
+    /// The same for a surface that the caller has blended, with one stream of each.
+    void begin_blend(const UnionMesh& mesh, std::span<const LeafTexel> texels, Stream positions, Stream normals);
+
     /// Sends at most about \p max_bytes more.
     /// \return whether everything has been sent
     bool send(std::size_t max_bytes);
@@ -52,6 +55,7 @@ class SurfaceBuffers {
         std::size_t size;
         std::size_t sent;
     };
+    void begin_leaves(const UnionMesh& mesh, std::span<const LeafTexel> texels, std::size_t key_count);
     void add_piece(const GlBuffer& buffer, std::span<const std::byte> data);
     void set_attributes();
 

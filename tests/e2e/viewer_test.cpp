@@ -280,10 +280,39 @@ TEST_CASE("less detail shows fewer leaves, and more detail the whole keys again"
     State state;
     for (int i = 0; i < steps; ++i) state = change_detail(XK_minus);
     CHECK(state["display"]["detail"].get<double>() == doctest::Approx(1 - 0.02 * steps));
-    CHECK(state["leaves"] < start["leaves"]);
+    viewer.wait_for("fewer leaves", [&](const State& s) { return s["leaves"] < start["leaves"]; });
     for (int i = 0; i < steps; ++i) state = change_detail(XK_equal);
     CHECK(state["display"]["detail"] == 1);
     CHECK(state["leaves"] == start["leaves"]);
+}
+
+TEST_CASE("the detail follows the camera within its budget of leaves, until it is chosen again") {
+    const RunningViewer viewer;
+    // Bernstein polynomials blend all keys.
+    for (const char* const basis : {"hold", "bernstein"}) {
+        viewer.press(XK_b);
+        viewer.wait_for(basis, [&](const State& s) { return s["document"]["interpolation"] == basis; });
+    }
+    viewer.drag(timeline_pixel(viewer.state(), 0.3F), timeline_pixel(viewer.state(), 0.5F));
+    const State start =
+        viewer.wait_for("five active keys", [](const State& s) { return s["active"].size() == 5; });
+    REQUIRE(start["leaves"] > 20000);
+    viewer.press(XK_d, XK_Shift_L);
+    const State followed =
+        viewer.wait_for("detail by camera", [](const State& s) { return s["detail_follows"] == true; });
+    CHECK(followed["display"]["follows_camera"] == true);
+    CHECK(followed["leaves"] <= 20000);
+    CHECK(followed["leaves"] > 19000);
+    viewer.drag(view_pixel(followed, {0, 0}), view_pixel(followed, {60, 30}));
+    const State turned =
+        viewer.wait_for("another eye", [&](const State& s) { return s["eye"] != start["eye"]; });
+    CHECK(turned["detail_follows"] == true);
+    CHECK(turned["leaves"] <= 20000);
+    CHECK(turned["rebuilds"] == start["rebuilds"]);
+    viewer.press(XK_d, XK_Shift_L);
+    viewer.wait_for("whole keys", [&](const State& s) {
+        return s["detail_follows"] == false && s["leaves"] == start["leaves"];
+    });
 }
 
 TEST_CASE("dragging the point pauses playback, and Space continues from there") {

@@ -23,7 +23,7 @@ GIVES = {
         equal_range fill fill_n find find_end find_first_of find_if find_if_not for_each generate includes
         inplace_merge is_permutation is_sorted iter_swap lexicographical_compare lower_bound max max_element
         merge min min_element minmax minmax_element mismatch move_backward next_permutation none_of nth_element
-        partial_sort partition partition_point ranges remove remove_if replace replace_if reverse rotate sample
+        partial_sort partition partition_point pop_heap push_heap ranges remove remove_if replace replace_if reverse rotate sample
         search set_difference set_intersection set_union shuffle sort stable_partition stable_sort swap_ranges
         transform unique unique_copy upper_bound""",
     "array": "array to_array",

@@ -84,6 +84,28 @@ TEST_CASE("the blend on the processor follows the weights") {
     CHECK(take_picture(renderer, target, camera, star) == first);
 }
 
+TEST_CASE("the picture of a blend that the caller has made is that of the keys") {
+    const EglContext context;
+    const TestSurface surface = surface_of(keys_of({"star", "bone"}));
+    const std::vector<float> weights = {0.6F, 0.4F};
+    OffscreenTarget target(320, 240, 1);
+    Renderer renderer;
+    renderer.upload(surface.mesh, surface.form);
+    const Camera camera = camera_on(surface, target);
+    const Picture expected = take_picture(renderer, target, camera, weights);
+    const Buffer<glm::vec3> positions = morph(surface.mesh, weights);
+    const std::vector<glm::vec3> normals = morph_normals(surface.form, weights);
+    const std::vector<std::size_t> family_keys = {0, 1};
+    renderer.upload_blend(surface.mesh, positions, normals, family_keys);
+    const std::vector<float> one = {1};
+    CHECK(count_differences(take_picture(renderer, target, camera, one), expected, 2) < 30);
+    Display by_origin;
+    by_origin.coloring = Coloring::origin;
+    const Picture colored = take_picture(renderer, target, camera, one, by_origin);
+    renderer.upload(surface.mesh, surface.form);
+    CHECK(count_differences(take_picture(renderer, target, camera, weights, by_origin), colored, 2) < 30);
+}
+
 TEST_CASE("changing only the weights changes the picture, and restoring them restores it") {
     const EglContext context;
     const TestSurface surface = surface_of(keys_of({"star", "sphere"}));

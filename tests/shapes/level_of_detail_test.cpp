@@ -10,12 +10,16 @@
 #include "trials.h"
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "fit/mesh/space_triangle.h"
 #include "fit/mesh/surface_distance.h"
 #include "hierarchy/checker.h"
 #include "hierarchy/detail/cut.h"
+#include "hierarchy/detail/key_detail.h"
 #include "hierarchy/detail/vertex_errors.h"
+#include "hierarchy/detail/view_mesh.h"
+#include "hierarchy/detail/view_refinement.h"
 #include "hierarchy/greedy.h"
 #include "hierarchy/random_surfaces.h"
 #include "shapes/shapes.h"
@@ -59,6 +63,37 @@ double measured_distance(const Hierarchy& a, const Hierarchy& b) {
 }
 
 }  // namespace
+
+TEST_CASE("a sphere is finer at its silhouette and near the camera, and coarse behind") {
+    const Hierarchy sphere = make_key(*find_shape("sphere"), {20000, {}});
+    const KeyDetail detail = measure_detail(sphere);
+    const std::vector<float> weights = {1};
+    ViewRefinement refinement({&sphere}, {&detail});
+    ViewMesh mesh;
+    // Mean area of the leaves by the angle of their place from the direction to the eye.
+    const auto mean_area = [&](double from_degrees, double to_degrees) {
+        double area = 0, count = 0;
+        for (const Triangle& leaf : mesh.mesh.triangles) {
+            const glm::dvec3 a = mesh.positions[leaf[0]], b = mesh.positions[leaf[1]],
+                             c = mesh.positions[leaf[2]];
+            const double angle = glm::degrees(std::acos(glm::normalize(a + b + c).z));
+            if (angle < from_degrees || angle >= to_degrees) continue;
+            area += glm::length(glm::cross(b - a, c - a)) / 2;
+            ++count;
+        }
+        REQUIRE(count > 0);
+        return area / count;
+    };
+    // From far away the silhouette is at 90 degrees.
+    view_mesh(refinement.refine(weights, {.eye = {0, 0, 50}, .forward = {0, 0, -1}, .cosine = 0.99F}, 2000),
+              refinement.keys(), weights, mesh);
+    CHECK(2 * mean_area(80, 95) < mean_area(0, 30));
+    CHECK(1.5 * mean_area(0, 30) < mean_area(150, 180));
+    // From near the surface, what is outside the picture is coarse.
+    view_mesh(refinement.refine(weights, {.eye = {0, 0, 1.3F}, .forward = {0, 0, -1}, .cosine = 0.85F}, 2000),
+              refinement.keys(), weights, mesh);
+    CHECK(5 * mean_area(0, 20) < mean_area(100, 180));
+}
 
 TEST_CASE("the measured distance of 200 cuts of ten keys is at most the threshold, and all cuts are sound") {
     constexpr std::uint64_t seed = 20260617;

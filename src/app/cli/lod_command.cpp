@@ -10,9 +10,12 @@
 #include <glm/geometric.hpp>
 
 #include "app/cli/error_message.h"
+#include "app/cli/held_interrupts.h"
 #include "app/cli/output.h"
+#include "app/cli/progress_line.h"
 #include "app/document/opening.h"
 #include "family/origin.h"
+#include "fit/mesh/progress.h"
 #include "hierarchy/detail/cut.h"
 #include "hierarchy/detail/vertex_errors.h"
 #include "hierarchy/error.h"
@@ -42,8 +45,8 @@ struct CutKey {
     std::string report;  ///< one line about it
 };
 
-CutKey cut_key(const Hierarchy& key, const LodOptions& options) {
-    const std::vector<float> errors = vertex_errors(key);
+CutKey cut_key(const Hierarchy& key, const LodOptions& options, const DetailProgress& progress) {
+    const std::vector<float> errors = vertex_errors(key, progress);
     const CutSizes sizes(key, errors);
     const double diagonal = box_diagonal_of(key);
     const float threshold =
@@ -54,6 +57,32 @@ CutKey cut_key(const Hierarchy& key, const LodOptions& options) {
         fmt::format("{} of {} leaves, at most {:.3g} % of the box diagonal from the key",
                     grouped(result.hierarchy.leaf_count()), grouped(key.leaf_count()), 100 * distance);
     return result;
+}
+
+/// Cuts all keys of \p family.
+/// \return a line about each
+/// \throw Cancelled if the user interrupts
+std::vector<std::string> cut_keys(Family& family, const LodOptions& options,
+                                  const HeldInterrupts& interrupts) {
+    std::size_t all = 0;
+    for (const Key& key : family.keys) all += key.hierarchy->leaf_count();
+    ProgressLine line;
+    std::vector<std::string> reports;
+    reports.reserve(family.keys.size());
+    std::size_t done = 0;
+    for (Key& key : family.keys) {
+        const std::size_t leaves = key.hierarchy->leaf_count();
+        const std::string name = shown_text(key.name);
+        CutKey result = cut_key(*key.hierarchy, options, [&](double part) {
+            const double leaves_done = static_cast<double>(done) + part * static_cast<double>(leaves);
+            line.show(name, leaves_done / static_cast<double>(all));
+            if (interrupts.is_waiting()) throw Cancelled();
+        });
+        done += leaves;
+        key.hierarchy = std::move(result.hierarchy);
+        reports.push_back(fmt::format("{}: {}", name, result.report));
+    }
+    return reports;
 }
 
 /// Writes the only key of \p family to a file.
@@ -82,11 +111,12 @@ void run_lod(const LodOptions& options) {
         throw UsageError(
             fmt::format("--leaves: {} leaves are too few: there are {} roots", *options.leaves, roots));
 
+    const HeldInterrupts interrupts;
     std::vector<std::string> reports;
-    for (Key& key : family.keys) {
-        CutKey result = cut_key(*key.hierarchy, options);
-        key.hierarchy = std::move(result.hierarchy);
-        reports.push_back(fmt::format("{}: {}", shown_text(key.name), result.report));
+    try {
+        reports = cut_keys(family, options, interrupts);
+    } catch (const Cancelled&) {
+        return;  // the held interrupt ends the program when `interrupts` is destroyed
     }
     if (is_key)
         write_key(family, options);

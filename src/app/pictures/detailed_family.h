@@ -6,17 +6,17 @@
 #include <map>
 #include <vector>
 
+#include "app/pictures/key_details.h"
 #include "family/family.h"
-#include "hierarchy/detail/detail_levels.h"
 
 namespace interleaf {
 
 class DetailedFamily {
   public:
-    /// Updates the levels to the active keys of \p weights. Measures each key when it is first used at less
-    /// than full detail, in about a second per million leaves.
+    /// Updates the levels to the active keys of \p weights. Until \p details has measured all of them, the
+    /// detail is full.
     /// \param detail  0 for the roots to 1 for the whole keys
-    void follow(const Family& family, const Weights& weights, float detail);
+    void follow(const Family& family, const Weights& weights, float detail, KeyDetails& details);
 
     /// The family to show instead: the family of the last follow() itself at full detail, which must still
     /// exist; otherwise one of levels, without a timeline and a domain.
@@ -30,26 +30,24 @@ class DetailedFamily {
     const std::vector<std::size_t>& sources() const { return sources_; }
 
   private:
-    /// A key with its levels. Of the cuts only those in use are kept.
-    struct MeasuredKey {
+    /// The cuts of a key that are in use.
+    struct CutKey {
         SharedHierarchy hierarchy;
-        std::vector<float> errors;
-        std::vector<DetailLevel> levels;
-        std::map<std::size_t, SharedHierarchy> cuts;  ///< by the number of the level
-        bool is_used = true;                          ///< since the last follow()
+        KeyDetails::Measured measured;
+        std::map<std::size_t, SharedHierarchy> cuts{};  ///< by the number of the level
     };
-    MeasuredKey& measured(const SharedHierarchy& hierarchy);
-    static SharedHierarchy cut_of(MeasuredKey& key, std::size_t level);
-    void add(const Key& key, std::size_t source, double weight, float detail);
+    /// The key in cuts_, which may be new.
+    CutKey& cuts_of(const SharedHierarchy& hierarchy, KeyDetails::Measured measured);
+    static SharedHierarchy cut_of(CutKey& key, std::size_t level);
+    void add(CutKey& cuts, const Key& key, std::size_t source, double weight, float detail);
     void add_level(const Key& key, std::size_t source, SharedHierarchy level, double weight);
-    void forget_unused();
 
     const Family* source_ = nullptr;
     bool is_whole_ = true;
     Family levels_;
     Weights weights_;
     std::vector<std::size_t> sources_;
-    std::vector<MeasuredKey> measured_;
+    std::vector<CutKey> cuts_;  ///< of the active keys
 };
 
 }  // namespace interleaf

@@ -26,6 +26,10 @@ constexpr std::chrono::milliseconds longest_wait{8};
 /// What a frame sends to the GPU at most, in bytes: about 4 ms where the processor is the GPU.
 constexpr std::size_t slice_bytes = std::size_t{4} << 20;
 
+bool are_same(const std::vector<SharedHierarchy>& a, const std::vector<SharedHierarchy>& b) {
+    return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return x.is_same(y); });
+}
+
 }  // namespace
 
 void MorphSurface::update(const Family& family, const Weights& weights, const FieldName* field,
@@ -39,10 +43,7 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
         hierarchies.push_back(family.keys[key].hierarchy);
         keys.push_back(sources.empty() ? key : sources[key]);
     }
-    const bool is_same = keys == figures_.keys &&
-                         std::ranges::equal(hierarchies, hierarchies_,
-                                            [](const auto& a, const auto& b) { return a.is_same(b); });
-    if (is_same) {
+    if (keys == figures_.keys && are_same(hierarchies, hierarchies_)) {
         needed_since_.reset();
         has_waited_ = false;
         figures_.is_late = false;
@@ -138,25 +139,37 @@ void MorphSurface::send_ahead(std::span<const UnionCache::Keys> wanted) {
     }
 }
 
+bool MorphSurface::prepares(const Family& family, const Weights& weights) {
+    std::vector<SharedHierarchy> hierarchies;
+    hierarchies.reserve(weights.size());
+    for (const Weight& weight : weights) hierarchies.push_back(family.keys[weight.key].hierarchy);
+    if (union_ != nullptr && are_same(hierarchies, hierarchies_)) return false;
+    unions_.prepare({hierarchies});
+    return unions_.is_coming(hierarchies);
+}
+
 Extent MorphSurface::extent() const {
     return extent_of(morph(union_->mesh, weights_));
 }
 
 std::optional<glm::vec3> MorphSurface::field_at(const Ray& ray) {
     if (!field_) return std::nullopt;
-    const std::vector<float>& factors = weights_;
-    const std::optional<Hit> hit = first_hit(union_->mesh.triangles, morph(union_->mesh, factors), ray);
+    return value_where_hit(union_->mesh.triangles, morph(union_->mesh, weights_), *field_, weights_, ray);
+}
+
+std::optional<glm::vec3> value_where_hit(std::span<const Triangle> triangles,
+                                         std::span<const glm::vec3> positions, const UnionField& field,
+                                         std::span<const float> weights, const Ray& ray) {
+    const std::optional<Hit> hit = first_hit(triangles, positions, ray);
     if (!hit) return std::nullopt;
-    const UnionField& field = *field_;
     const std::size_t width = component_count(field.label.kind);
     glm::vec3 value(0);
-    for (std::size_t key = 0; key < factors.size(); ++key)
+    for (std::size_t key = 0; key < weights.size(); ++key)
         for (int corner = 0; corner < 3; ++corner) {
             const float* const at =
-                &field.values[key][width *
-                                   union_->mesh.triangles[hit->triangle][static_cast<std::size_t>(corner)]];
+                &field.values[key][width * triangles[hit->triangle][static_cast<std::size_t>(corner)]];
             for (std::size_t c = 0; c < width; ++c)
-                value[static_cast<int>(c)] += factors[key] * hit->barycentric[corner] * at[c];
+                value[static_cast<int>(c)] += weights[key] * hit->barycentric[corner] * at[c];
         }
     return value;
 }

@@ -56,6 +56,10 @@ class MorphSurface {
     /// \param key_sets  the active keys of blends that will soon be shown, as indices in \p family
     void expect(const Family& family, std::span<const std::vector<std::size_t>> key_sets);
 
+    /// Lets a worker make the union of the active keys of \p weights, unless it is there.
+    /// \return whether the worker is making it; otherwise update() need not wait for a worker
+    bool prepares(const Family& family, const Weights& weights);
+
     /// The value of the field where \p ray first meets the surface: one number, or the linear light of a color.
     /// None if the ray misses the surface, or without a field.
     std::optional<glm::vec3> field_at(const Ray& ray);
@@ -86,5 +90,11 @@ class MorphSurface {
     std::optional<FieldName> wanted_field_;
     Renderer renderer_;
 };
+
+/// The value of \p field where \p ray first meets a surface, as MorphSurface::field_at() gives it.
+/// \param weights  one per stream of \p field
+std::optional<glm::vec3> value_where_hit(std::span<const Triangle> triangles,
+                                         std::span<const glm::vec3> positions, const UnionField& field,
+                                         std::span<const float> weights, const Ray& ray);
 
 }  // namespace interleaf

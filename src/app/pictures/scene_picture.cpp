@@ -39,7 +39,9 @@ void ScenePicture::draw(Renderer& renderer, const Scene& scene, Quality quality)
     const Clock::time_point start = Clock::now();
     renderer.draw(*target_, scene.camera, scene.weights, scene.display);
     target_->finish();
-    if (quality != Quality::coarse) smooth_time_ = Clock::now() - start;
+    const Clock::duration taken = Clock::now() - start;
+    milliseconds_ = std::chrono::duration<double, std::milli>(taken).count();
+    if (quality != Quality::coarse) smooth_time_ = taken;
     if (quality == Quality::shaded) {
         if (scene.display.occlusion) {
             if (!occlusion_) occlusion_.emplace();

@@ -27,6 +27,7 @@ struct Scene {
     std::vector<float> weights;
     Display display;
     std::size_t surface;  ///< version number of the uploaded surface
+    std::size_t view;     ///< version number of the surface for the view; 0 if it is not drawn
     bool operator==(const Scene&) const = default;
 };
 
@@ -40,6 +41,9 @@ class ScenePicture {
 
     /// Makes the next update draw even if the scene has not changed.
     void forget() { drawn_.reset(); }
+
+    /// Duration of the last drawing.
+    double milliseconds() const { return milliseconds_; }
 
     /// The drawn picture; null before the first update.
     OffscreenTarget* target() { return target_.get(); }
@@ -61,6 +65,7 @@ class ScenePicture {
     /// How long the last picture of the final quality took without occlusion, and with it.
     Clock::duration smooth_time_{};
     Clock::duration shaded_time_{};
+    double milliseconds_ = 0;
 };
 
 }  // namespace interleaf

@@ -119,6 +119,12 @@ void UnionCache::prepare(std::vector<Keys> wanted) {
     if (!wanted_.empty()) changed_.notify_all();
 }
 
+bool UnionCache::is_coming(const Keys& keys) const {
+    const std::lock_guard lock(mutex_);
+    return are_same(in_progress_, keys) ||
+           std::ranges::any_of(wanted_, [&](const Keys& wanted) { return are_same(wanted, keys); });
+}
+
 void UnionCache::wait() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return in_progress_.empty() && wanted_.empty() && urgent_.empty(); });

@@ -59,6 +59,9 @@ class UnionCache {
     /// left out. The same list again changes nothing.
     void prepare(std::vector<Keys> wanted);
 
+    /// Whether the worker is making, or is going to make, the union of \p keys.
+    bool is_coming(const Keys& keys) const;
+
     /// Waits until the worker has nothing to do.
     void wait();
 

@@ -78,6 +78,7 @@ enum class CommandId : std::uint8_t {
     next_coloring,
     less_detail,
     more_detail,
+    follow_camera,
     compare_with_mesh,
     reload_shaders,
     help,

@@ -173,7 +173,8 @@ bool ComparisonView::draw(const Display& display, const Gui& gui, float window_h
                     .camera = camera_,
                     .weights = {one[0]},
                     .display = display,
-                    .surface = surface_};
+                    .surface = surface_,
+                    .view = 0};
         scene.display.line_width *= gui.scale() * gui.density();
         scene.display.coloring = has_colors_ ? Coloring::field : Coloring::plain;
         scene.display.field = field_name;

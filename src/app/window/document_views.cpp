@@ -20,7 +20,7 @@ void DocumentViews::apply_to_views(const WindowActions& actions, ViewerState& st
     if (actions.comparison) comparison_.apply_to_comparison(*actions.comparison, state);
 }
 
-void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const Gui& gui) {
+void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const Gui& gui, double now) {
     if (std::exchange(state.reload_wanted, false)) reload_shaders(state);
     if (state.document.snapshot() != family_) {
         family_ = state.document.snapshot();
@@ -31,11 +31,13 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
     follow_curves(state, layout.panels.timeline.width);
     Session& session = state.session;
     adapt_display(session.display, fields_);
-    surface_.follow(session, shown_field(session.display, fields_));
+    const FamilyField* const field = shown_field(session.display, fields_);
+    surface_.follow(session, field, now);
     comparison_.follow(state, layout.content, surface_.camera());
     if (!comparison_.is_shown())
         surface_.aim(std::exchange(state.view_target, ViewTarget::none), portraits_.extent(),
                      layout.panels.view);
+    surface_.refine(session, field, layout.panels.view);
     const glm::vec2 size = message_picture_size() * gui.density();
     mismatch_pictures_.update(state.message.mismatch, glm::max(glm::ivec2(glm::round(size)), 1));
 }

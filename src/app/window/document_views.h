@@ -31,7 +31,8 @@ class DocumentViews {
 
     /// Updates all views to \p state. Fulfills and clears its requests to move the camera and to reload the
     /// shaders. If the family lacks the displayed field, changes the display to one that the family supports.
-    void follow(ViewerState& state, const FrameLayout& layout, const Gui& gui);
+    /// \param now  wall time, seconds
+    void follow(ViewerState& state, const FrameLayout& layout, const Gui& gui, double now);
 
     /// Draws a missing picture of a key whose row, or whose vertex with room for it, is visible in \p shown.
     /// Each call draws at most one picture, so that the window stays responsive.
@@ -52,6 +53,12 @@ class DocumentViews {
     const std::vector<FamilyField>& fields() const { return fields_; }
     const std::vector<WeightCurve>& curves() const { return curves_; }
     const SurfaceFigures& figures() const { return surface_.figures(); }
+    bool follows_camera() const { return surface_.shows_view(); }
+    std::optional<double> measured_part() const { return surface_.measured_part(); }
+
+    /// Whether the views will change soon without any input.
+    bool is_working() const { return surface_.is_working(); }
+
     const std::vector<MessagePicture>& message_pictures() const { return mismatch_pictures_.shown(); }
 
     const Camera& camera() const { return surface_.camera(); }

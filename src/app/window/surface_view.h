@@ -8,8 +8,10 @@
 #include "app/document/session.h"
 #include "app/document/viewer_state.h"
 #include "app/pictures/detailed_family.h"
+#include "app/pictures/key_details.h"
 #include "app/pictures/morph_surface.h"
 #include "app/pictures/scene_picture.h"
+#include "app/pictures/view_surface.h"
 #include "family/family_fields.h"
 #include "hierarchy/measure.h"
 #include "render/camera.h"
@@ -29,12 +31,17 @@ class SurfaceView {
 
     /// Updates the surface to \p session.
     /// \param field  the field that the session's display shows; null for none
-    void follow(const Session& session, const FamilyField* field);
+    /// \param now    wall time, seconds
+    void follow(const Session& session, const FamilyField* field, double now);
 
     /// Frames \p view_target: points the camera at the target, which then fills \p view.
     /// \param all_keys  extent of all keys
     /// \pre follow() has been called
     void aim(ViewTarget view_target, const Extent& all_keys, const Rect& view);
+
+    /// Refines the surface for the picture in \p view, if its detail follows the camera.
+    /// \pre follow() has been called for \p session and \p field
+    void refine(const Session& session, const FamilyField* field, const Rect& view);
 
     /// Draws the surface into the window at \p view, behind the panels.
     /// \param window_height  screen coordinates
@@ -47,14 +54,36 @@ class SurfaceView {
     /// Reloads the shaders. The next picture is drawn again even if nothing else has changed.
     void reload_shaders();
 
-    const SurfaceFigures& figures() const { return surface_.figures(); }
+    const SurfaceFigures& figures() const { return shows_view_ ? view_figures_ : surface_.figures(); }
     const Camera& camera() const { return camera_; }
 
+    /// Whether the shown surface has the detail that suits the camera.
+    bool shows_view() const { return shows_view_; }
+
+    /// The part of the keys that is measured for their detail; none if there is nothing to measure.
+    std::optional<double> measured_part() const { return details_.progress(); }
+
+    /// Whether another surface will be shown soon without any input.
+    bool is_working() const { return waits_ || details_.progress(); }
+
   private:
+    void want_details(const Session& session);
+    bool wants_view(const Session& session, double now);
+
+    KeyDetails details_;
     DetailedFamily detailed_;
     MorphSurface surface_;
+    ViewSurface view_;
+    SurfaceFigures view_figures_;
     ScenePicture picture_;
     Camera camera_;
+
+    bool shows_view_ = false;  ///< view_, not surface_
+    bool waits_ = false;       ///< shows view_ only until the surface rests and its union is made
+    bool is_slow_ = false;     ///< whether the whole surface is too slow to move
+    double moved_at_ = -1;     ///< wall time when camera or weights last changed, seconds
+    Camera last_camera_;       ///< of the last frame
+    Weights last_weights_;     ///< of the last frame
 };
 
 }  // namespace interleaf

@@ -31,7 +31,8 @@ Json json_of(const Display& display) {
             {"wireframe", display.wireframe},
             {"refinement_edges", display.refinement_edges},
             {"root_edges", display.root_edges},
-            {"detail", display.detail}};
+            {"detail", display.detail},
+            {"follows_camera", display.follows_camera}};
 }
 
 Json json_of(const Session& session) {
@@ -112,6 +113,7 @@ void Trace::record(std::size_t frame, double seconds, const ViewerState& state, 
     json["vertices"] = figures.vertices;
     json["rebuilds"] = figures.rebuilds;
     json["late"] = figures.is_late;
+    json["detail_follows"] = record.follows_camera;
     json["eye"] = {record.eye.x, record.eye.y, record.eye.z};
     json["document"] = json_of(state.document);
     json["selected"] = state.selected_key ? Json(*state.selected_key) : Json();

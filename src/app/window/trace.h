@@ -23,6 +23,7 @@ struct FrameRecord {
     const ShownWindow& shown;
     glm::vec3 eye;              ///< of the camera
     glm::vec2 pointer;          ///< its position for Dear ImGui, screen coordinates
+    bool follows_camera;        ///< whether the detail of the surface does
     bool is_coarse;             ///< the picture of the surface does not have its final quality
     bool button_down;           ///< whether any mouse button is down for Dear ImGui
     bool is_asking;             ///< whether a question or the file browser has the keyboard

@@ -27,8 +27,9 @@ void cycle_coloring(ViewerState& state, double) {
 constexpr float detail_step = 0.02F;
 
 void change_detail(ViewerState& state, float step) {
-    float& detail = state.session.display.detail;
-    detail = std::clamp(detail + step, 0.0F, 1.0F);
+    Display& display = state.session.display;
+    display.detail = std::clamp(display.detail + step, 0.0F, 1.0F);
+    display.follows_camera = false;
 }
 
 void toggle_shading(ViewerState& state, double) {
@@ -130,6 +131,13 @@ constexpr Command view_table[] = {
      .description = "Show finer levels of the keys",
      .run = [](ViewerState& state, double) { change_detail(state, detail_step); },
      .repeats = true},
+    {.id = CommandId::follow_camera,
+     .menu = "View",
+     .name = "Detail follows camera",
+     .shortcuts = {{{GLFW_KEY_D, GLFW_MOD_SHIFT}}},
+     .description = "Show finer levels where the surface is seen large and at its silhouette",
+     .run = toggle<&Display::follows_camera>,
+     .is_on = is_on<&Display::follows_camera>},
     {.id = CommandId::compare_with_mesh,
      .menu = "View",
      .name = "Compare with mesh",

@@ -182,7 +182,8 @@ void Viewer::wait() {
         glfwPollEvents();
         return;
     }
-    const bool works = files_.is_working() || files_.is_saving() || files_.is_exporting();
+    const bool works =
+        files_.is_working() || files_.is_saving() || files_.is_exporting() || views_.is_working();
     const double longest = works ? work_interval : longest_wait;
     const double before = glfwGetTime();
     glfwWaitEventsTimeout(longest);
@@ -199,7 +200,7 @@ void Viewer::frame() {
     update(input, now_);
     draw(input.actions.view);
     redraw_.follow(rest_);
-    if (picture_file_ && !redraw_.is_due() && !files_.is_working()) save_picture();
+    if (picture_file_ && !redraw_.is_due() && !files_.is_working() && !views_.is_working()) save_picture();
     glfwSwapBuffers(window_.handle());
     frame_milliseconds_ = 1000 * (glfwGetTime() - now_);
     if (stats_)
@@ -271,7 +272,7 @@ void Viewer::update_film(double now) {
 /// Updates everything that is derived from the state.
 void Viewer::follow_state(double now) {
     if (is_over(state_.message, now)) state_.message.clear();
-    views_.follow(state_, layout(), gui_);
+    views_.follow(state_, layout(), gui_, now);
     const bool is_comparing = views_.comparison() != nullptr;
     if (is_comparing && state_.session.is_playing()) state_.session.pause(now);
     if (const std::string title = title_of(state_.document); title != title_) {
@@ -309,6 +310,8 @@ ShownWindow Viewer::show_panels() {
                                      .fields = views_.fields(),
                                      .curves = views_.curves(),
                                      .figures = views_.figures(),
+                                     .follows_camera = views_.follows_camera(),
+                                     .measured_part = views_.measured_part(),
                                      .pictures = views_.message_pictures(),
                                      .frame_milliseconds = frame_milliseconds_,
                                      .holds = holds_,
@@ -338,6 +341,7 @@ void Viewer::record() {
                    {.shown = drawn_,
                     .eye = views_.eye(),
                     .pointer = gui_.pointer(),
+                    .follows_camera = views_.follows_camera(),
                     .is_coarse = rest_.is_coarse,
                     .button_down = gui_.is_button_down(),
                     .is_asking = takes_keys_,

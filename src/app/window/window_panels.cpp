@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/pictures/view_surface.h"
 #include "family/family_time.h"
 #include "ui/panels/detail_panel.h"
 #include "ui/panels/display_panel.h"
@@ -88,10 +89,12 @@ void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
 
 void show_detail(const WindowShown& shown, ShownWindow& result) {
     const Display& display = shown.state.session.display;
-    const float detail = detail_panel(display.detail, shown.figures.leaves);
-    if (detail == display.detail) return;
+    const DetailChoice choice{display.detail, display.follows_camera};
+    const DetailChoice wanted = detail_panel(choice, shown.figures.leaves, shown.follows_camera);
+    if (wanted == choice) return;
     result.actions.display = display;
-    result.actions.display->detail = detail;
+    result.actions.display->detail = wanted.detail;
+    result.actions.display->follows_camera = wanted.follows_camera;
 }
 
 void show_domain(const WindowShown& shown, ShownWindow& result) {
@@ -173,11 +176,14 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
     }
     end_panel();
     if (shown.state.session.has_time()) show_timeline(shown, result);
-    status_line(panels.status, {.active_keys = weights.size(),
-                                .leaves = shown.figures.leaves,
-                                .vertices = shown.figures.vertices,
-                                .rebuild_milliseconds = shown.figures.rebuild_milliseconds,
-                                .frame_milliseconds = shown.frame_milliseconds});
+    status_line(panels.status,
+                {.active_keys = weights.size(),
+                 .leaves = shown.figures.leaves,
+                 .max_leaves = shown.follows_camera ? std::optional(view_leaf_budget) : std::nullopt,
+                 .vertices = shown.figures.vertices,
+                 .measured_part = shown.measured_part,
+                 .rebuild_milliseconds = shown.figures.rebuild_milliseconds,
+                 .frame_milliseconds = shown.frame_milliseconds});
 }
 
 void show_message(const WindowShown& shown, const Rect& view, WindowActions& actions) {

@@ -42,6 +42,9 @@ struct WindowShown {
     std::span<const FamilyField> fields;
     std::span<const WeightCurve> curves;  ///< of the timeline, in its shown times
     const SurfaceFigures& figures;
+    bool follows_camera = false;  ///< whether the detail of the surface does
+    std::optional<double> measured_part =
+        {};  ///< of the keys, for their detail; none if there is nothing to measure
     std::span<const MessagePicture> pictures;  ///< illustrations of the message
     double frame_milliseconds;
     MouseHolds holds;

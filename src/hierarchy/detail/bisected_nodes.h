@@ -16,6 +16,7 @@ struct BisectedNode {
     Index place;          ///< in Hierarchy::midpoints
     unsigned level;       ///< number of bisections above it, below max_level
     unsigned child;       ///< which child of its parent it is, 0 or 1; 0 for a root
+    Index root;           ///< the root triangle above it, or itself
     bool is_first_visit;  ///< whether the preorder visits the midpoint for the first time
 };
 
@@ -32,6 +33,7 @@ void for_each_bisected_node(const Hierarchy& hierarchy, Visit visit) {
     std::size_t position = 0;
     Index place = 0;
     Index next_vertex = hierarchy.roots.vertex_count();
+    Index root_number = 0;
     for (const Triangle& root : hierarchy.roots.triangles()) {
         std::size_t pending_count = 0;
         pending[pending_count++] = {root, 0, 0};
@@ -41,12 +43,13 @@ void for_each_bisected_node(const Hierarchy& hierarchy, Visit visit) {
             const Index midpoint = hierarchy.midpoints[place];
             const bool is_new = midpoint == next_vertex;
             if (is_new) ++next_vertex;
-            visit(BisectedNode{node.vertices, midpoint, place, node.level, node.child, is_new});
+            visit(BisectedNode{node.vertices, midpoint, place, node.level, node.child, root_number, is_new});
             ++place;
             const auto [first, second] = bisect(node.vertices, midpoint);
             pending[pending_count++] = {second, node.level + 1, 1};
             pending[pending_count++] = {first, node.level + 1, 0};
         }
+        ++root_number;
     }
 }
 

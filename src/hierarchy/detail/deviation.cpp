@@ -78,7 +78,8 @@ float rounded_up(double value) {
 
 }  // namespace
 
-std::vector<float> deviations(const Hierarchy& hierarchy) {
+std::vector<float> deviations(const Hierarchy& hierarchy, const DetailProgress& progress) {
+    constexpr Index nodes_between_reports = 1 << 13;
     struct Ancestor {
         NodeTriangle triangle;
         Index place;
@@ -87,6 +88,8 @@ std::vector<float> deviations(const Hierarchy& hierarchy) {
     std::array<Ancestor, max_level> path;  // the present node and the nodes above it, by level
     std::vector<double> squared(hierarchy.midpoints.size(), 0.0);
     for_each_bisected_node(hierarchy, [&](const BisectedNode& node) {
+        if (progress && node.place % nodes_between_reports == 0)
+            progress(static_cast<double>(node.place) / static_cast<double>(hierarchy.midpoints.size()));
         const auto [i, j, k] = node.vertices;
         const auto& p = hierarchy.positions;
         path[node.level] = {NodeTriangle({p[i], p[j], p[k]}), node.place, node.child};

@@ -12,6 +12,7 @@
 
 #include <vector>
 
+#include "hierarchy/detail/detail_progress.h"
 #include "hierarchy/hierarchy.h"
 
 namespace interleaf {
@@ -19,6 +20,6 @@ namespace interleaf {
 /// The deviation of each bisected node, in the order of Hierarchy::midpoints and in the unit of positions,
 /// rounded up to a float. Takes time proportional to the sum of the levels of all vertices.
 /// \pre  the hierarchy passes check()
-std::vector<float> deviations(const Hierarchy& hierarchy);
+std::vector<float> deviations(const Hierarchy& hierarchy, const DetailProgress& progress = {});
 
 }  // namespace interleaf

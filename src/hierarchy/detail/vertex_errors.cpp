@@ -8,7 +8,6 @@
 #include <span>
 #include <utility>
 
-#include "hierarchy/detail/bisected_nodes.h"
 #include "hierarchy/detail/deviation.h"
 
 namespace interleaf {
@@ -16,36 +15,6 @@ namespace interleaf {
 namespace {
 
 constexpr float no_error = -1;
-
-/// A bisected triangle: the vertices and triangles that bisecting it involves.
-struct Bisection {
-    Index newest;                                          ///< the vertex that must exist before
-    std::array<Index, 2> children = {no_index, no_index};  ///< those that are bisected, too
-};
-
-/// The bisections of a hierarchy, by their places in Hierarchy::midpoints.
-struct BisectionForest {
-    std::vector<Bisection> bisections;
-    std::vector<Index> roots;              ///< the bisected roots
-    std::vector<std::array<Index, 2>> at;  ///< by vertex: the bisections that have it as their midpoint
-};
-
-BisectionForest forest_of(const Hierarchy& hierarchy) {
-    BisectionForest forest;
-    forest.bisections.reserve(hierarchy.midpoints.size());
-    forest.at.assign(hierarchy.vertex_count(), {no_index, no_index});
-    std::array<Index, max_level> path{};  // the present node and the nodes above it, by level
-    for_each_bisected_node(hierarchy, [&](const BisectedNode& node) {
-        forest.bisections.push_back({node.vertices[0]});
-        forest.at[node.midpoint][node.is_first_visit ? 0 : 1] = node.place;
-        path[node.level] = node.place;
-        if (node.level == 0)
-            forest.roots.push_back(node.place);
-        else
-            forest.bisections[path[node.level - 1]].children[node.child] = node.place;
-    });
-    return forest;
-}
 
 /// A triangle that exists and is bisected next if its error is the largest.
 struct TriangleToBisect {
@@ -60,20 +29,25 @@ struct TriangleToBisect {
 /// The refinement that determines the errors.
 class ErrorRefinement {
   public:
-    explicit ErrorRefinement(const Hierarchy& hierarchy)
-        : midpoints_(hierarchy.midpoints),
-          deviations_(deviations(hierarchy)),
-          forest_(forest_of(hierarchy)),
-          errors_(hierarchy.vertex_count(), no_error) {
+    ErrorRefinement(const Hierarchy& hierarchy, const BisectionForest& forest,
+                    std::span<const float> deviations)
+        : deviations_(deviations), forest_(forest), errors_(hierarchy.vertex_count(), no_error) {
         std::fill_n(errors_.begin(), hierarchy.roots.vertex_count(), std::numeric_limits<float>::infinity());
     }
 
-    std::vector<float> run() && {
-        for (const Index root : forest_.roots) candidates_.push({deviations_[root], root});
+    std::vector<float> run(const DetailProgress& progress) && {
+        constexpr std::size_t between_reports = 1 << 13;
+        std::size_t taken = 0;
+        for (const Index root : forest_.roots)
+            if (root != no_index) candidates_.push({deviations_[root], root});
         while (!candidates_.empty()) {
             const auto [error, place] = candidates_.top();
             candidates_.pop();
-            if (errors_[midpoints_[place]] == no_error) make(midpoints_[place], error);
+            if (progress && taken % between_reports == 0)
+                progress(static_cast<double>(taken) / static_cast<double>(deviations_.size()));
+            ++taken;
+            const Index midpoint = forest_.bisections[place].midpoint;
+            if (errors_[midpoint] == no_error) make(midpoint, error);
         }
         return std::move(errors_);
     }
@@ -98,13 +72,12 @@ class ErrorRefinement {
 
     void add_children(Index place, float error) {
         for (const Index child : forest_.bisections[place].children)
-            if (child != no_index && errors_[midpoints_[child]] == no_error)
+            if (child != no_index && errors_[forest_.bisections[child].midpoint] == no_error)
                 candidates_.push({std::min(error, deviations_[child]), child});
     }
 
-    std::span<const Index> midpoints_;
-    std::vector<float> deviations_;
-    BisectionForest forest_;
+    std::span<const float> deviations_;
+    const BisectionForest& forest_;
     std::vector<float> errors_;
     std::vector<Index> made_;
     std::priority_queue<TriangleToBisect> candidates_;
@@ -112,8 +85,16 @@ class ErrorRefinement {
 
 }  // namespace
 
-std::vector<float> vertex_errors(const Hierarchy& hierarchy) {
-    return ErrorRefinement(hierarchy).run();
+std::vector<float> vertex_errors(const Hierarchy& hierarchy, const DetailProgress& progress) {
+    constexpr double until_deviations = 0.6;
+    const std::vector<float> deviation = deviations(hierarchy, detail_part(progress, 0, until_deviations));
+    return vertex_errors(hierarchy, bisection_forest(hierarchy), deviation,
+                         detail_part(progress, until_deviations, 1));
+}
+
+std::vector<float> vertex_errors(const Hierarchy& hierarchy, const BisectionForest& forest,
+                                 std::span<const float> deviations, const DetailProgress& progress) {
+    return ErrorRefinement(hierarchy, forest, deviations).run(progress);
 }
 
 }  // namespace interleaf

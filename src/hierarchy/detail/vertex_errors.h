@@ -9,14 +9,23 @@
 // deviation of at most the threshold.
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "hierarchy/detail/bisection_forest.h"
+#include "hierarchy/detail/detail_progress.h"
 #include "hierarchy/hierarchy.h"
 
 namespace interleaf {
 
 /// The error of each vertex, in the unit of positions; infinity for the vertices of the roots.
 /// \pre  the hierarchy passes check()
-std::vector<float> vertex_errors(const Hierarchy& hierarchy);
+std::vector<float> vertex_errors(const Hierarchy& hierarchy, const DetailProgress& progress = {});
+
+/// As above.
+/// \param forest      bisection_forest() of \p hierarchy
+/// \param deviations  deviations() of \p hierarchy
+std::vector<float> vertex_errors(const Hierarchy& hierarchy, const BisectionForest& forest,
+                                 std::span<const float> deviations, const DetailProgress& progress = {});
 
 }  // namespace interleaf

@@ -10,15 +10,29 @@
 
 namespace interleaf {
 
-float detail_panel(float detail, std::size_t leaves) {
-    const std::string part =
-        detail < 1 ? fmt::format("{:.0f} %", 100 * static_cast<double>(detail)) : std::string("whole keys");
-    heading("Detail", fmt::format("{}, {} leaves", part, grouped(leaves)));
+namespace {
+
+std::string part_in_words(const DetailChoice& choice, bool is_coarse) {
+    if (choice.follows_camera) return "by camera";
+    if (is_coarse) return "while moving";
+    if (choice.detail >= 1) return "whole keys";
+    return fmt::format("{:.0f} %", 100 * static_cast<double>(choice.detail));
+}
+
+}  // namespace
+
+DetailChoice detail_panel(DetailChoice choice, std::size_t leaves, bool is_coarse) {
+    heading("Detail", fmt::format("{}, {} leaves", part_in_words(choice, is_coarse), grouped(leaves)));
+    ImGui::BeginDisabled(choice.follows_camera);
     ImGui::SetNextItemWidth(-1);
-    ImGui::SliderFloat("##detail", &detail, 0, 1, "", ImGuiSliderFlags_AlwaysClamp);
+    ImGui::SliderFloat("##detail", &choice.detail, 0, 1, "", ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
         ImGui::SetTooltip("From the roots to the whole keys (- and =)");
-    return detail;
+    ImGui::EndDisabled();
+    ImGui::Checkbox("Follow the camera", &choice.follows_camera);
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Finer where the surface is seen large and at its silhouette (Shift+D)");
+    return choice;
 }
 
 }  // namespace interleaf

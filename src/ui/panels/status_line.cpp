@@ -15,10 +15,13 @@ void status_line(const Rect& rect, const StatusFigures& figures) {
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
     begin_panel("status", rect);
     ImGui::PushFont(small_font());
-    const std::string text = fmt::format(
-        "{} {} active   ·   {} leaves   ·   {} vertices   ·   rebuilt in {:.1f} ms   ·   frame {:.1f} ms",
+    std::string text = fmt::format(
+        "{} {} active   ·   {} leaves{}   ·   {} vertices   ·   rebuilt in {:.1f} ms   ·   frame {:.1f} ms",
         figures.active_keys, figures.active_keys == 1 ? "key" : "keys", grouped(figures.leaves),
+        figures.max_leaves ? fmt::format(" of at most {}", grouped(*figures.max_leaves)) : "",
         grouped(figures.vertices), figures.rebuild_milliseconds, figures.frame_milliseconds);
+    if (figures.measured_part)
+        text += fmt::format("   ·   measuring detail, {:.0f} %", 100 * *figures.measured_part);
     const glm::vec2 corner{rect.x + scaled(12),
                            rect.y + std::round((rect.height - ImGui::GetTextLineHeight()) / 2)};
     draw_text(corner, rect.width - 2 * scaled(12), colors::dim_text, text);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "ui/widgets/rect.h"
 
@@ -9,9 +10,11 @@ namespace interleaf {
 
 struct StatusFigures {
     std::size_t active_keys;
-    std::size_t leaves;  ///< leaves of the union
+    std::size_t leaves;                     ///< leaves of the shown surface
+    std::optional<std::size_t> max_leaves;  ///< the budget while the detail follows the camera
     std::size_t vertices;
-    double rebuild_milliseconds;  ///< duration of the last rebuild of the union
+    std::optional<double> measured_part;  ///< of the keys, for their detail, 0 to 1; none for nothing to do
+    double rebuild_milliseconds;          ///< duration of the last rebuild of the union
     double frame_milliseconds;
 };
 

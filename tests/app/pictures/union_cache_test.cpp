@@ -59,6 +59,17 @@ TEST_CASE("a union that was made ahead is ready, and a replaced wish is not made
     CHECK_FALSE(cache.get({keys[2], keys[1]}).is_ready);  // another order, other streams
 }
 
+TEST_CASE("a wanted union is coming until it is made") {
+    const auto keys = some_keys();
+    UnionCache cache;
+    const UnionCache::Keys pair{keys[0], keys[1]}, other{keys[1], keys[2]};
+    CHECK_FALSE(cache.is_coming(pair));
+    cache.prepare({pair});
+    while (cache.is_coming(pair)) cache.wait();
+    CHECK(cache.get(pair).is_ready);
+    CHECK_FALSE(cache.is_coming(other));
+}
+
 TEST_CASE("the least recently used unions go where memory is short, but never the one in use") {
     const auto keys = some_keys();
     const std::size_t bytes = UnionCache().get({keys[0], keys[1]}).united->byte_count();
