@@ -141,6 +141,7 @@ void Renderer::upload_blend(const UnionMesh& mesh, std::span<const glm::vec3> po
     describe_next(mesh, leaves);
     next_.buffers.send(std::numeric_limits<std::size_t>::max());
     show_sent(keys);
+    shown_.key_count = 1;
 }
 
 bool Renderer::send(std::size_t max_bytes) {

@@ -297,7 +297,7 @@ TEST_CASE("the detail follows the camera within its budget of leaves, until it i
     const State start =
         viewer.wait_for("five active keys", [](const State& s) { return s["active"].size() == 5; });
     REQUIRE(start["leaves"] > 20000);
-    viewer.press(XK_d, XK_Shift_L);
+    viewer.press(XK_c, XK_Shift_L);
     const State followed =
         viewer.wait_for("detail by camera", [](const State& s) { return s["detail_follows"] == true; });
     CHECK(followed["display"]["follows_camera"] == true);
@@ -309,7 +309,7 @@ TEST_CASE("the detail follows the camera within its budget of leaves, until it i
     CHECK(turned["detail_follows"] == true);
     CHECK(turned["leaves"] <= 20000);
     CHECK(turned["rebuilds"] == start["rebuilds"]);
-    viewer.press(XK_d, XK_Shift_L);
+    viewer.press(XK_c, XK_Shift_L);
     viewer.wait_for("whole keys", [&](const State& s) {
         return s["detail_follows"] == false && s["leaves"] == start["leaves"];
     });

@@ -31,7 +31,7 @@ DetailChoice detail_panel(DetailChoice choice, std::size_t leaves, bool is_coars
     ImGui::EndDisabled();
     ImGui::Checkbox("Follow the camera", &choice.follows_camera);
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Finer where the surface is seen large and at its silhouette (Shift+D)");
+        ImGui::SetTooltip("Finer where the surface is seen large and at its silhouette (Shift+C)");
     return choice;
 }
 
