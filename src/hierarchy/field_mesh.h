@@ -17,7 +17,7 @@ namespace interleaf {
 struct MeshField {
     std::string name;
     std::size_t components = 1;  ///< per point or triangle, at least 1
-    std::vector<double> values;  ///< point after point, with the components of a point together
+    std::vector<double> values;  ///< point after point, with the components of a point together; any doubles
     bool operator==(const MeshField&) const = default;
 };
 

@@ -23,7 +23,8 @@ CleanMesh MeshFitter::clean_next(SurfaceFile surface, const Progress& progress) 
     if (!task_.ups.empty()) turn_up(surface.positions, task_.ups[next_]);
     if (!task_.origin) task_.origin = origin_for(surface.positions, surface.triangles);
     for (glm::dvec3& position : surface.positions) position -= *task_.origin;
-    return clean_up({std::move(surface.positions), std::move(surface.triangles), std::move(surface.colors)},
+    return clean_up({std::move(surface.positions), std::move(surface.triangles), std::move(surface.colors),
+                     std::move(surface.scalars)},
                     progress);
 }
 
