@@ -1,6 +1,7 @@
 #include "app/cli/export_command.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -9,6 +10,7 @@
 #include "app/document/opening.h"
 #include "family/origin.h"
 #include "hierarchy/error.h"
+#include "io/export/time_list.h"
 #include "io/formats.h"
 #include "io/text/joined_text.h"
 
@@ -22,14 +24,21 @@ void run_export(const ExportOptions& options) {
                                      either_of(format_names(&Format::is_exported_key)), name));
     if (options.segments && name != "glb")
         throw UsageError(fmt::format("--segments: expected the format glb, got '{}'", name));
-    if ((options.series.frames_per_second || options.series.mesh) && name != "pvd")
-        throw UsageError(fmt::format("--fps and --union: expected the format pvd, got '{}'", name));
+    if ((options.series.has_times() || !options.times.empty() || options.series.mesh) && name != "pvd")
+        throw UsageError(
+            fmt::format("--fps, --every, --times and --union: expected the format pvd, got '{}'", name));
+    if (options.series.frames_per_second.has_value() + options.series.interval.has_value() +
+            !options.times.empty() >
+        1)
+        throw UsageError("--fps, --every and --times exclude each other");
+    SeriesExportOptions series = options.series;
+    if (!options.times.empty()) series.times = read_times(options.times);
     const Family family = open_family(options.morph.family);
     std::vector<std::string> remarks;
     format.write({.family = family,
                   .weights = chosen_weights(options.morph, family),
                   .form = options.form,
-                  .series = options.series,
+                  .series = std::move(series),
                   .segments = options.segments,
                   .remarks = &remarks},
                  target_of(options.output));

@@ -8,6 +8,8 @@
 
 #include "app/cli/morph_selection.h"
 #include "app/document/opening.h"
+#include "app/document/shown_field.h"
+#include "family/family_fields.h"
 #include "family/family_time.h"
 #include "hierarchy/error.h"
 #include "render/context.h"
@@ -23,6 +25,14 @@ Family along_source(Family family, std::optional<TimeSource> along) {
     return with_time_source(std::move(family), *along);
 }
 
+/// Opens the window on the keys of a series, colored by their field unless the display says otherwise.
+void show_series(const SeriesToImport& series, const ViewOptions& view) {
+    OpenedKeys keys = import_steps(series);
+    ViewerOptions options = view.viewer;
+    if (options.display == Display()) color_by_field(options.display, fields_of(keys.family.keys));
+    run_viewer(along_source(std::move(keys.family), view.along), series.files, {}, options);
+}
+
 /// Opens the window. For meshes, the window shows the built-in family and offers to fit the meshes.
 /// \param opened  is emptied
 void show(Opening& opened, const std::vector<std::filesystem::path>& sources, const ViewOptions& view) {
@@ -32,7 +42,8 @@ void show(Opening& opened, const std::vector<std::filesystem::path>& sources, co
     };
     std::visit(Cases{[&](OpenedFamily& family) { run(std::move(family.family), sources, {}); },
                      [&](OpenedKeys& keys) { run(std::move(keys.family), sources, {}); },
-                     [&](MeshesToFit& meshes) { run(open_family({}), {}, std::move(meshes.files)); }},
+                     [&](MeshesToFit& meshes) { run(open_family({}), {}, std::move(meshes.files)); },
+                     [&](const SeriesToImport& series) { show_series(series, view); }},
                opened);
 }
 

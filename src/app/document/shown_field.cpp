@@ -1,5 +1,6 @@
 #include "app/document/shown_field.h"
 
+#include <algorithm>
 #include <string>
 
 #include <fmt/core.h>
@@ -21,6 +22,14 @@ void require_field(const Display& display, std::span<const FamilyField> fields) 
 
 const FamilyField* shown_field(const Display& display, std::span<const FamilyField> fields) {
     return display.coloring == Coloring::field ? find_field(fields, display.field) : nullptr;
+}
+
+void color_by_field(Display& display, std::span<const FamilyField> fields) {
+    const auto is_scalar = [](const FamilyField& field) { return field.label.kind == FieldKind::scalar; };
+    const auto first = std::ranges::find_if(fields, is_scalar);
+    if (first == fields.end()) return;
+    display.coloring = Coloring::field;
+    display.field = first->label.name;
 }
 
 void adapt_display(Display& display, std::span<const FamilyField> fields) {

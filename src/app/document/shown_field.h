@@ -19,4 +19,7 @@ const FamilyField* shown_field(const Display& display, std::span<const FamilyFie
 /// Without fields, it shows the plain color. An unlocked range becomes the range over all keys.
 void adapt_display(Display& display, std::span<const FamilyField> fields);
 
+/// Makes \p display show the first scalar of \p fields, if there is one.
+void color_by_field(Display& display, std::span<const FamilyField> fields);
+
 }  // namespace interleaf

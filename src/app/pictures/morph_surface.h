@@ -57,6 +57,10 @@ class MorphSurface {
     /// \pre \p weights are those of the last update()
     Extent extent(const Weights& weights) const;
 
+    /// The shown union.
+    /// \pre update() has been called
+    const UnionMesh& mesh() const { return union_->mesh; }
+
     const SurfaceFigures& figures() const { return figures_; }
     Renderer& renderer() { return renderer_; }
 

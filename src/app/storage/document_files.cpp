@@ -136,6 +136,7 @@ void DocumentFiles::show(const Rect& area, double now) {
     if (auto choice = browser_.show(area)) choice_ = std::move(choice);
     if (auto answer = dialog_.show(area)) answer_ = std::move(answer);
     fitting_.show(area, now);
+    importing_.show(area, now);
 }
 
 void DocumentFiles::act(float density, double now) {
@@ -160,6 +161,7 @@ void DocumentFiles::act(float density, double now) {
             });
     }
     if (const auto error = fitting_.update(density, now)) complain(*error);
+    if (const auto error = importing_.update(now)) complain(*error);
 }
 
 void DocumentFiles::look_after(double now) {

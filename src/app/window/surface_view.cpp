@@ -1,37 +1,111 @@
 #include "app/window/surface_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
 
 #include "app/window/camera_control.h"
 #include "hierarchy/color.h"
+#include "ui/widgets/arrow_marks.h"
 #include "ui/widgets/value_label.h"
 
 namespace interleaf {
 
+namespace {
+
+/// Side of a cell with at most one arrow, at scale 1.
+constexpr float arrow_cell = 24;
+
+/// The camera's first direction, in degrees.
+constexpr glm::vec2 usual_direction{30, 20};
+
+/// From where a plane across an axis is seen from its front, and from where its heights are seen.
+constexpr std::array<glm::vec2, 3> front_directions = {{{90, 0}, {0, 90}, {0, 0}}};
+constexpr std::array<glm::vec2, 3> oblique_directions = {{{60, 25}, {30, 35}, {-30, 25}}};
+
+float size_of(const Box& box) {
+    const glm::vec3 size = box.max - box.min;
+    return std::max({size.x, size.y, size.z});
+}
+
+}  // namespace
+
 SurfaceView::SurfaceView() {
-    camera_.look_from(30, 20);
+    camera_.look_from(usual_direction.x, usual_direction.y);
+}
+
+void SurfaceView::set_extent(const Extent& all_keys) {
+    all_keys_ = all_keys;
+    const std::optional<unsigned> axis = flat_axis(all_keys.box);
+    if (axis == axis_) return;
+    axis_ = axis;
+    if (axis_)
+        face_plane();
+    else
+        camera_.look_from(usual_direction.x, usual_direction.y);
+}
+
+/// Looks at the plane of the keys from its front, or at their heights from the side.
+void SurfaceView::face_plane() {
+    const glm::vec2 direction = (warped_.is_warped() ? oblique_directions : front_directions)[*axis_];
+    camera_.look_from(direction.x, direction.y);
 }
 
 void SurfaceView::apply_to_camera(const ViewInput& input, const Rect& view) {
-    move_camera(camera_, input, view, picture_.target());
+    ViewInput applied = input;
+    if (axis_ && !warped_.is_warped() && !input.turns_flat) applied.pan += std::exchange(applied.orbit, {});
+    move_camera(camera_, applied, view, picture_.target());
 }
 
-void SurfaceView::follow(const Session& session, const FamilyField* field) {
+/// The warp that \p display asks for, if the keys are flat.
+std::optional<Warp> SurfaceView::warp_of(const Display& display, const FamilyField* field) const {
+    if (!axis_ || !(display.height > 0) || field == nullptr || field->label.kind != FieldKind::scalar ||
+        !(field->max > field->min))
+        return std::nullopt;
+    return Warp{.axis = *axis_,
+                .field = field->label.name,
+                .factor = display.height * size_of(all_keys_.box) / (field->max - field->min),
+                .zero = field->min};
+}
+
+void SurfaceView::follow(const Session& session, const FamilyField* field,
+                         std::span<const FamilyField> fields) {
+    const bool was_warped = warped_.is_warped();
     detailed_.follow(session.family(), session.weights(), session.display.detail);
-    surface_.update(detailed_.family(), detailed_.weights(), field != nullptr ? &field->label : nullptr,
-                    detailed_.sources());
-    if (session.display.detail >= 1) surface_.expect(session.family(), session.next_key_sets());
+    warped_.follow(detailed_.family(), detailed_.weights(), detailed_.sources(),
+                   warp_of(session.display, field));
+    if (axis_ && was_warped != warped_.is_warped()) {
+        face_plane();
+        must_frame_ = true;
+    }
+    surface_.update(warped_.family(), warped_.weights(), field != nullptr ? &field->label : nullptr,
+                    warped_.sources());
+    const bool shows_arrows = session.display.arrows && field != nullptr;
+    arrows_.follow(warped_.family(), warped_.weights(), surface_.mesh(), surface_.figures().rebuilds,
+                   shows_arrows ? vector_of(fields, field->label.name) : std::nullopt);
+    if (session.display.detail >= 1 && !warped_.is_warped())
+        surface_.expect(session.family(), session.next_key_sets());
+    if (warped_.is_warped()) camera_.keep_unclipped(raised_extent());
 }
 
-void SurfaceView::aim(ViewTarget view_target, const Extent& all_keys, const Rect& view) {
-    if (view_target == ViewTarget::surface)
-        camera_.view_all(surface_.extent(detailed_.weights()), aspect_of(view));
+/// The extent of all keys, with room for the largest height.
+Extent SurfaceView::raised_extent() const {
+    Box box = all_keys_.box;
+    box.max[static_cast<int>(*axis_)] += size_of(box);
+    return extent_of(box);
+}
+
+void SurfaceView::aim(ViewTarget view_target, const Rect& view) {
+    if (std::exchange(must_frame_, false) && view_target == ViewTarget::none)
+        view_target = ViewTarget::all_keys;
+    if (view_target == ViewTarget::surface || (view_target != ViewTarget::none && warped_.is_warped()))
+        camera_.view_all(surface_.extent(warped_.weights()), aspect_of(view));
     else if (view_target == ViewTarget::all_keys)
-        camera_.view_all(all_keys, aspect_of(view));
+        camera_.view_all(all_keys_, aspect_of(view));
 }
 
 bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui, float window_height) {
@@ -39,7 +113,7 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
     Scene scene{.width = std::max(pixels(view.width), 1),
                 .height = std::max(pixels(view.height), 1),
                 .camera = camera_,
-                .weights = weight_values(detailed_.weights()),
+                .weights = weight_values(warped_.weights()),
                 .display = session.display,
                 .surface = surface_.figures().rebuilds};
     scene.display.line_width *= gui.scale() * gui.density();
@@ -48,12 +122,23 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
     return is_good;
 }
 
+void SurfaceView::draw_arrows(const Rect& view, const Gui& gui) {
+    if (!arrows_.are_shown()) return;
+    OffscreenTarget& target = *picture_.target();
+    const std::vector<float> depths = target.read_depths();
+    for (const Arrow& arrow :
+         arrows_.arrows(surface_.mesh(), warped_.weights(), camera_,
+                        {target.width(), target.height(), depths}, arrow_cell * gui.scale() * gui.density()))
+        arrow_mark(glm::vec2(view.x, view.y) + arrow.from / gui.density(),
+                   glm::vec2(view.x, view.y) + arrow.to / gui.density());
+}
+
 void SurfaceView::show_value(const Session& session, const FamilyField& field, glm::vec2 pointer,
                              const Rect& view) {
     const glm::vec2 at = device_coordinates(view, pointer);
     const float aspect = aspect_of(view);
     const Ray ray{camera_.point_at(at, 0, aspect), camera_.point_at(at, 1, aspect)};
-    const std::optional<glm::vec3> value = surface_.field_at(ray, detailed_.weights());
+    const std::optional<glm::vec3> value = surface_.field_at(ray, warped_.weights());
     if (!value) return;
     const bool is_scalar = field.label.kind == FieldKind::scalar;
     const glm::vec3 color =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <glm/vec2.hpp>
 
@@ -10,7 +11,10 @@
 #include "app/pictures/detailed_family.h"
 #include "app/pictures/morph_surface.h"
 #include "app/pictures/scene_picture.h"
+#include "app/pictures/vector_arrows.h"
+#include "app/pictures/warped_family.h"
 #include "family/family_fields.h"
+#include "family/warp.h"
 #include "hierarchy/measure.h"
 #include "render/camera.h"
 #include "ui/gui.h"
@@ -24,22 +28,32 @@ class SurfaceView {
     /// \pre an OpenGL context is current
     SurfaceView();
 
+    /// Takes the extent of all keys of a document. The camera faces keys that lie in one plane, if those before did
+    /// not.
+    void set_extent(const Extent& all_keys);
+
+    /// Whether all keys lie in one plane.
+    bool is_flat() const { return axis_.has_value(); }
+
     /// Moves the camera by \p input, which was read over \p view.
     void apply_to_camera(const ViewInput& input, const Rect& view);
 
     /// Updates the surface to \p session.
-    /// \param field  the field that the session's display shows; null for none
-    void follow(const Session& session, const FamilyField* field);
+    /// \param field   the field that the session's display shows; null for none
+    /// \param fields  of the family
+    void follow(const Session& session, const FamilyField* field, std::span<const FamilyField> fields);
 
     /// Frames \p view_target: points the camera at the target, which then fills \p view.
-    /// \param all_keys  extent of all keys
     /// \pre follow() has been called
-    void aim(ViewTarget view_target, const Extent& all_keys, const Rect& view);
+    void aim(ViewTarget view_target, const Rect& view);
 
     /// Draws the surface into the window at \p view, behind the panels.
     /// \param window_height  screen coordinates
     /// \return whether the picture has its final quality; otherwise draw again soon
     bool draw(const Session& session, const Rect& view, const Gui& gui, float window_height);
+
+    /// Draws the arrows of the session of the last follow(), over the picture of the last draw().
+    void draw_arrows(const Rect& view, const Gui& gui);
 
     /// Shows the value of \p field under \p pointer, or nothing if the pointer is not over the surface.
     void show_value(const Session& session, const FamilyField& field, glm::vec2 pointer, const Rect& view);
@@ -51,8 +65,17 @@ class SurfaceView {
     const Camera& camera() const { return camera_; }
 
   private:
+    std::optional<Warp> warp_of(const Display& display, const FamilyField* field) const;
+    void face_plane();
+    Extent raised_extent() const;  ///< \pre is_flat()
+
+    Extent all_keys_;               ///< flat, if the keys are
+    std::optional<unsigned> axis_;  ///< across the plane of all keys; none if they are not flat
+    bool must_frame_ = false;       ///< the camera has turned to or from the plane
     DetailedFamily detailed_;
+    WarpedFamily warped_;
     MorphSurface surface_;
+    VectorArrows arrows_;
     ScenePicture picture_;
     Camera camera_;
 };
