@@ -6,8 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "app/pictures/warped_family.h"
 #include "family/family.h"
 #include "family/family_fields.h"
+#include "family/warp.h"
 #include "render/camera.h"
 #include "render/display.h"
 #include "render/offscreen_target.h"
@@ -41,6 +43,8 @@ class BlendPainter {
     Display display_;
     Renderer renderer_;
     OffscreenTarget target_;
+    std::optional<Warp> warp_;
+    WarpedFamily warped_;
     std::vector<std::size_t> keys_;  ///< whose union the renderer has
 };
 

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <glm/common.hpp>
 
+#include "app/document/shown_field.h"
 #include "app/window/camera_control.h"
 #include "hierarchy/color.h"
 #include "ui/widgets/arrow_marks.h"
@@ -61,23 +62,12 @@ void SurfaceView::apply_to_camera(const ViewInput& input, const Rect& view) {
     move_camera(camera_, applied, view, picture_.target());
 }
 
-/// The warp that \p display asks for, if the keys are flat.
-std::optional<Warp> SurfaceView::warp_of(const Display& display, const FamilyField* field) const {
-    if (!axis_ || !(display.height > 0) || field == nullptr || field->label.kind != FieldKind::scalar ||
-        !(field->max > field->min))
-        return std::nullopt;
-    return Warp{.axis = *axis_,
-                .field = field->label.name,
-                .factor = display.height * size_of(all_keys_.box) / (field->max - field->min),
-                .zero = field->min};
-}
-
 void SurfaceView::follow(const Session& session, const FamilyField* field,
                          std::span<const FamilyField> fields) {
     const bool was_warped = warped_.is_warped();
     detailed_.follow(session.family(), session.weights(), session.display.detail);
     warped_.follow(detailed_.family(), detailed_.weights(), detailed_.sources(),
-                   warp_of(session.display, field));
+                   warp_of(session.display, fields, all_keys_.box));
     if (axis_ && was_warped != warped_.is_warped()) {
         face_plane();
         must_frame_ = true;

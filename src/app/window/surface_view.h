@@ -65,7 +65,6 @@ class SurfaceView {
     const Camera& camera() const { return camera_; }
 
   private:
-    std::optional<Warp> warp_of(const Display& display, const FamilyField* field) const;
     void face_plane();
     Extent raised_extent() const;  ///< \pre is_flat()
 
