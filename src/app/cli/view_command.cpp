@@ -13,6 +13,7 @@
 #include "family/family_time.h"
 #include "hierarchy/error.h"
 #include "render/context.h"
+#include "sequence/series/series.h"
 
 namespace interleaf {
 
@@ -25,10 +26,17 @@ Family along_source(Family family, std::optional<TimeSource> along) {
     return with_time_source(std::move(family), *along);
 }
 
-/// Opens the window on the keys of a series, colored by their field unless the display says otherwise.
+/// Opens the window on the keys of a series, colored by their field unless the display says otherwise. Where the
+/// series needs a tolerance, the window shows the built-in family and asks for it.
 void show_series(const SeriesToImport& series, const ViewOptions& view) {
-    OpenedKeys keys = import_steps(series);
     ViewerOptions options = view.viewer;
+    OpenedKeys keys;
+    try {
+        keys = import_steps(series);
+    } catch (const NeedsTolerance&) {
+        run_viewer(open_family({}), {}, series.files, options);
+        return;
+    }
     if (options.display == Display()) color_by_field(options.display, fields_of(keys.family.keys));
     run_viewer(along_source(std::move(keys.family), view.along), series.files, {}, options);
 }
