@@ -30,9 +30,6 @@ class OrderSearch {
     /// nearest to the middle of their edges.
     std::optional<OrderRule> best() const;
 
-    /// The number of rules that are accepted so far.
-    std::size_t rule_count() const { return candidates_.size(); }
-
   private:
     struct Candidate {
         OrderRule rule;

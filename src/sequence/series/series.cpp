@@ -57,13 +57,13 @@ class Recovery {
         return mesh;
     }
 
-    /// Recovers by order in one pass, where only one rule suits the first step. That halves the time.
+    /// Recovers by order in one pass, by the rule that suits the first step best. That halves the time.
     /// \return whether the rule suits all steps; if not, nothing has happened
     bool recover_at_once() {
         if (options_.roots != nullptr) return false;
         OrderSearch search(options_.newest);
         StepMesh mesh = read_conforming(0);
-        if (!search.add(mesh) || search.rule_count() != 1) return false;
+        if (!search.add(mesh)) return false;
         const OrderRule rule = *search.best();
         OrderedRoots roots;
         for (std::size_t step = 0; step < count_; ++step) {
