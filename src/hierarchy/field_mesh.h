@@ -21,6 +21,9 @@ struct MeshField {
     bool operator==(const MeshField&) const = default;
 };
 
+/// The name of a component as a scalar of its own: "velocity y", or the name of a field of one component.
+std::string component_name(const MeshField& field, std::size_t component);
+
 struct FieldMesh {
     std::vector<glm::dvec3> points;  ///< as in the file; points may be doubled, and may belong to no triangle
 

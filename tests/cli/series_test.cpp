@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/family/family_file.h"
+#include "io/hierarchy/hierarchy_file.h"
 #include "io/series_files.h"
 
 namespace interleaf {
@@ -108,6 +109,18 @@ TEST_CASE("closed surfaces that move and are meshed anew get fitted keys with th
             CHECK(std::abs(hierarchy.fields[2].values[v] - hierarchy.positions[v].y) < 1e-4F);
         }
     }
+}
+
+TEST_CASE("fit takes a step of a series as a mesh, with its fields") {
+    const ScratchFolder folder;
+    put(folder / "g.vtk", globe_file(12, 1));
+    const Outcome outcome =
+        run_interleaf({"fit", folder / "g.vtk", "--leaves", "300", "-o", folder / "g.ilh"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    const Hierarchy key = read_hierarchy(folder / "g.ilh");
+    CHECK(labels(key.fields) == std::vector<FieldName>{{"height"}, {"v x"}, {"v y"}, {"v z"}});
+    for (std::size_t v = 0; v < key.positions.size(); ++v)
+        CHECK(std::abs(key.fields[0].values[v] - key.positions[v].z) < 1e-4F);
 }
 
 TEST_CASE("where no key can be fitted either, the message says what was tried") {

@@ -24,7 +24,7 @@ void add_fit(CLI::App& program) {
             [options](const std::vector<std::string>& files) {
                 options->meshes.assign(files.begin(), files.end());
             },
-            fmt::format("Meshes: {} files; several meshes make a family",
+            fmt::format("Meshes: {}, or VTK files; several meshes make a family",
                         extensions_in_words(&Format::holds_mesh)))
         ->required();
     command

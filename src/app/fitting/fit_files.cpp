@@ -8,7 +8,7 @@
 #include "family/origin.h"
 #include "fit/mesh/stopwatch.h"
 #include "hierarchy/error.h"
-#include "io/read_files.h"
+#include "io/series_files.h"
 
 namespace interleaf {
 
@@ -80,7 +80,7 @@ FittedMesh MeshFitter::fit_next(const Progress& progress) {
     constexpr double fitting_begins = 0.1;
     constexpr double fitting_ends = 0.97;
     const std::filesystem::path& file = task_.meshes[next_];
-    SurfaceFile surface = read_surface(file);
+    SurfaceFile surface = read_mesh_to_fit(file);
     FittedMesh fitted;
     fitted.remarks = std::move(surface.remarks);
     std::vector<StageTime> times;

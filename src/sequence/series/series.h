@@ -1,7 +1,7 @@
 // Recovers key hierarchies from a series of flat meshes, one per time step, that a program for numerics has
 // refined and coarsened by bisection. docs/series.md describes the methods, and what each of them needs.
 //
-// The recovery reads the steps one after the other, two or three times, and holds a few of them at a time.
+// The recovery reads the steps one after the other, up to four times, and holds a few of them at a time.
 #pragma once
 
 #include <cstddef>
