@@ -34,6 +34,7 @@ uniform samplerBuffer palette;    // linear light
 #if FIELD == 1
 uniform vec2 value_range;         // values outside get the color of the nearer end
 uniform vec3 placing;             // base, factor and offset of a value's place in the palette, 0 to 1
+uniform bool is_logarithmic;      // the place is that of the value's logarithm
 #endif
 
 out vec4 color;
@@ -72,6 +73,7 @@ vec3 shading_normal() {
 #if FIELD == 1
 vec3 field_color() {
     float value = clamp(surface.value, value_range.x, value_range.y);
+    if (is_logarithmic) value = log(value);
     float place = clamp((value - placing.x) * placing.y + placing.z, 0.0, 1.0);
     int last = textureSize(palette) - 1;
     float at = place * float(last);

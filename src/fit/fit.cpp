@@ -13,7 +13,7 @@
 #include "fit/landmark_fitting.h"
 #include "fit/landmarks/pinned_map.h"
 #include "fit/map_choice.h"
-#include "fit/sampling/sampled_colors.h"
+#include "fit/sampling/sampled_fields.h"
 #include "fit/sampling/surface_sampling.h"
 #include "hierarchy/error.h"
 
@@ -119,7 +119,7 @@ FittedKey key_of(JudgedMap judged, const FitOptions& options, const LandmarkPins
         stopwatch.lap("measuring");
     }
     key.hierarchy = hierarchy_from_leaves(options.roots.complex, surface.leaves, surface.positions,
-                                          sampled_colors(map.original, map.mapped, surface));
+                                          sampled_fields(map.original, map.mapped, surface));
     report.landmarks = fitted_landmarks(options.landmarks, map, {key.hierarchy, options.roots});
     report.landmark_faults = faults_of_places(report.landmarks);
     if (pins != nullptr)

@@ -73,7 +73,7 @@ struct FitReport {
 };
 
 struct FittedKey {
-    Hierarchy hierarchy;  ///< with the field "color" if the mesh has colors
+    Hierarchy hierarchy;  ///< with the scalars of the mesh, and the field "color" if it has colors
     FitReport report;
     SurfaceMesh mesh;  ///< the cleaned mesh, which the key represents; empty from fit_mapped()
 

@@ -17,9 +17,12 @@ namespace interleaf {
 struct MeshField {
     std::string name;
     std::size_t components = 1;  ///< per point or triangle, at least 1
-    std::vector<double> values;  ///< point after point, with the components of a point together
+    std::vector<double> values;  ///< point after point, with the components of a point together; any doubles
     bool operator==(const MeshField&) const = default;
 };
+
+/// The name of a component as a scalar of its own: "velocity y", or the name of a field of one component.
+std::string component_name(const MeshField& field, std::size_t component);
 
 struct FieldMesh {
     std::vector<glm::dvec3> points;  ///< as in the file; points may be doubled, and may belong to no triangle

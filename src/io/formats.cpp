@@ -46,7 +46,7 @@ constexpr std::array<Format, 15> table = {{
      .write = export_obj},
     {.extension = ".ply",
      .title = "PLY",
-     .read = Carried{.colors = true, .origin = true},
+     .read = Carried{.fields = true, .colors = true, .origin = true},
      .written = Carried{.fields = true, .colors = true, .origin = true},
      .parse_surface = parse_ply,
      .write = export_ply},

@@ -1,7 +1,9 @@
 #include "io/series_files.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -11,6 +13,7 @@
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
+#include "hierarchy/field.h"
 #include "io/file/file_pattern.h"
 #include "io/file/input_file.h"
 #include "io/formats.h"
@@ -129,6 +132,29 @@ FieldMesh read_any_mesh(const fs::path& file) {
     return mesh_of_surface(read_surface(file));
 }
 
+/// Moves the components of the point fields of \p mesh to \p surface, with remarks about those that a key cannot have.
+void take_scalars(const FieldMesh& mesh, SurfaceFile& surface) {
+    constexpr double most = std::numeric_limits<float>::max();
+    for (const MeshField& field : mesh.point_fields)
+        for (std::size_t component = 0; component < field.components; ++component) {
+            MeshField scalar{component_name(field, component), 1, {}};
+            for (std::size_t n = component; n < field.values.size(); n += field.components)
+                scalar.values.push_back(field.values[n]);
+            const bool is_new =
+                std::ranges::find(surface.scalars, scalar.name, &MeshField::name) == surface.scalars.end();
+            const bool is_finite =
+                std::ranges::all_of(scalar.values, [](double value) { return std::abs(value) <= most; });
+            if (is_new && is_finite && is_field_name(scalar.name) &&
+                surface.scalars.size() < max_mesh_scalars)
+                surface.scalars.push_back(std::move(scalar));
+            else
+                surface.remarks.push_back(
+                    fmt::format("Field {} was left out: {}.", in_quotes(scalar.name),
+                                is_finite ? "its name cannot be that of a field, or there are too many"
+                                          : "not all finite"));
+        }
+}
+
 }  // namespace
 
 SeriesFiles series_files(std::span<const fs::path> paths) {
@@ -148,6 +174,16 @@ FieldMesh read_field_mesh(const fs::path& file) {
     if (mesh.triangles.empty())
         throw InputError(fmt::format("{}: has no triangles, expected at least one", file.string()));
     return mesh;
+}
+
+SurfaceFile read_mesh_to_fit(const fs::path& file) {
+    if (!is_called(file, &Format::holds_series)) return read_surface(file);
+    FieldMesh mesh = read_field_mesh(file);
+    SurfaceFile surface;
+    take_scalars(mesh, surface);
+    surface.positions = std::move(mesh.points);
+    surface.triangles = std::move(mesh.triangles);
+    return surface;
 }
 
 }  // namespace interleaf

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hierarchy/field_mesh.h"
+#include "io/mesh/surface_file.h"
 
 namespace interleaf {
 
@@ -30,5 +31,10 @@ SeriesFiles series_files(std::span<const std::filesystem::path> paths);
 /// \throw InputError   naming the file, the place and what was expected; also if there is no triangle
 /// \throw MachineError if a file cannot be opened or read
 FieldMesh read_field_mesh(const std::filesystem::path& file);
+
+/// Reads a mesh to fit a key to: a file of a format of meshes, or a step of a series, whose point fields become
+/// scalars.
+/// \throw InputError, MachineError as read_surface() (read_files.h) or read_field_mesh()
+SurfaceFile read_mesh_to_fit(const std::filesystem::path& file);
 
 }  // namespace interleaf

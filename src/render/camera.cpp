@@ -47,6 +47,11 @@ void Camera::view_all(const Extent& extent, float aspect) {
     distance_ = std::min(sphere_distance, box_distance);
 }
 
+void Camera::keep_unclipped(const Extent& extent) {
+    scene_center_ = extent.box.center();
+    scene_radius_ = extent.radius > 0 ? extent.radius : 1;
+}
+
 void Camera::look_from(float azimuth, float elevation) {
     azimuth_ = std::remainder(azimuth, 360.0F);
     elevation_ = std::clamp(elevation, -90.0F, 90.0F);

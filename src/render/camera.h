@@ -21,6 +21,9 @@ class Camera {
     /// \param aspect  width / height of the picture
     void view_all(const Extent& extent, float aspect);
 
+    /// Moves the clipping planes so that \p extent is not clipped. The picture stays otherwise.
+    void keep_unclipped(const Extent& extent);
+
     /// Looks from \p azimuth (about Y, 0 from +Z) and \p elevation (above the XZ plane, -90 to 90), both in
     /// degrees.
     void look_from(float azimuth, float elevation);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include <glm/common.hpp>
@@ -97,6 +98,10 @@ glm::vec3 color_at(ColorMap map, float place) {
 }
 
 ColorScale::Placing ColorScale::placing() const {
+    if (uses_logarithm()) {
+        const float least = std::log(range.min);
+        return {least, 1 / std::max(std::log(range.max) - least, std::numeric_limits<float>::min()), 0};
+    }
     // In double precision, because the range may be as wide as floats allow.
     const double min = range.min, max = range.max;
     if (!(max > min)) return {range.min, 0, 0.5F};
@@ -107,10 +112,14 @@ ColorScale::Placing ColorScale::placing() const {
     return {0, to_float(0.5 / std::max(-min, max)), 0.5F};
 }
 
-glm::vec3 ColorScale::color(float value) const {
+float ColorScale::place(float value) const {
     const auto [base, factor, offset] = placing();
-    return color_at(map,
-                    (std::clamp(value, range.min, std::max(range.min, range.max)) - base) * factor + offset);
+    const float inside = std::clamp(value, range.min, std::max(range.min, range.max));
+    return std::clamp(((uses_logarithm() ? std::log(inside) : inside) - base) * factor + offset, 0.0F, 1.0F);
+}
+
+glm::vec3 ColorScale::color(float value) const {
+    return color_at(map, place(value));
 }
 
 }  // namespace interleaf

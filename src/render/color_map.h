@@ -51,15 +51,22 @@ struct ValueRange {
 struct ColorScale {
     ColorMap map = ColorMap::viridis;
     ValueRange range;
+    bool is_logarithmic = false;  ///< equal steps are equal factors, if the range is above 0
     bool operator==(const ColorScale&) const = default;
 
-    /// The place of \p value within the range as an affine map: (value - base) * factor + offset.
+    bool uses_logarithm() const { return is_logarithmic && range.min > 0 && range.max > range.min; }
+
+    /// The place of a value, or of its natural logarithm, within the range as an affine map:
+    /// (value - base) * factor + offset.
     struct Placing {
         float base;
         float factor;
         float offset;
     };
     Placing placing() const;
+
+    /// The place of \p value, 0 to 1.
+    float place(float value) const;
 
     glm::vec3 color(float value) const;
 };

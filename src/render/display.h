@@ -61,6 +61,12 @@ struct Display {
     /// Level of detail, from 0 for the roots alone to 1 for the whole keys; the renderer draws what it is given.
     float detail = 1;
 
+    /// Height of the shown scalar's range over a flat surface, as a part of the surface's size; 0 shows it flat. The
+    /// renderer draws what it is given.
+    float height = 0;
+
+    bool arrows = false;  ///< arrows of the vector whose component is shown; the renderer draws none
+
     /// Whether the detail follows the camera instead, within a budget of leaves.
     bool follows_camera = false;
 

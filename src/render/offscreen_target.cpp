@@ -121,7 +121,7 @@ std::vector<float> OffscreenTarget::read_depths() {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, readable());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, bottom_first.data());
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);  // resolve() has bound another one to draw into
     std::vector<float> depths;
     depths.reserve(bottom_first.size());
     for (std::size_t row = height; row-- > 0;) {

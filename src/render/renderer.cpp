@@ -308,6 +308,7 @@ void Renderer::draw_surface(const OffscreenTarget& target, const Camera& camera,
     const auto [base, factor, offset] = display.scale.placing();
     glUniform2f(uniform(program, "value_range"), display.scale.range.min, display.scale.range.max);
     glUniform3f(uniform(program, "placing"), base, factor, offset);
+    glUniform1i(uniform(program, "is_logarithmic"), display.scale.uses_logarithm() ? 1 : 0);
     bind_buffer_texture(3, field_texture_);
     bind_buffer_texture(2, path_texture_);
     bind_buffer_texture(1, palette_texture_);

@@ -1,5 +1,8 @@
 // `interleaf import` and the series that `export` writes: from files to a family and back.
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/family/family_file.h"
+#include "io/hierarchy/hierarchy_file.h"
 #include "io/series_files.h"
 
 namespace interleaf {
@@ -37,7 +41,131 @@ std::vector<std::string> put_steps(const ScratchFolder& folder) {
     return {folder / "run-2.vtk", folder / "run-3.vtk", folder / "run-5.vtk"};
 }
 
+/// A globe of radius \p radius with a field "height", its z coordinate, and a vector field "v" of the coordinates.
+std::string globe_file(int meridians, double radius) {
+    const int parallels = meridians / 2;
+    std::string points = fmt::format("0 0 {}\n", radius);
+    std::string cells;
+    std::string heights = fmt::format("{} ", radius);
+    for (int p = 1; p < parallels; ++p) {
+        const double polar = std::numbers::pi * p / parallels;
+        for (int m = 0; m < meridians; ++m) {
+            const double around = 2 * std::numbers::pi * m / meridians;
+            points += fmt::format("{} {} {}\n", radius * std::sin(polar) * std::cos(around),
+                                  radius * std::sin(polar) * std::sin(around), radius * std::cos(polar));
+            heights += fmt::format("{} ", radius * std::cos(polar));
+        }
+    }
+    points += fmt::format("0 0 {}\n", -radius);
+    heights += fmt::format("{} ", -radius);
+    const int last = 1 + (parallels - 1) * meridians;
+    int count = 0;
+    const auto add = [&](int a, int b, int c) {
+        cells += fmt::format("3 {} {} {}\n", a, b, c);
+        ++count;
+    };
+    for (int m = 0; m < meridians; ++m) {
+        const int next = (m + 1) % meridians;
+        add(0, 1 + m, 1 + next);
+        for (int p = 0; p + 2 < parallels; ++p) {
+            const int upper = 1 + p * meridians;
+            const int lower = upper + meridians;
+            add(upper + m, lower + m, lower + next);
+            add(upper + m, lower + next, upper + next);
+        }
+        add(last, last - meridians + next, last - meridians + m);
+    }
+    return fmt::format(
+        "# vtk DataFile Version 3.0\nglobe\nASCII\nDATASET POLYDATA\nPOINTS {} double\n{}"
+        "POLYGONS {} {}\n{}POINT_DATA {}\nSCALARS height double\nLOOKUP_TABLE default\n{}\n"
+        "VECTORS v double\n{}",
+        last + 1, points, count, 4 * count, cells, last + 1, heights, points);
+}
+
 }  // namespace
+
+TEST_CASE("closed surfaces that move and are meshed anew get fitted keys with their fields") {
+    const ScratchFolder folder;
+    put(folder / "g1.vtk", globe_file(12, 1));
+    put(folder / "g2.vtk", globe_file(16, 1.5));
+    const Outcome outcome =
+        run_interleaf({"import", folder / "g*.vtk", "--tolerance", "0.01", "-o", folder / "out", "--json"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    CHECK(contains(outcome.errors, "a key was fitted to each step, because no bisection connects them"));
+    const auto report = nlohmann::json::parse(outcome.output);
+    CHECK(report["method"] == "fitting");
+    CHECK(report["steps"][1]["distance"].get<double>() > 0);
+    CHECK(report["steps"][1]["distance"].get<double>() < 0.01);
+    CHECK(report["steps"][1]["largest_difference"].get<double>() < 0.05);
+    CHECK(report["steps"][0]["integral_error"].get<double>() < 0.01);
+    const Family family = read_family(folder / "out");
+    CHECK(family.timeline->begin() == 1);
+    for (const Key& key : family.keys) {
+        const Hierarchy& hierarchy = *key.hierarchy;
+        REQUIRE(hierarchy.fields.size() == 4);
+        CHECK(hierarchy.fields[1].name == "v x");
+        for (std::size_t v = 0; v < hierarchy.positions.size(); ++v) {
+            CHECK(std::abs(hierarchy.fields[0].values[v] - hierarchy.positions[v].z) < 1e-4F);
+            CHECK(std::abs(hierarchy.fields[2].values[v] - hierarchy.positions[v].y) < 1e-4F);
+        }
+    }
+}
+
+TEST_CASE("fit takes a step of a series as a mesh, with its fields") {
+    const ScratchFolder folder;
+    put(folder / "g.vtk", globe_file(12, 1));
+    const Outcome outcome =
+        run_interleaf({"fit", folder / "g.vtk", "--leaves", "300", "-o", folder / "g.ilh"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    const Hierarchy key = read_hierarchy(folder / "g.ilh");
+    CHECK(labels(key.fields) == std::vector<FieldName>{{"height"}, {"v x"}, {"v y"}, {"v z"}});
+    for (std::size_t v = 0; v < key.positions.size(); ++v)
+        CHECK(std::abs(key.fields[0].values[v] - key.positions[v].z) < 1e-4F);
+}
+
+TEST_CASE("where no key can be fitted either, the message says what was tried") {
+    const ScratchFolder folder;
+    put(folder / "g1.vtk", globe_file(16, 1.5));
+    put(folder / "g2.vtk",
+        "# vtk DataFile Version 3.0\nbent\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n"
+        "0 0 0 1 0 0 1 1 0 0 1 1\nPOLYGONS 2 8\n3 0 1 2\n3 0 2 3\nPOINT_DATA 4\n"
+        "SCALARS height double\nLOOKUP_TABLE default\n0 1 2 3\nVECTORS v double\n"
+        "0 0 0 0 0 0 0 0 0 0 0 0\n");
+    const Outcome outcome = run_interleaf({"import", folder / "g*.vtk", "-o", folder / "out"});
+    CHECK(outcome.status == 1);
+    CHECK(contains(outcome.errors, "g2.vtk: the surface is an open sheet"));
+    CHECK(contains(outcome.errors, "a key was to be fitted to each step"));
+    CHECK(contains(outcome.errors, "vertices move and no order of corners marks the newest vertex"));
+    CHECK_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_CASE("an interrupt ends an import, and leaves nothing behind") {
+    const ScratchFolder folder;
+    put(folder / "g1.vtk", globe_file(40, 1));
+    put(folder / "g2.vtk", globe_file(60, 1.5));
+    // timeout(1) sends the interrupt and waits. Status 124 means that it had to interrupt the program.
+    const std::string command =
+        fmt::format("timeout -s INT 0.3 {} import '{}' -o '{}' >/dev/null 2>&1", INTERLEAF_PROGRAM,
+                    (folder / "g*.vtk").string(), (folder / "out").string());
+    CHECK(WEXITSTATUS(std::system(command.c_str())) == 124);
+    CHECK(folder.entry_count() == 2);
+}
+
+TEST_CASE("--warp makes a landscape of a field, and says what it lacks") {
+    const ScratchFolder folder;
+    put_steps(folder);
+    const auto import = [&](const std::string& warp) {
+        return run_interleaf({"import", folder / "run-*.vtk", "--warp", warp, "-o", folder / "out"});
+    };
+    REQUIRE(import("u,-3").status == 0);
+    const Family family = read_family(folder / "out");
+    CHECK(family.keys[0].hierarchy->positions[0].z == 0);
+    CHECK(family.keys[1].hierarchy->positions[4].z == -1.5F);
+    CHECK(family.keys[2].hierarchy->positions[2].z == -3);
+    CHECK(contains(import("w").errors,
+                   "run-2.vtk: field w is missing, expected one of the keys' for --warp: u"));
+    CHECK(import(",2").status == 2);
+}
 
 TEST_CASE("a series of files becomes a family with their times, fields and triangles") {
     const ScratchFolder folder;

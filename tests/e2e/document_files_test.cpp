@@ -1,8 +1,10 @@
 // End-to-end tests of the document's files: dropped, opened, changed on disk, left unsaved, lost in a crash
 // and recovered.
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <string_view>
 #include <vector>
 
 #include "e2e/person.h"
@@ -74,6 +76,38 @@ const std::vector<std::string>& awkward_names() {
 }
 
 }  // namespace
+
+TEST_CASE("a series dropped on the view is imported, colored by its field, and seen from its front") {
+    const ScratchFolder home;
+    const auto put_step = [&](const char* name, std::string_view triangles) {
+        put(home / name,
+            fmt::format("# vtk DataFile Version 3.0\ns\nASCII\nDATASET POLYDATA\nPOINTS 5 double\n"
+                        "0 0 0 1 0 0 1 1 0 0 1 0 0.5 0.5 0\nPOLYGONS {}POINT_DATA 5\n"
+                        "SCALARS u double\nLOOKUP_TABLE default\n0 1 2 1 1\n",
+                        triangles));
+    };
+    put_step("s1.vtk", "2 8\n3 0 1 2\n3 0 2 3\n");
+    put_step("s2.vtk", "4 16\n3 4 0 1\n3 4 1 2\n3 4 2 3\n3 4 3 0\n");
+    const RunningViewer viewer(home.path());
+    viewer.drop(std::vector{home / "s1.vtk", home / "s2.vtk"}, view_middle(viewer.state()));
+    State state = wait_for_keys(viewer, 2);
+    CHECK(state["document"]["keys"] == State({"s1", "s2"}));
+    CHECK(state["display"]["coloring"] == "field");
+    CHECK(message_has(state, "2 steps over 2 roots"));
+    const auto faces_plane = [](const State& seen, double x, double y) {
+        return std::abs(seen["eye"][0].get<double>() - x) < 1e-3 &&
+               std::abs(seen["eye"][1].get<double>() - y) < 1e-3;
+    };
+    state = viewer.wait_for("the front of the plane",
+                            [&](const State& seen) { return faces_plane(seen, 0.5, 0.5); });
+    // A drag pans: the eye moves along the plane.
+    const double distance = state["eye"][2].get<double>();
+    const glm::vec2 middle = view_middle(state);
+    viewer.drag(middle, middle + glm::vec2(60, 0));
+    state = viewer.wait_for("a pan", [&](const State& seen) { return seen["eye"][0].get<double>() < 0.45; });
+    CHECK(state["eye"][2].get<double>() == doctest::Approx(distance));
+    CHECK(state["eye"][1].get<double>() == doctest::Approx(0.5));
+}
 
 TEST_CASE("files dropped on the view open as a new family; files dropped on the list become its keys") {
     const ScratchFolder home;

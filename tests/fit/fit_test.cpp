@@ -137,6 +137,22 @@ TEST_CASE("colors of the mesh arrive at the key's vertices") {
     }
 }
 
+TEST_CASE("scalars of the mesh arrive at the key's vertices, behind a color") {
+    MappedMesh mapped = unit_sphere_mesh(4);
+    mapped.mesh.scalars = {{"height", 1, {}}, {"color", 1, {}}};
+    for (const glm::dvec3& point : mapped.points) {
+        mapped.mesh.colors.emplace_back(0.5F);
+        mapped.mesh.scalars[0].values.push_back(2 * point.z + 300);
+        mapped.mesh.scalars[1].values.push_back(0);
+    }
+    const FittedKey key = fit_mapped(mapped.mesh, mapped.points, {.leaves = 1000});
+    REQUIRE(key.hierarchy.fields.size() == 2);  // one name, one field: the scalar "color" is left out
+    CHECK(key.hierarchy.fields[0].label() == FieldName{"color", FieldKind::color});
+    CHECK(key.hierarchy.fields[1].label() == FieldName{"height", FieldKind::scalar});
+    for (Index v = 0; v < key.hierarchy.vertex_count(); ++v)
+        CHECK(std::abs(key.hierarchy.fields[1].values[v] - (2 * key.hierarchy.positions[v].z + 300)) < 1e-4F);
+}
+
 TEST_CASE("what is not good enough is refused, with figures") {
     const MappedMesh mapped = bumpy_ellipsoid(4);
     FitOptions strict;

@@ -62,7 +62,7 @@ ROOMS = {
         "importing": set(),
         "document": {"importing"},
         "fitting": {"document"},
-        "storage": {"document", "fitting"},
+        "storage": {"document", "fitting", "importing"},
         "pictures": {"document"},
         "window": {"document", "fitting", "storage", "pictures"},
         "cli": {"document", "fitting", "importing", "storage", "pictures", "window"},

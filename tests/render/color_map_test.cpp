@@ -139,6 +139,17 @@ TEST_CASE(
     CHECK(positive.color(2) == color_at(ColorMap::coolwarm, 0.5F));
 }
 
+TEST_CASE("equal factors are equal steps of a logarithmic scale, if its range is above 0") {
+    const ColorScale scale{ColorMap::viridis, {0.01F, 100}, true};
+    CHECK(scale.place(1) == doctest::Approx(0.5));
+    CHECK(scale.place(0.1F) == doctest::Approx(0.25));
+    CHECK(scale.place(-1) == 0);
+    CHECK(scale.place(1e9F) == doctest::Approx(1));
+    const ColorScale linear{ColorMap::viridis, {0, 100}, true};
+    CHECK_FALSE(linear.uses_logarithm());
+    CHECK(linear.place(25) == 0.25F);
+}
+
 TEST_CASE("scales of any range have colors") {
     constexpr float most = std::numeric_limits<float>::max();
     for (const ColorMap map : color_maps())

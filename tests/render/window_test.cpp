@@ -38,7 +38,7 @@ TEST_CASE("a hidden window draws the picture that EGL draws, byte for byte") {
         const Window window("interleaf", width, height, false);
         OffscreenTarget target(width, height, samples);
         const Picture picture = full_picture(target);
-        CHECK(count_pixels(picture, is_red) > 100);
+        CHECK(count_pixels(picture, is_white) > 100);  // root edges
         CHECK(count_differences(picture, without_display) == 0);
     }
 }

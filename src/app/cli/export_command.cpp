@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -13,6 +14,7 @@
 #include "family/origin.h"
 #include "hierarchy/error.h"
 #include "hierarchy/progress.h"
+#include "io/export/time_list.h"
 #include "io/formats.h"
 #include "io/text/joined_text.h"
 
@@ -26,8 +28,15 @@ void run_export(const ExportOptions& options) {
                                      either_of(format_names(&Format::is_exported_key)), name));
     if (options.segments && name != "glb")
         throw UsageError(fmt::format("--segments: expected the format glb, got '{}'", name));
-    if ((options.series.frames_per_second || options.series.mesh) && name != "pvd")
-        throw UsageError(fmt::format("--fps and --union: expected the format pvd, got '{}'", name));
+    if ((options.series.has_times() || !options.times.empty() || options.series.mesh) && name != "pvd")
+        throw UsageError(
+            fmt::format("--fps, --every, --times and --union: expected the format pvd, got '{}'", name));
+    if (options.series.frames_per_second.has_value() + options.series.interval.has_value() +
+            !options.times.empty() >
+        1)
+        throw UsageError("--fps, --every and --times exclude each other");
+    SeriesExportOptions series = options.series;
+    if (!options.times.empty()) series.times = read_times(options.times);
     const Family family = open_family(options.morph.family);
     std::vector<std::string> remarks;
     const HeldInterrupts interrupts;
@@ -36,7 +45,7 @@ void run_export(const ExportOptions& options) {
         format.write({.family = family,
                       .weights = chosen_weights(options.morph, family),
                       .form = options.form,
-                      .series = options.series,
+                      .series = series,
                       .segments = options.segments,
                       .remarks = &remarks,
                       .progress =

@@ -37,6 +37,7 @@ Json json_of(const SeriesFiles& series, const ImportedSeries& imported) {
                          {"triangles", report.triangles},
                          {"leaves", report.leaves},
                          {"largest_difference", report.largest_difference},
+                         {"distance", report.distance},
                          {"integral_error", report.integral_error},
                          {"moved_widths", report.moved_widths}});
     }
@@ -51,9 +52,12 @@ void print_steps(const SeriesFiles& series, const ImportedSeries& imported) {
                name_of(imported.report.method));
     for (std::size_t step = 0; step < series.files.size(); ++step) {
         const StepReport& report = imported.report.steps[step];
-        fmt::print("{}: time {}, {} triangles, {} leaves, largest difference {:.3g} %\n",
+        fmt::print("{}: time {}, {} triangles, {} leaves, largest difference {:.3g} %{}\n",
                    series.files[step].filename().string(), series.times[step], report.triangles,
-                   report.leaves, 100 * report.largest_difference);
+                   report.leaves, 100 * report.largest_difference,
+                   imported.report.method == SeriesMethod::by_fitting
+                       ? fmt::format(", {:.3g} % of the box diagonal from the mesh", 100 * report.distance)
+                       : "");
     }
 }
 

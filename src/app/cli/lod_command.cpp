@@ -98,6 +98,7 @@ void write_key(const Family& family, const LodOptions& options) {
 void run_lod(const LodOptions& options) {
     check_limits(options);
     Opening opened = open_files(std::span(&options.input, 1));
+    if (const auto* const series = std::get_if<SeriesToImport>(&opened)) opened = import_steps(*series);
     const auto* const keys = std::get_if<OpenedKeys>(&opened);
     const bool is_key = keys != nullptr && keys->family.keys.size() == 1;
     std::vector<std::string> changes;

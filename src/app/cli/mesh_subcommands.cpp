@@ -24,7 +24,7 @@ void add_fit(CLI::App& program) {
             [options](const std::vector<std::string>& files) {
                 options->meshes.assign(files.begin(), files.end());
             },
-            fmt::format("Meshes: {} files; several meshes make a family",
+            fmt::format("Meshes: {}, or VTK files; several meshes make a family",
                         extensions_in_words(&Format::holds_mesh)))
         ->required();
     command
@@ -169,6 +169,11 @@ void add_import(CLI::App& program) {
         ->add_option("--displacement", options->choices.displacement,
                      "A field that is added to the points, which themselves stay in place")
         ->type_name("NAME");
+    add_text_option(
+        *command, "--warp",
+        "Move the points of flat steps across their plane, by FACTOR (1 by default) times a field",
+        [options](const std::string& text) { options->choices.warp = parse_warp(text); })
+        ->type_name("FIELD[,FACTOR]");
     command
         ->add_option_function<std::string>(
             "--roots", [options](const std::string& file) { options->choices.roots = file; },

@@ -74,6 +74,16 @@ unsigned parse_corner(std::string_view text) {
     return static_cast<unsigned>(found - corners);
 }
 
+ChosenWarp parse_warp(std::string_view text) {
+    ChosenWarp warp{std::string(text)};
+    // A comma belongs to the name of the field unless a number follows.
+    if (const std::size_t comma = text.rfind(','); comma != std::string_view::npos)
+        if (const auto factor = numbers(text.substr(comma + 1)); factor && factor->size() == 1)
+            warp = {std::string(text.substr(0, comma)), factor->front()};
+    if (warp.field.empty()) expected("FIELD or FIELD,FACTOR", text);
+    return warp;
+}
+
 unsigned parse_bits(std::string_view text) {
     const unsigned bits = parsed_number<unsigned>(text).value_or(0);
     if (bits < 8 || bits > 24) expected("a whole number from 8 to 24", text);

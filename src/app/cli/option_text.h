@@ -13,6 +13,7 @@
 #include "app/cli/fit_command.h"
 #include "app/cli/morph_selection.h"
 #include "app/cli/render_command.h"
+#include "app/importing/series_import.h"
 #include "family/interpolation.h"
 #include "hierarchy/triangle.h"
 #include "render/display.h"
@@ -27,6 +28,9 @@ Index parse_count(std::string_view text);
 
 /// The corner of a triangle, 0 to 2: "first", "second" or "last".
 unsigned parse_corner(std::string_view text);
+
+/// A warp, "FIELD" or "FIELD,FACTOR".
+ChosenWarp parse_warp(std::string_view text);
 
 /// The number of bits of a rounded coordinate, 8 to 24.
 unsigned parse_bits(std::string_view text);

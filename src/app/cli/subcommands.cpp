@@ -32,6 +32,14 @@ void add_export(CLI::App& program) {
         *command, "--fps", "Of pvd: files per second of the time; by default one file per key",
         [options](const std::string& text) { options->series.frames_per_second = parse_number(text); })
         ->type_name("N");
+    add_text_option(*command, "--every", "Of pvd: a file at every DT units of the time",
+                    [options](const std::string& text) { options->series.interval = parse_number(text); })
+        ->type_name("DT");
+    command
+        ->add_option_function<std::string>(
+            "--times", [options](const std::string& file) { options->times = file; },
+            "Of pvd: a file at each of the times in FILE, a text of numbers that increase")
+        ->type_name("FILE");
     add_text_option(*command, "--union",
                     "Of pvd: the union of all keys in all files, or that of the two keys of each interval",
                     [options](const std::string& text) {

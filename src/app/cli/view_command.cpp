@@ -8,13 +8,32 @@
 
 #include "app/cli/morph_selection.h"
 #include "app/document/opening.h"
+#include "app/document/shown_field.h"
+#include "family/family_fields.h"
 #include "family/family_time.h"
 #include "hierarchy/error.h"
 #include "render/context.h"
+#include "sequence/series/series.h"
 
 namespace interleaf {
 
 namespace {
+
+/// Opens the window on the keys of a series, colored by their field unless the display says otherwise. Where the
+/// series needs a tolerance, the window shows the built-in family and asks for it.
+void show_series(const SeriesToImport& series, const ViewOptions& view) {
+    ViewerOptions options = view.viewer;
+    OpenedKeys keys;
+    try {
+        keys = import_steps(series);
+    } catch (const NeedsTolerance&) {
+        run_viewer(open_family({}), {}, series.files, options);
+        return;
+    }
+    if (options.display == Display()) color_by_field(options.display, fields_of(keys.family.keys));
+    if (options.along) require_source(keys.family, *options.along);
+    run_viewer(std::move(keys.family), series.files, {}, options);
+}
 
 /// Opens the window. For meshes, the window shows the built-in family and offers to fit the meshes.
 /// \param opened  is emptied
@@ -26,7 +45,8 @@ void show(Opening& opened, const std::vector<std::filesystem::path>& sources, co
     };
     std::visit(Cases{[&](OpenedFamily& family) { run(std::move(family.family), sources, {}); },
                      [&](OpenedKeys& keys) { run(std::move(keys.family), sources, {}); },
-                     [&](MeshesToFit& meshes) { run(open_family({}), {}, std::move(meshes.files)); }},
+                     [&](MeshesToFit& meshes) { run(open_family({}), {}, std::move(meshes.files)); },
+                     [&](const SeriesToImport& series) { show_series(series, view); }},
                opened);
 }
 

@@ -55,12 +55,6 @@ Opening open_keys(std::vector<std::filesystem::path> files) {
     return MeshesToFit{std::move(files), std::move(reason)};
 }
 
-/// Imports the steps of a series from numerics.
-Opening open_series(std::vector<std::filesystem::path> files) {
-    ImportedSeries imported = import_series(series_files(files), files.front().stem().string(), {}, {});
-    return OpenedKeys{std::move(imported.family), std::move(imported.report.notes), std::move(files)};
-}
-
 /// The reason why \p meshes are not a family, for a command that does not fit meshes.
 std::string fault_of(const MeshesToFit& meshes) {
     if (!meshes.reason.empty()) return meshes.reason;
@@ -117,7 +111,7 @@ Opening open_files(std::span<const std::filesystem::path> paths) {
         return opened;
     }
     std::vector<std::filesystem::path> files = files_of(paths);
-    if (are_called(files, &Format::holds_series)) return open_series(std::move(files));
+    if (are_called(files, &Format::holds_series)) return SeriesToImport{std::move(files)};
     if (must_be_fitted(files)) return MeshesToFit{std::move(files), ""};
     if (files.size() > 1) return open_keys(std::move(files));
 
@@ -139,6 +133,12 @@ Opening open_files(std::span<const std::filesystem::path> paths) {
     return opened;
 }
 
+OpenedKeys import_steps(const SeriesToImport& series) {
+    ImportedSeries imported =
+        import_series(series_files(series.files), series.files.front().stem().string(), {}, {});
+    return {std::move(imported.family), std::move(imported.report.notes), series.files};
+}
+
 Family family_of(Opening opened, std::vector<std::string>* changes) {
     const auto taken = [changes](auto& read) {
         if (changes != nullptr) changes->insert(changes->end(), read.changes.begin(), read.changes.end());
@@ -146,7 +146,11 @@ Family family_of(Opening opened, std::vector<std::string>* changes) {
     };
     return std::visit(Cases{[&](OpenedFamily& family) { return taken(family); },
                             [&](OpenedKeys& keys) { return taken(keys); },
-                            [](const MeshesToFit& meshes) -> Family { throw InputError(fault_of(meshes)); }},
+                            [](const MeshesToFit& meshes) -> Family { throw InputError(fault_of(meshes)); },
+                            [&](const SeriesToImport& series) {
+                                OpenedKeys keys = import_steps(series);
+                                return taken(keys);
+                            }},
                       opened);
 }
 

@@ -3,7 +3,8 @@
 //
 // A new kind of source is one more alternative of Opening. Users that open name all alternatives
 // (std::visit), so the compiler lists the places that must say what to do with the new one. `check` and
-// `info` look for meshes alone and treat everything else as a family.
+// `info` look for meshes alone and treat everything else as a family. Commands import series at once, the window
+// does so on a worker.
 #pragma once
 
 #include <filesystem>
@@ -38,7 +39,12 @@ struct MeshesToFit {
     std::string reason;  ///< why they are not keys; empty if their formats hold no keys
 };
 
-using Opening = std::variant<OpenedFamily, OpenedKeys, MeshesToFit>;
+/// Steps of a series from numerics. Their keys are recovered, which takes time (app/importing).
+struct SeriesToImport {
+    std::vector<std::filesystem::path> files;
+};
+
+using Opening = std::variant<OpenedFamily, OpenedKeys, MeshesToFit, SeriesToImport>;
 
 /// The cases of a std::visit() over an Opening, one lambda per alternative.
 template <typename... Functions>
@@ -52,7 +58,7 @@ Cases(Functions...) -> Cases<Functions...>;
 /// - no path: the built-in family
 /// - one family file, or its folder: the family
 /// - one file with a family that could also be fitted (glTF): keys
-/// - one or several steps of a series, or a list of them (.pvd): keys, recovered from the meshes of the steps
+/// - one or several steps of a series, or a list of them (.pvd): a series to import
 /// - meshes, at least one of a format without keys: meshes to fit
 /// - several meshes that are not keys together: meshes to fit, with the reason
 /// - other files: keys
@@ -63,6 +69,10 @@ Opening open_files(std::span<const std::filesystem::path> paths);
 /// \param changes     receives the changes of the opened keys
 /// \throw InputError  also for meshes to fit, naming what was expected
 Family open_family(std::span<const std::filesystem::path> paths, std::vector<std::string>* changes = nullptr);
+
+/// Imports a series with the usual choices.
+/// \throw InputError, MachineError as import_series()
+OpenedKeys import_steps(const SeriesToImport& series);
 
 /// The family of \p opened, as open_family() returns it.
 Family family_of(Opening opened, std::vector<std::string>* changes = nullptr);

@@ -1,5 +1,6 @@
 #include "app/document/shown_field.h"
 
+#include <algorithm>
 #include <string>
 
 #include <fmt/core.h>
@@ -21,6 +22,27 @@ void require_field(const Display& display, std::span<const FamilyField> fields) 
 
 const FamilyField* shown_field(const Display& display, std::span<const FamilyField> fields) {
     return display.coloring == Coloring::field ? find_field(fields, display.field) : nullptr;
+}
+
+std::optional<Warp> warp_of(const Display& display, std::span<const FamilyField> fields, const Box& box) {
+    const FamilyField* const field = shown_field(display, fields);
+    const std::optional<unsigned> axis = flat_axis(box);
+    if (!axis || !(display.height > 0) || field == nullptr || field->label.kind != FieldKind::scalar ||
+        !(field->max > field->min))
+        return std::nullopt;
+    const glm::vec3 size = box.max - box.min;
+    return Warp{.axis = *axis,
+                .field = field->label.name,
+                .factor = display.height * std::max({size.x, size.y, size.z}) / (field->max - field->min),
+                .zero = field->min};
+}
+
+void color_by_field(Display& display, std::span<const FamilyField> fields) {
+    const auto is_scalar = [](const FamilyField& field) { return field.label.kind == FieldKind::scalar; };
+    const auto first = std::ranges::find_if(fields, is_scalar);
+    if (first == fields.end()) return;
+    display.coloring = Coloring::field;
+    display.field = first->label.name;
 }
 
 void adapt_display(Display& display, std::span<const FamilyField> fields) {

@@ -1,9 +1,12 @@
 // The field that the picture shows, if any, and the scale of its colors.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "family/family_fields.h"
+#include "family/warp.h"
+#include "hierarchy/measure.h"
 #include "render/display.h"
 
 namespace interleaf {
@@ -18,5 +21,12 @@ const FamilyField* shown_field(const Display& display, std::span<const FamilyFie
 /// Adapts \p display to a family with \p fields. If \p display names none of them, it names the first.
 /// Without fields, it shows the plain color. An unlocked range becomes the range over all keys.
 void adapt_display(Display& display, std::span<const FamilyField> fields);
+
+/// The warp by the shown scalar that \p display asks for; none if the keys are not flat.
+/// \param box  of all keys
+std::optional<Warp> warp_of(const Display& display, std::span<const FamilyField> fields, const Box& box);
+
+/// Makes \p display show the first scalar of \p fields, if there is one.
+void color_by_field(Display& display, std::span<const FamilyField> fields);
 
 }  // namespace interleaf

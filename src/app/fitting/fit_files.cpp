@@ -8,7 +8,7 @@
 #include "family/origin.h"
 #include "fit/mesh/stopwatch.h"
 #include "hierarchy/error.h"
-#include "io/read_files.h"
+#include "io/series_files.h"
 
 namespace interleaf {
 
@@ -23,7 +23,8 @@ CleanMesh MeshFitter::clean_next(SurfaceFile surface, const Progress& progress) 
     if (!task_.ups.empty()) turn_up(surface.positions, task_.ups[next_]);
     if (!task_.origin) task_.origin = origin_for(surface.positions, surface.triangles);
     for (glm::dvec3& position : surface.positions) position -= *task_.origin;
-    return clean_up({std::move(surface.positions), std::move(surface.triangles), std::move(surface.colors)},
+    return clean_up({std::move(surface.positions), std::move(surface.triangles), std::move(surface.colors),
+                     std::move(surface.scalars)},
                     progress);
 }
 
@@ -79,7 +80,7 @@ FittedMesh MeshFitter::fit_next(const Progress& progress) {
     constexpr double fitting_begins = 0.1;
     constexpr double fitting_ends = 0.97;
     const std::filesystem::path& file = task_.meshes[next_];
-    SurfaceFile surface = read_surface(file);
+    SurfaceFile surface = read_mesh_to_fit(file);
     FittedMesh fitted;
     fitted.remarks = std::move(surface.remarks);
     std::vector<StageTime> times;

@@ -6,10 +6,13 @@
 
 #include <fmt/core.h>
 
+#include "app/importing/fitted_series.h"
 #include "family/new_family.h"
 #include "family/origin.h"
+#include "family/warp.h"
 #include "hierarchy/error.h"
 #include "io/hierarchy/hierarchy_file.h"
+#include "sequence/series/step_mesh.h"
 
 namespace interleaf {
 namespace {
@@ -34,6 +37,25 @@ FieldMesh read_step(const std::filesystem::path& file, const glm::dvec3& origin)
     if (origin != glm::dvec3(0))
         for (glm::dvec3& point : mesh.points) point -= origin;
     return mesh;
+}
+
+/// The warp that \p choice names, of steps like \p first; none without a choice.
+std::optional<Warp> warp_of(const std::optional<ChosenWarp>& choice, const FieldMesh& first) {
+    if (!choice) return std::nullopt;
+    const std::optional<unsigned> axis = flat_axis(first.points);
+    if (!axis)
+        throw InputError("step 0: the points are not in a plane x, y or z = constant, as --warp needs");
+    return Warp{.axis = *axis, .field = choice->field, .factor = static_cast<float>(choice->factor)};
+}
+
+void require_scalar(const Hierarchy& key, const std::string& name) {
+    std::string known;
+    for (const Field& field : key.fields) {
+        if (field.name == name && field.kind == FieldKind::scalar) return;
+        known += (known.empty() ? "" : ", ") + field.name;
+    }
+    throw InputError(fmt::format("step 0: field {} is missing, expected one of the keys' for --warp: {}",
+                                 name, known.empty() ? "none" : known));
 }
 
 Timeline timeline_of(const SeriesFiles& series) {
@@ -73,13 +95,26 @@ ImportedSeries import_series(const SeriesFiles& series, std::string_view name, c
     ImportedSeries imported;
     std::vector<Key> keys;
     keys.reserve(series.files.size());
+    std::optional<Warp> warp;
+    const TakeKey take_key = [&](std::size_t step, Hierarchy key) {
+        if (step == 0) keys.clear();
+        if (warp) {
+            require_scalar(key, warp->field);
+            key = warped(key, *warp);
+        }
+        keys.push_back({series.files[step].stem().string(), std::move(key)});
+    };
     try {
-        imported.report = recover(
-            steps, options,
-            [&](std::size_t step, Hierarchy key) {
-                keys.push_back({series.files[step].stem().string(), std::move(key)});
-            },
-            progress);
+        warp = warp_of(choices.warp, first);
+        try {
+            imported.report = recover(steps, options, take_key, progress);
+        } catch (const UnrecoveredSurfaces& unrecovered) {
+            if (!can_be_fitted(options)) throw;
+            const std::string reason = with_file(unrecovered.what(), series);
+            imported.report = fit_steps(steps, options, reason, take_key, progress);
+        }
+    } catch (const NeedsTolerance& error) {
+        throw NeedsTolerance(with_file(error.reason, series));
     } catch (const InputError& error) {
         throw InputError(with_file(error.what(), series));
     }

@@ -16,12 +16,19 @@
 
 namespace interleaf {
 
+/// The positions of flat keys move across their plane, by a factor times a field.
+struct ChosenWarp {
+    std::string field;
+    double factor = 1;
+};
+
 struct ImportChoices {
     std::optional<double> tolerance{};  ///< SeriesOptions::tolerance
     std::optional<unsigned> newest{};   ///< SeriesOptions::newest
     std::vector<std::string> fields{};  ///< point fields that the keys get; all if empty
     std::string displacement{};         ///< point field that is added to the points; none if empty
-    std::filesystem::path roots{};      ///< a key whose roots are those of all keys; none if empty
+    std::optional<ChosenWarp> warp{};
+    std::filesystem::path roots{};  ///< a key whose roots are those of all keys; none if empty
 };
 
 struct ImportedSeries {

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "app/document/family_extent.h"
 #include "app/document/shown_field.h"
 #include "hierarchy/error.h"
 #include "hierarchy/vertex_normals.h"
@@ -20,6 +21,7 @@ BlendPainter::BlendPainter(const Family& family, int width, int height, const Di
       target_(width, height, samples_per_pixel) {
     interleaf::require_field(display_, fields_);
     adapt_display(display_, fields_);
+    if (display_.height > 0) warp_ = warp_of(display_, fields_, extent(family).box);
 }
 
 const FamilyField* BlendPainter::shown() const {
@@ -38,10 +40,11 @@ void BlendPainter::unite_keys(const Weights& weights) {
     std::vector<std::size_t> keys = active_keys(weights);
     if (keys == keys_) return;
     require_field(weights);
-    const UnionMesh mesh = unite(family_, weights);
+    warped_.follow(family_, weights, {}, warp_);
+    const UnionMesh mesh = unite(warped_.family(), warped_.weights());
     renderer_.upload(mesh, mesh.key_count() <= max_gpu_keys ? normal_form(mesh) : NormalForm{}, keys);
     if (const FamilyField* const field = shown()) {
-        const UnionField united = united_field(family_, weights, mesh, field->label);
+        const UnionField united = united_field(warped_.family(), warped_.weights(), mesh, field->label);
         renderer_.set_field(&united);
     }
     keys_ = std::move(keys);

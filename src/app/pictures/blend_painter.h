@@ -6,8 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "app/pictures/warped_family.h"
 #include "family/family.h"
 #include "family/family_fields.h"
+#include "family/warp.h"
 #include "render/camera.h"
 #include "render/display.h"
 #include "render/occlusion.h"
@@ -43,6 +45,8 @@ class BlendPainter {
     Renderer renderer_;
     OffscreenTarget target_;
     Occlusion occlusion_;
+    std::optional<Warp> warp_;
+    WarpedFamily warped_;
     std::vector<std::size_t> keys_;  ///< whose union the renderer has
 };
 

@@ -69,6 +69,10 @@ class MorphSurface {
 
     Extent extent() const;
 
+    /// The shown union.
+    /// \pre update() has been called
+    const UnionMesh& mesh() const { return union_->mesh; }
+
     const SurfaceFigures& figures() const { return figures_; }
     Renderer& renderer() { return renderer_; }
 

@@ -137,6 +137,7 @@ void DocumentFiles::show(const Rect& area, double now) {
     if (auto answer = dialog_.show(area)) answer_ = std::move(answer);
     fitting_.show(area, now);
     exporting_.show(area, now);
+    importing_.show(area, now);
 }
 
 void DocumentFiles::act(float density, double now) {
@@ -161,6 +162,7 @@ void DocumentFiles::act(float density, double now) {
             });
     }
     if (const auto error = fitting_.update(density, now)) complain(*error);
+    if (const auto error = importing_.update(now)) complain(*error);
 }
 
 void DocumentFiles::look_after(double now) {

@@ -20,6 +20,7 @@
 #include "app/storage/document_recovery.h"
 #include "app/storage/family_export.h"
 #include "app/storage/file_stamps.h"
+#include "app/storage/series_importing.h"
 #include "app/storage/settings.h"
 #include "ui/browser/file_browser.h"
 #include "ui/dialogs/dialog.h"
@@ -48,11 +49,12 @@ class DocumentFiles {
 
     /// Whether a dialog, the file browser or progress has the keyboard focus.
     bool is_asking() const {
-        return browser_.is_open() || dialog_.is_open() || fitting_.is_open() || exporting_.is_shown();
+        return browser_.is_open() || dialog_.is_open() || fitting_.is_open() || importing_.is_open() ||
+               exporting_.is_shown();
     }
 
     /// Whether work in progress needs new frames soon.
-    bool is_working() const { return fitting_.is_working(); }
+    bool is_working() const { return fitting_.is_working() || importing_.is_working(); }
 
     /// The fitting of meshes, with its dialog while that is open.
     const MeshFitting& fitting() const { return fitting_; }
@@ -110,6 +112,8 @@ class DocumentFiles {
     void offer_to_open(const MeshesToFit& meshes);
     void offer_to_add(const MeshesToFit& meshes);
     void open_fitted(const std::vector<std::filesystem::path>& meshes, const FittedMeshes& fitted);
+    void import(std::vector<std::filesystem::path> files, SeriesImporting::Receiver receiver);
+    void open_imported(const std::vector<std::filesystem::path>& files, ImportedSeries imported);
     void tell_fit(const FittedMeshes& fitted);
     void replace_document(Family family, std::vector<std::filesystem::path> sources);
     void set_sources(std::vector<std::filesystem::path> sources);
@@ -140,6 +144,7 @@ class DocumentFiles {
     std::optional<Answer> answer_;  ///< waits for act()
     std::function<void(const Answer&)> on_answer_;
     MeshFitting fitting_;
+    SeriesImporting importing_;
     std::optional<Saving> saving_;
     FamilyExport exporting_;
     double now_ = 0;

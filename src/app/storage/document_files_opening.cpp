@@ -8,8 +8,10 @@
 
 #include "app/document/edit_commands.h"
 #include "app/document/opening.h"
+#include "app/document/shown_field.h"
 #include "app/fitting/fit_roots.h"
 #include "app/storage/document_files.h"
+#include "family/family_fields.h"
 #include "family/new_family.h"
 #include "hierarchy/error.h"
 #include "io/formats.h"
@@ -78,17 +80,24 @@ bool DocumentFiles::show_opened(const std::vector<fs::path>& paths) {
     std::optional<Opening> found = opened(paths);
     if (!found) return false;
     return std::visit(Cases{[&](OpenedFamily& family) {
-                                replace_document(std::move(family.family), paths);
-                                return true;
+        replace_document(std::move(family.family), paths);
+        return true;
                             },
                             [&](OpenedKeys& keys) {
-                                replace_document(std::move(keys.family), paths);
-                                return true;
+        replace_document(std::move(keys.family), paths);
+        return true;
                             },
                             [&](const MeshesToFit& meshes) {
-                                offer_to_open(meshes);
+        offer_to_open(meshes);
+        return false;
+                            },
+                            [&](SeriesToImport& series) {
+                                import(series.files, [this, files = series.files](ImportedSeries imported) {
+                                    open_imported(files, std::move(imported));
+                                });
                                 return false;
-                            }},
+}
+},
                       *found);
 }
 
@@ -100,19 +109,39 @@ void DocumentFiles::offer_to_open(const MeshesToFit& meshes) {
 void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
     std::optional<Opening> found = opened(files);
     if (!found) return;
-    const auto add = [&](Family& family) {
+    const auto add = [this, now](Family& family) {
         const auto before = state_.document.snapshot();
         interleaf::add_keys(state_, std::move(family.keys), family.origin, now);
         return state_.document.snapshot() != before;
     };
-    std::visit(Cases{[&](OpenedFamily& family) { add(family.family); },
+    std::visit(Cases{[&](OpenedFamily& family) {
+        add(family.family); },
                      [&](OpenedKeys& keys) {
-                         if (add(keys.family) || !keys.can_be_fitted()) return;
-                         // Only the fit puts a mesh over the family's roots.
-                         offer_to_add({keys.files, std::exchange(state_.message, {}).text});
+        if (add(keys.family) || !keys.can_be_fitted()) return;
+        // Only the fit puts a mesh over the family's roots.
+        offer_to_add({keys.files, std::exchange(state_.message, {}).text});
                      },
-                     [&](const MeshesToFit& meshes) { offer_to_add(meshes); }},
+                     [&](const MeshesToFit& meshes) {
+        offer_to_add(meshes); },
+                     [&](SeriesToImport& series) {
+                         import(std::move(series.files),
+                                [add](ImportedSeries imported) { add(imported.family); });
+}
+},
                *found);
+}
+
+/// Imports a series on a worker, and shows the progress.
+void DocumentFiles::import(std::vector<fs::path> files, SeriesImporting::Receiver receiver) {
+    if (!is_asking()) importing_.start(std::move(files), std::move(receiver), now_);
+}
+
+/// Opens an imported series as a new document, colored by its field.
+void DocumentFiles::open_imported(const std::vector<fs::path>& files, ImportedSeries imported) {
+    replace_document(std::move(imported.family), files);
+    color_by_field(state_.session.display, fields_of(state_.document.family().keys));
+    remember(files.front());
+    state_.message = {.text = sentences_of(imported.report), .kind = MessageKind::notice, .seen = now_};
 }
 
 /// Offers to fit keys for the document over its roots.

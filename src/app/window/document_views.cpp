@@ -26,17 +26,19 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
         family_ = state.document.snapshot();
         portraits_.update(*family_);
         fields_ = fields_of(family_->keys);
+        surface_.set_extent(portraits_.extent());
         curves_of_.reset();
     }
     follow_curves(state, layout.panels.timeline.width);
     Session& session = state.session;
     adapt_display(session.display, fields_);
     const FamilyField* const field = shown_field(session.display, fields_);
-    surface_.follow(session, field, now);
+    const bool is_scalar = field != nullptr && field->label.kind == FieldKind::scalar;
+    history_.follow(family_, is_scalar ? &field->label.name : nullptr);
+    surface_.follow(session, field, fields_, now);
     comparison_.follow(state, layout.content, surface_.camera());
     if (!comparison_.is_shown())
-        surface_.aim(std::exchange(state.view_target, ViewTarget::none), portraits_.extent(),
-                     layout.panels.view);
+        surface_.aim(std::exchange(state.view_target, ViewTarget::none), layout.panels.view);
     surface_.refine(session, field, layout.panels.view);
     const glm::vec2 size = message_picture_size() * gui.density();
     mismatch_pictures_.update(state.message.mismatch, glm::max(glm::ivec2(glm::round(size)), 1));
@@ -79,6 +81,7 @@ bool DocumentViews::draw(const ViewerState& state, const FrameLayout& layout,
         return is_good;
     }
     const bool is_good = surface_.draw(session, layout.view, gui, layout.window.y);
+    surface_.draw_arrows(layout.view, gui);
     const FamilyField* const field = shown_field(session.display, fields_);
     if (field != nullptr && view && view->pointed_at && !session.is_playing())
         surface_.show_value(session, *field, gui.pointer(), layout.view);

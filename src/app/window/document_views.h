@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/document/viewer_state.h"
+#include "app/pictures/field_history.h"
 #include "app/pictures/key_portraits.h"
 #include "app/pictures/mismatch_pictures.h"
 #include "app/window/comparison_view.h"
@@ -52,6 +53,12 @@ class DocumentViews {
     const std::vector<KeyPortrait>& portraits() const { return portraits_.portraits(); }
     const std::vector<FamilyField>& fields() const { return fields_; }
     const std::vector<WeightCurve>& curves() const { return curves_; }
+    /// The figures of the shown scalar over time, as far as they are measured.
+    const FieldCurves& field_curves() { return history_.curves(); }
+    bool is_measuring() const { return history_.is_working(); }
+
+    /// Whether all keys lie in one plane.
+    bool is_flat() const { return surface_.is_flat(); }
     const SurfaceFigures& figures() const { return surface_.figures(); }
     bool follows_camera() const { return surface_.shows_view(); }
     std::optional<double> measured_part() const { return surface_.measured_part(); }
@@ -80,6 +87,7 @@ class DocumentViews {
     std::vector<FamilyField> fields_;
     std::vector<WeightCurve> curves_;
     std::optional<CurvesOf> curves_of_;  ///< none before curves_ are made for family_
+    FieldHistory history_;
     SurfaceView surface_;
     ComparisonView comparison_;
     KeyPortraits portraits_;

@@ -1,6 +1,7 @@
 #include "app/window/surface_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -8,8 +9,10 @@
 #include <fmt/core.h>
 #include <glm/common.hpp>
 
+#include "app/document/shown_field.h"
 #include "app/window/camera_control.h"
 #include "hierarchy/color.h"
+#include "ui/widgets/arrow_marks.h"
 #include "ui/widgets/value_label.h"
 
 namespace interleaf {
@@ -35,17 +38,52 @@ std::size_t leaves_of(const Family& family, const Weights& weights) {
     return leaves;
 }
 
+/// Side of a cell with at most one arrow, at scale 1.
+constexpr float arrow_cell = 24;
+
+/// The camera's first direction, in degrees.
+constexpr glm::vec2 usual_direction{30, 20};
+
+/// From where a plane across an axis is seen from its front, and from where its heights are seen.
+constexpr std::array<glm::vec2, 3> front_directions = {{{90, 0}, {0, 90}, {0, 0}}};
+constexpr std::array<glm::vec2, 3> oblique_directions = {{{60, 25}, {30, 35}, {-30, 25}}};
+
+float size_of(const Box& box) {
+    const glm::vec3 size = box.max - box.min;
+    return std::max({size.x, size.y, size.z});
+}
+
 }  // namespace
 
 SurfaceView::SurfaceView() {
-    camera_.look_from(30, 20);
+    camera_.look_from(usual_direction.x, usual_direction.y);
+}
+
+void SurfaceView::set_extent(const Extent& all_keys) {
+    all_keys_ = all_keys;
+    const std::optional<unsigned> axis = flat_axis(all_keys.box);
+    if (axis == axis_) return;
+    axis_ = axis;
+    if (axis_)
+        face_plane();
+    else
+        camera_.look_from(usual_direction.x, usual_direction.y);
+}
+
+/// Looks at the plane of the keys from its front, or at their heights from the side.
+void SurfaceView::face_plane() {
+    const glm::vec2 direction = (warped_.is_warped() ? oblique_directions : front_directions)[*axis_];
+    camera_.look_from(direction.x, direction.y);
 }
 
 void SurfaceView::apply_to_camera(const ViewInput& input, const Rect& view) {
-    move_camera(camera_, input, view, picture_.target());
+    ViewInput applied = input;
+    if (axis_ && !warped_.is_warped() && !input.turns_flat) applied.pan += std::exchange(applied.orbit, {});
+    move_camera(camera_, applied, view, picture_.target());
 }
 
-void SurfaceView::follow(const Session& session, const FamilyField* field, double now) {
+void SurfaceView::follow(const Session& session, const FamilyField* field,
+                         std::span<const FamilyField> fields, double now) {
     if (camera_ != last_camera_ || session.weights() != last_weights_) moved_at_ = now;
     last_weights_ = session.weights();
     want_details(session);
@@ -54,10 +92,29 @@ void SurfaceView::follow(const Session& session, const FamilyField* field, doubl
     if (shows_view_) return;
     waits_ = false;
     if (showed_view) picture_.forget();  // so that the whole surface is drawn in its final quality at once
+    follow_whole(session, field, fields);
+}
+
+/// Updates the surface whose detail does not follow the camera.
+void SurfaceView::follow_whole(const Session& session, const FamilyField* field,
+                               std::span<const FamilyField> fields) {
+    const bool was_warped = warped_.is_warped();
     detailed_.follow(session.family(), session.weights(), session.display.detail, details_);
-    surface_.update(detailed_.family(), detailed_.weights(), field != nullptr ? &field->label : nullptr,
-                    detailed_.sources());
-    if (session.display.detail >= 1) surface_.expect(session.family(), session.next_key_sets());
+    warped_.follow(detailed_.family(), detailed_.weights(), detailed_.sources(),
+                   warp_of(session.display, fields, all_keys_.box));
+    if (axis_ && was_warped != warped_.is_warped()) {
+        face_plane();
+        must_frame_ = true;
+    }
+    surface_.update(warped_.family(), warped_.weights(), field != nullptr ? &field->label : nullptr,
+                    warped_.sources());
+    // A late surface has other keys than the weights.
+    const bool shows_arrows = session.display.arrows && field != nullptr && !surface_.figures().is_late;
+    arrows_.follow(warped_.family(), warped_.weights(), surface_.mesh(), surface_.figures().rebuilds,
+                   shows_arrows ? vector_of(fields, field->label.name) : std::nullopt);
+    if (session.display.detail >= 1 && !warped_.is_warped())
+        surface_.expect(session.family(), session.next_key_sets());
+    if (warped_.is_warped()) camera_.keep_unclipped(raised_extent());
 }
 
 /// Lets the details be measured that the display asks for, or that moving a slow surface takes: first those of
@@ -84,6 +141,7 @@ void SurfaceView::want_details(const Session& session) {
 /// moves on a slow machine.
 bool SurfaceView::wants_view(const Session& session, double now) {
     const Display& display = session.display;
+    if (display.height != 0 || warped_.is_warped() || display.arrows) return false;
     const std::size_t leaves = leaves_of(session.family(), session.weights());
     const std::size_t roots = session.family().keys.front().hierarchy->roots.triangle_count();
     if (leaves <= view_leaf_budget || roots > view_leaf_budget) return false;
@@ -96,12 +154,21 @@ bool SurfaceView::wants_view(const Session& session, double now) {
     return waits_;
 }
 
-void SurfaceView::aim(ViewTarget view_target, const Extent& all_keys, const Rect& view) {
-    if (view_target == ViewTarget::surface)
+/// The extent of all keys, with room for the largest height.
+Extent SurfaceView::raised_extent() const {
+    Box box = all_keys_.box;
+    box.max[static_cast<int>(*axis_)] += size_of(box);
+    return extent_of(box);
+}
+
+void SurfaceView::aim(ViewTarget view_target, const Rect& view) {
+    if (std::exchange(must_frame_, false) && view_target == ViewTarget::none)
+        view_target = ViewTarget::all_keys;
+    if (view_target == ViewTarget::surface || (view_target != ViewTarget::none && warped_.is_warped()))
         camera_.view_all(shows_view_ && view_.version() > 0 ? view_.extent() : surface_.extent(),
                          aspect_of(view));
     else if (view_target == ViewTarget::all_keys)
-        camera_.view_all(all_keys, aspect_of(view));
+        camera_.view_all(all_keys_, aspect_of(view));
     last_camera_ = camera_;
 }
 
@@ -131,6 +198,17 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
     if (!shows_view_ && session.display.detail >= 1) is_slow_ = picture_.milliseconds() > slow_whole_from;
     picture_.target()->blit_to_window(pixels(view.x), pixels(window_height - view.bottom()));
     return is_good && !surface_.figures().is_late;
+}
+
+void SurfaceView::draw_arrows(const Rect& view, const Gui& gui) {
+    if (shows_view_ || !arrows_.are_shown()) return;
+    OffscreenTarget& target = *picture_.target();
+    const std::vector<float> depths = target.read_depths();
+    for (const Arrow& arrow :
+         arrows_.arrows(surface_.mesh(), warped_.weights(), camera_,
+                        {target.width(), target.height(), depths}, arrow_cell * gui.scale() * gui.density()))
+        arrow_mark(glm::vec2(view.x, view.y) + arrow.from / gui.density(),
+                   glm::vec2(view.x, view.y) + arrow.to / gui.density());
 }
 
 void SurfaceView::show_value(const Session& session, const FamilyField& field, glm::vec2 pointer,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <glm/vec2.hpp>
 
@@ -11,8 +12,11 @@
 #include "app/pictures/key_details.h"
 #include "app/pictures/morph_surface.h"
 #include "app/pictures/scene_picture.h"
+#include "app/pictures/vector_arrows.h"
 #include "app/pictures/view_surface.h"
+#include "app/pictures/warped_family.h"
 #include "family/family_fields.h"
+#include "family/warp.h"
 #include "hierarchy/measure.h"
 #include "render/camera.h"
 #include "ui/gui.h"
@@ -26,18 +30,26 @@ class SurfaceView {
     /// \pre an OpenGL context is current
     SurfaceView();
 
+    /// Takes the extent of all keys of a document. The camera faces keys that lie in one plane, if those before did
+    /// not.
+    void set_extent(const Extent& all_keys);
+
+    /// Whether all keys lie in one plane.
+    bool is_flat() const { return axis_.has_value(); }
+
     /// Moves the camera by \p input, which was read over \p view.
     void apply_to_camera(const ViewInput& input, const Rect& view);
 
     /// Updates the surface to \p session.
-    /// \param field  the field that the session's display shows; null for none
-    /// \param now    wall time, seconds
-    void follow(const Session& session, const FamilyField* field, double now);
+    /// \param field   the field that the session's display shows; null for none
+    /// \param fields  of the family
+    /// \param now     wall time, seconds
+    void follow(const Session& session, const FamilyField* field, std::span<const FamilyField> fields,
+                double now);
 
     /// Frames \p view_target: points the camera at the target, which then fills \p view.
-    /// \param all_keys  extent of all keys
     /// \pre follow() has been called
-    void aim(ViewTarget view_target, const Extent& all_keys, const Rect& view);
+    void aim(ViewTarget view_target, const Rect& view);
 
     /// Refines the surface for the picture in \p view, if its detail follows the camera.
     /// \pre follow() has been called for \p session and \p field
@@ -47,6 +59,9 @@ class SurfaceView {
     /// \param window_height  screen coordinates
     /// \return whether the picture has its final quality; otherwise draw again soon
     bool draw(const Session& session, const Rect& view, const Gui& gui, float window_height);
+
+    /// Draws the arrows of the session of the last follow(), over the picture of the last draw().
+    void draw_arrows(const Rect& view, const Gui& gui);
 
     /// Shows the value of \p field under \p pointer, or nothing if the pointer is not over the surface.
     void show_value(const Session& session, const FamilyField& field, glm::vec2 pointer, const Rect& view);
@@ -69,12 +84,20 @@ class SurfaceView {
   private:
     void want_details(const Session& session);
     bool wants_view(const Session& session, double now);
+    void follow_whole(const Session& session, const FamilyField* field, std::span<const FamilyField> fields);
+    void face_plane();
+    Extent raised_extent() const;  ///< \pre is_flat()
 
+    Extent all_keys_;               ///< flat, if the keys are
+    std::optional<unsigned> axis_;  ///< across the plane of all keys; none if they are not flat
+    bool must_frame_ = false;       ///< the camera has turned to or from the plane
     KeyDetails details_;
     DetailedFamily detailed_;
+    WarpedFamily warped_;
     MorphSurface surface_;
     ViewSurface view_;
     SurfaceFigures view_figures_;
+    VectorArrows arrows_;
     ScenePicture picture_;
     Camera camera_;
 

@@ -294,7 +294,7 @@ void Viewer::draw(const std::optional<ViewInput>& view) {
     gui_.begin_drawing();
     drawn_ = show_panels();
     rest_.is_coarse = !views_.draw(state_, drawn_.layout, view, gui_);
-    rest_.moves = state_.session.is_playing() || film_.is_working();
+    rest_.moves = state_.session.is_playing() || film_.is_working() || views_.is_measuring();
     rest_.has_input = gui_.has_input();
     gui_.end_frame();
 }
@@ -308,6 +308,8 @@ ShownWindow Viewer::show_panels() {
                                      .title = title_,
                                      .portraits = views_.portraits(),
                                      .fields = views_.fields(),
+                                     .field_curves = &views_.field_curves(),
+                                     .is_flat = views_.is_flat(),
                                      .curves = views_.curves(),
                                      .figures = views_.figures(),
                                      .follows_camera = views_.follows_camera(),

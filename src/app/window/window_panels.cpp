@@ -82,7 +82,10 @@ void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
                                              .active_keys = figures.keys,
                                              .active_names = figures.key_names,
                                              .fields = shown.fields,
-                                             .key_without_field = figures.key_without_field});
+                                             .key_without_field = figures.key_without_field,
+                                             .curves = shown.field_curves,
+                                             .time = shown.state.session.time(),
+                                             .is_flat = shown.is_flat});
     if (wanted != display) result.actions.display = std::move(wanted);
     result.legend_keys = figures.key_names;
 }

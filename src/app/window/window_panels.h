@@ -18,6 +18,7 @@
 #include "app/window/frame_layout.h"
 #include "family/family_fields.h"
 #include "ui/dialogs/message_panel.h"
+#include "ui/panels/field_curves.h"
 #include "ui/panels/keys_panel.h"
 #include "ui/panels/menu_bar.h"
 #include "ui/panels/parameter_domain_panel.h"
@@ -40,7 +41,9 @@ struct WindowShown {
     std::string_view title;
     std::span<const KeyPortrait> portraits;  ///< one per key
     std::span<const FamilyField> fields;
-    std::span<const WeightCurve> curves;  ///< of the timeline, in its shown times
+    const FieldCurves* field_curves = nullptr;  ///< of the shown scalar over time; null for none
+    bool is_flat = false;                       ///< whether all keys lie in one plane
+    std::span<const WeightCurve> curves;        ///< of the timeline, in its shown times
     const SurfaceFigures& figures;
     bool follows_camera = false;  ///< whether the detail of the surface does
     std::optional<double> measured_part =

@@ -31,6 +31,10 @@ void check_numbers(const SurfaceMesh& mesh) {
     if (!mesh.colors.empty() && mesh.colors.size() != mesh.positions.size())
         throw InputError(
             fmt::format("the mesh has {} colors for {} vertices", mesh.colors.size(), mesh.positions.size()));
+    for (const MeshField& scalar : mesh.scalars)
+        if (scalar.values.size() != mesh.positions.size())
+            throw InputError(fmt::format("field {} has {} values for {} vertices", scalar.name,
+                                         scalar.values.size(), mesh.positions.size()));
     const auto is_good = [](double number) {  // false for a NaN, too
         return std::abs(number) <= std::numeric_limits<float>::max();
     };

@@ -26,7 +26,7 @@ struct CleanMesh {
     SurfaceMesh mesh;
     CleanUpReport report;
     std::vector<Index> source_vertex;  ///< per vertex, its index in the input; no_index for added vertices
-    SurfaceMesh dropped;               ///< the components of the input that are not kept, without colors
+    SurfaceMesh dropped;  ///< the components of the input that are not kept, without colors and scalars
 };
 
 /// Vertices and triangles keep their order. A clean mesh comes back unchanged, except that vertices that no

@@ -1,6 +1,8 @@
 #include "fit/clean_up/hole_filling.h"
 
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -10,14 +12,19 @@
 namespace interleaf {
 namespace {
 
-/// A position and a color, which are blended in the same way.
+/// A position, a color and scalars, which are blended in the same way.
 struct Sample {
     glm::dvec3 position{0};
     glm::vec3 color{0};
+    std::vector<double> scalars{};
 };
 
 Sample blend(const Sample& a, const Sample& b, double part) {
-    return {a.position + part * (b.position - a.position), a.color + float(part) * (b.color - a.color)};
+    Sample blended{a.position + part * (b.position - a.position), a.color + float(part) * (b.color - a.color),
+                   a.scalars};
+    for (std::size_t s = 0; s < a.scalars.size(); ++s)
+        blended.scalars[s] += part * (b.scalars[s] - a.scalars[s]);
+    return blended;
 }
 
 class Filler {
@@ -47,22 +54,29 @@ class Filler {
 
   private:
     Sample sample(Index vertex) const {
-        return {mesh_.positions[vertex], mesh_.colors.empty() ? glm::vec3(0) : mesh_.colors[vertex]};
+        Sample sample{mesh_.positions[vertex], mesh_.colors.empty() ? glm::vec3(0) : mesh_.colors[vertex]};
+        sample.scalars.reserve(mesh_.scalars.size());
+        for (const MeshField& scalar : mesh_.scalars) sample.scalars.push_back(scalar.values[vertex]);
+        return sample;
     }
 
     /// The mean along the rim, independent of the spacing of its vertices.
     static Sample middle_of(std::span<const Sample> rim) {
         Sample sum;
+        sum.scalars.resize(rim.front().scalars.size(), 0);
         double whole = 0;
         for (std::size_t i = 0; i < rim.size(); ++i) {
             const Sample between = blend(rim[i], rim[(i + 1) % rim.size()], 0.5);
             const double length = glm::distance(rim[i].position, rim[(i + 1) % rim.size()].position);
             sum.position += length * between.position;
             sum.color += float(length) * between.color;
+            for (std::size_t s = 0; s < sum.scalars.size(); ++s)
+                sum.scalars[s] += length * between.scalars[s];
             whole += length;
         }
         if (!(whole > 0)) return rim.front();
-        return {sum.position / whole, sum.color / float(whole)};
+        for (double& scalar : sum.scalars) scalar /= whole;
+        return {sum.position / whole, sum.color / float(whole), std::move(sum.scalars)};
     }
 
     /// A ring of \p count vertices parallel to the rim. Rings nearer to the middle have fewer vertices.
@@ -104,6 +118,8 @@ class Filler {
     Index add(const Sample& vertex) {
         mesh_.positions.push_back(vertex.position);
         if (!mesh_.colors.empty()) mesh_.colors.push_back(vertex.color);
+        for (std::size_t s = 0; s < mesh_.scalars.size(); ++s)
+            mesh_.scalars[s].values.push_back(vertex.scalars[s]);
         return static_cast<Index>(mesh_.positions.size() - 1);
     }
 

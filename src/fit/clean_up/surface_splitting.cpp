@@ -1,6 +1,8 @@
 #include "fit/clean_up/surface_splitting.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <numeric>
 #include <tuple>
 
@@ -60,6 +62,7 @@ void bisect_edge(SurfaceMesh& mesh, std::vector<Index>& twin, Index half_edge) {
     const Index to = mesh.triangles[half_edge / 3][(half_edge % 3 + 1) % 3];
     mesh.positions.push_back((mesh.positions[from] + mesh.positions[to]) * 0.5);
     if (!mesh.colors.empty()) mesh.colors.push_back((mesh.colors[from] + mesh.colors[to]) * 0.5F);
+    append_mean(mesh.scalars, std::array{from, to}, std::array{0.5, 0.5});
 
     // Turns (from, to, x) into (from, midpoint, x), adds (midpoint, to, x), and returns the new triangle's
     // number.
@@ -102,6 +105,8 @@ std::vector<Index> split_vertices(SurfaceMesh& mesh, std::span<const Index> twin
     });
     std::vector<Index> number(order.size());
     SurfaceMesh split;
+    split.scalars.reserve(mesh.scalars.size());
+    for (const MeshField& scalar : mesh.scalars) split.scalars.push_back({scalar.name, 1, {}});
     std::vector<Index> source;
     for (const Index old_fan : order) {
         number[old_fan] = static_cast<Index>(source.size());
@@ -109,6 +114,8 @@ std::vector<Index> split_vertices(SurfaceMesh& mesh, std::span<const Index> twin
         source.push_back(vertex);
         split.positions.push_back(mesh.positions[vertex]);
         if (!mesh.colors.empty()) split.colors.push_back(mesh.colors[vertex]);
+        for (std::size_t s = 0; s < split.scalars.size(); ++s)
+            split.scalars[s].values.push_back(mesh.scalars[s].values[vertex]);
     }
     split.triangles = std::move(mesh.triangles);
     for (Index corner = 0; corner < fan.size(); ++corner)

@@ -1,6 +1,7 @@
 #include "fit/landmarks/landmark_insertion.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -82,6 +83,7 @@ class LandmarkInsertion {
         };
         mesh_.positions.push_back(mean(mesh_.positions));
         if (!mesh_.colors.empty()) mesh_.colors.push_back(mean(mesh_.colors));
+        append_mean(mesh_.scalars, corners, std::array{place.x, place.y, place.z});
         return static_cast<Index>(mesh_.positions.size() - 1);
     }
 

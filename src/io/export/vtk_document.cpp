@@ -97,6 +97,34 @@ std::string points_element(const VtkSurface& surface, AppendedArrays& arrays) {
     return arrays.add("Points", 3, std::span<const double>(places));
 }
 
+/// The number of fields from \p first on that are the components of one vector, "u x", "u y" and "u z", as import
+/// names them: 2 or 3; otherwise 1.
+std::size_t vector_components(std::span<const Field> fields, std::size_t first) {
+    constexpr std::array<std::string_view, 3> axes = {" x", " y", " z"};
+    std::string_view stem = fields[first].name;
+    if (!stem.ends_with(axes[0]) || stem.size() == axes[0].size()) return 1;
+    stem.remove_suffix(axes[0].size());
+    if (std::ranges::find(fields, stem, &Field::name) != fields.end()) return 1;
+    std::size_t count = 0;
+    while (count < axes.size() && first + count < fields.size()) {
+        const Field& field = fields[first + count];
+        if (field.kind != FieldKind::scalar || field.name != std::string(stem) + std::string(axes[count]))
+            break;
+        ++count;
+    }
+    return std::max<std::size_t>(count, 1);
+}
+
+std::string vector_element(std::span<const Field> components, AppendedArrays& arrays) {
+    std::vector<float> values;
+    values.reserve(components.size() * components.front().values.size());
+    for (std::size_t vertex = 0; vertex < components.front().values.size(); ++vertex)
+        for (const Field& component : components) values.push_back(component.values[vertex]);
+    std::string_view stem = components.front().name;
+    stem.remove_suffix(2);
+    return arrays.add(stem, components.size(), std::span<const float>(values));
+}
+
 std::string field_element(const Field& field, AppendedArrays& arrays) {
     if (field.kind == FieldKind::scalar)
         return arrays.add(field.name, 1, std::span<const float>(field.values));
@@ -136,7 +164,12 @@ std::string cells_element(const VtkSurface& surface, VtkDataSet data_set, Append
 std::string vtk_bytes(const VtkSurface& surface, VtkDataSet data_set) {
     AppendedArrays arrays;
     std::string fields = "<PointData>\n";
-    for (const Field& field : surface.fields) fields += field_element(field, arrays);
+    for (std::size_t n = 0; n < surface.fields.size();) {
+        const std::size_t count = vector_components(surface.fields, n);
+        fields += count > 1 ? vector_element(surface.fields.subspan(n, count), arrays)
+                            : field_element(surface.fields[n], arrays);
+        n += count;
+    }
     const std::string cell_data = cell_data_element(surface, arrays);
     const std::string points = points_element(surface, arrays);
     const std::string cells = cells_element(surface, data_set, arrays);

@@ -146,13 +146,14 @@ std::string frame_bytes(const Export& exported, const FrameMesh& shared, const F
 /// Says how ParaView shows the time between two keys, unless that is the blend.
 void remark_interpolation(const Export& exported) {
     const std::optional<Timeline>& timeline = exported.family.timeline;
-    if (exported.remarks == nullptr || exported.series.frames_per_second || !timeline) return;
+    if (exported.remarks == nullptr || exported.series.has_times() || !timeline) return;
     const Basis basis = timeline->interpolation().basis;
     if (basis == Basis::linear) return;
-    exported.remarks->push_back(fmt::format(
-        "The timeline's interpolation is {}, and ParaView's between two keys is linear; --fps writes "
-        "more times.",
-        name_of(basis)));
+    exported.remarks->push_back(
+        fmt::format("The timeline's interpolation is {}, and ParaView's between two keys is linear; --fps or "
+                    "--every writes "
+                    "more times.",
+                    name_of(basis)));
 }
 
 /// The frames of an export. Without anything that drives the family over time, that is the chosen blend.
@@ -165,7 +166,10 @@ std::vector<Frame> frames_of(const Export& exported, bool are_of_intervals) {
     if (!source && !exported.weights) throw UsageError(no_default_blend);
     if (!source) return {{0, *exported.weights}};
     if (per_second) return frames_per_second(family, *source, *per_second);
-    if (*source == TimeSource::path) throw UsageError("the time of the family is that of a path; say --fps");
+    if (exported.series.interval) return frames_every(family, *source, *exported.series.interval);
+    if (!exported.series.times.empty()) return frames_at(family, *source, exported.series.times);
+    if (*source == TimeSource::path)
+        throw UsageError("the time of the family is that of a path; say --fps, --every or --times");
     return are_of_intervals ? frames_of_intervals(family) : frames_of_keys(family);
 }
 

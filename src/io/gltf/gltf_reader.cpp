@@ -323,6 +323,9 @@ SurfaceFile parse_gltf(std::string_view bytes, std::string_view name) {
         for (std::size_t n = 0; n < values.size(); n += 3)
             surface.colors.emplace_back(values[n], values[n + 1], values[n + 2]);
     }
+    for (const Field& field : fields_of_key(mesh, field_names(own), 0))
+        if (field.kind == FieldKind::scalar)
+            surface.scalars.push_back({field.name, 1, {field.values.begin(), field.values.end()}});
     surface.positions = std::move(mesh.positions);
     surface.triangles = std::move(mesh.triangles);
     for (glm::dvec3& position : surface.positions) {

@@ -1,6 +1,6 @@
 // Reads the Polygon File Format of Stanford: a header that declares elements and their properties, then the
-// values of the elements as text or binary. The reader takes vertices (x, y, z; red, green, blue if present),
-// faces and triangle strips, and skips all other elements and properties.
+// values of the elements as text or binary. The reader takes vertices (x, y, z; red, green, blue if present; other
+// floats as scalars), faces and triangle strips, and skips all other elements and properties.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -83,6 +83,9 @@ class PlyReader {
             throw InputError(fmt::format("{}: more follows than the header declares, of which a line says {}",
                                          name_, in_quotes(unknown_line_)));
         if (mesh_.colors.size() != mesh_.positions.size()) mesh_.colors.clear();
+        std::erase_if(mesh_.scalars, [&](const MeshField& scalar) {
+            return scalar.values.size() != mesh_.positions.size();
+        });
         for (const Index vertex : mesh_.corners)
             if (vertex >= mesh_.positions.size())
                 throw InputError(fmt::format("{}: a face has vertex {}, there are {}, counted from 0", name_,
@@ -276,6 +279,26 @@ class PlyReader {
         for (Index i = 0; i < count; ++i) next(*property.type);
     }
 
+    /// Whether \p property of a vertex is a value on the surface: a float that is neither a place, a direction, a
+    /// color nor a place on a texture.
+    static bool is_scalar(const Property& property) {
+        constexpr std::array<std::string_view, 14> others = {"x",  "y",   "z",         "nx",       "ny",
+                                                             "nz", "red", "green",     "blue",     "alpha",
+                                                             "s",  "t",   "texture_u", "texture_v"};
+        return property.count_type == nullptr && property.type->is_float &&
+               std::ranges::find(others, property.name) == others.end();
+    }
+
+    /// The scalar that receives \p property of the next vertex; null if there is none, or if a vertex lacks it.
+    MeshField* scalar_of(const Property& property) {
+        if (!is_scalar(property)) return nullptr;
+        const auto scalar = std::ranges::find(mesh_.scalars, property.name, &MeshField::name);
+        if (scalar != mesh_.scalars.end())
+            return scalar->values.size() == mesh_.positions.size() ? &*scalar : nullptr;
+        if (!mesh_.positions.empty() || mesh_.scalars.size() == max_mesh_scalars) return nullptr;
+        return &mesh_.scalars.emplace_back(MeshField{std::string(property.name), 1, {}});
+    }
+
     void read_vertex(const Element& element) {
         std::array<std::optional<double>, 3> position;
         std::array<std::optional<float>, 3> color;
@@ -284,6 +307,10 @@ class PlyReader {
         for (const Property& property : element.properties) {
             const auto* const axis = std::ranges::find(axes, property.name);
             const auto* const channel = std::ranges::find(channels, property.name);
+            if (MeshField* const scalar = scalar_of(property)) {
+                scalar->values.push_back(next(*property.type));
+                continue;
+            }
             if (property.count_type != nullptr || (axis == axes.end() && channel == channels.end())) {
                 pass_over(property);
                 continue;

@@ -69,6 +69,18 @@ void settle_colors(PolygonMesh& mesh) {
                                            counted(undefined, "color had", "colors had")));
 }
 
+void settle_scalars(PolygonMesh& mesh) {
+    std::erase_if(mesh.scalars, [&](const MeshField& scalar) {
+        if (!is_field_name(scalar.name)) return true;
+        constexpr double most = std::numeric_limits<float>::max();
+        if (std::ranges::all_of(scalar.values, [](double value) { return std::abs(value) <= most; }))
+            return false;
+        mesh.remarks.push_back(
+            fmt::format("The values \"{}\" of the vertices are not all finite: left out.", scalar.name));
+        return true;
+    });
+}
+
 }  // namespace
 
 bool PolygonMesh::add_face(std::span<const Index> vertices, std::size_t line) {
@@ -87,6 +99,7 @@ void settle(PolygonMesh& mesh, std::string_view name) {
                                            counted(mesh.positions.size(), "vertex", "vertices")));
     settle_positions(mesh, name);
     settle_colors(mesh);
+    settle_scalars(mesh);
 }
 
 std::vector<Triangle> triangles_of(const PolygonMesh& mesh, std::string_view name) {

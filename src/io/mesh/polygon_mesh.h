@@ -13,6 +13,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "hierarchy/field.h"
+#include "hierarchy/field_mesh.h"
 #include "hierarchy/triangle.h"
 
 namespace interleaf {
@@ -35,10 +37,14 @@ inline bool is_place(const glm::dvec3& position) {
     return std::abs(position.x) <= most && std::abs(position.y) <= most && std::abs(position.z) <= most;
 }
 
+/// The largest number of scalars: a key has room for these and for a color.
+inline constexpr std::size_t max_mesh_scalars = max_field_count - 1;
+
 struct PolygonMesh {
-    std::vector<glm::dvec3> positions;      ///< NaN where the file has no number
-    std::vector<glm::vec3> colors;          ///< one per vertex, in any range; empty if there are none
-    std::vector<Index> corners;             ///< vertices of the faces, one face after the other
+    std::vector<glm::dvec3> positions;  ///< NaN where the file has no number
+    std::vector<glm::vec3> colors;      ///< one per vertex, in any range; empty if there are none
+    std::vector<MeshField> scalars;     ///< of one component, one value per vertex; at most max_mesh_scalars
+    std::vector<Index> corners;         ///< vertices of the faces, one face after the other
     std::vector<std::uint32_t> face_sizes;  ///< number of corners per face
     std::vector<std::uint32_t> face_lines;  ///< line of the file per face; empty if the file has no lines
     std::size_t triangle_count = 0;         ///< number of triangles that the faces become
@@ -68,7 +74,8 @@ struct PolygonMesh {
 };
 
 /// Gives the mesh the numbers that its users expect, and adds remarks about what was changed. A broken
-/// vertex, which no face may use, gets the position of another vertex. Colors are clamped to 0 to 1, after
+/// vertex, which no face may use, gets the position of another vertex. Scalars that are not finite, or whose names
+/// cannot be names of fields, are left out. Colors are clamped to 0 to 1, after
 /// division by 255 if they range to 255.
 /// \pre   faces name existing vertices
 /// \throw InputError naming \p name, if there are no faces, or if a face uses a broken vertex

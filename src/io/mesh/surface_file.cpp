@@ -50,7 +50,8 @@ std::string lost_digits(const SurfaceFile& surface) {
 SurfaceFile surface_of(PolygonMesh mesh, std::string_view name) {
     settle(mesh, name);
     std::vector<Triangle> triangles = triangles_of(mesh, name);
-    return {std::move(mesh.positions), std::move(triangles), std::move(mesh.colors), std::move(mesh.remarks)};
+    return {std::move(mesh.positions), std::move(triangles), std::move(mesh.colors), std::move(mesh.scalars),
+            std::move(mesh.remarks)};
 }
 
 SurfaceFile parse_obj(std::string_view text, std::string_view name) {

@@ -13,6 +13,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "hierarchy/field_mesh.h"
 #include "hierarchy/triangle.h"
 #include "io/mesh/polygon_mesh.h"
 
@@ -24,6 +25,10 @@ struct SurfaceFile {
     std::vector<glm::dvec3> positions;
     std::vector<Triangle> triangles;
     std::vector<glm::vec3> colors;  ///< one per vertex, 0 to 1; empty if there are none
+
+    /// Fields of one component with one finite value per vertex. Their names differ, and can be names of a key's
+    /// fields.
+    std::vector<MeshField> scalars{};
 
     /// Sentences about everything that was read differently than written.
     std::vector<std::string> remarks;

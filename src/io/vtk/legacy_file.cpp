@@ -281,7 +281,7 @@ class LegacyReader {
             piece_.is_left_out = left_out_cells(small_numbers(array, place), name == "vtkGhostLevels");
         if (name.starts_with("vtk")) return;
         (is_of_cells ? piece_.cell_fields : piece_.point_fields)
-            .push_back({name, place.components, finite_numbers(array, place)});
+            .push_back({name, place.components, doubles_of(array)});
     }
 
     /// Names and notes about the last array, up to an empty line. A name may be empty, too.

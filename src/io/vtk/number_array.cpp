@@ -41,6 +41,13 @@ void for_each_number(const NumberArray& array, Action action) {
     });
 }
 
+/// The number that \p word is; NaN for a word that programs print for an undefined or infinite number.
+std::optional<double> number_in(std::string_view word) {
+    if (const std::optional<double> number = parse_double(word)) return number;
+    const std::optional<double> undefined = parse_coordinate(word);
+    return undefined && std::isnan(*undefined) ? undefined : std::nullopt;
+}
+
 template <typename Number>
 std::vector<Number> whole_numbers(const NumberArray& array, double limit, const ArrayPlace& place) {
     std::vector<Number> numbers;
@@ -86,15 +93,22 @@ NumberArray read_words(Words& words, DataType type, const ArrayPlace& place) {
         for (std::size_t n = 0; n < count; ++n) {
             const std::string_view word = words.next();
             if (word.empty()) place.fail(fmt::format("ends after {} numbers, expected {}", n, count));
-            const auto number = parse_double(word);
+            const auto number = number_in(word);
             const auto value = number ? converted<decltype(zero)>(*number) : std::nullopt;
             if (!value)
-                place.fail_at(n, fmt::format("{}, expected a finite number of type {}", in_quotes(word),
-                                             name_of(type)));
+                place.fail_at(
+                    n, fmt::format("{}, expected a number of type {}", in_quotes(word), name_of(type)));
             std::memcpy(&array.bytes[n * sizeof zero], &*value, sizeof zero);
         }
     });
     return array;
+}
+
+std::vector<double> doubles_of(const NumberArray& array) {
+    std::vector<double> numbers;
+    numbers.reserve(array.bytes.size() / size_of(array.type));
+    for_each_number(array, [&](double number, std::size_t) { numbers.push_back(number); });
+    return numbers;
 }
 
 std::vector<double> finite_numbers(const NumberArray& array, const ArrayPlace& place) {

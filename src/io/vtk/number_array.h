@@ -39,9 +39,12 @@ struct NumberArray {
 /// Reverses the bytes of each number.
 void swap_byte_order(NumberArray& array);
 
-/// Reads the numbers of \p place as words.
-/// \throw InputError naming \p place, if a word is not a finite number of \p type, or if there are too few words
+/// Reads the numbers of \p place as words. Words such as "nan" and "-inf" give NaN.
+/// \throw InputError naming \p place, if a word is not a number of \p type, or if there are too few words
 NumberArray read_words(Words& words, DataType type, const ArrayPlace& place);
+
+/// The numbers, of which some may not be finite.
+std::vector<double> doubles_of(const NumberArray& array);
 
 /// \throw InputError naming \p place and the first number that is not finite
 std::vector<double> finite_numbers(const NumberArray& array, const ArrayPlace& place);

@@ -113,7 +113,7 @@ class XmlPieceReader {
                 std::max<std::size_t>(document_.count(array, "NumberOfComponents", 1), 1);
             const ArrayPlace where =
                 place(fmt::format("{} field {}", element, in_quotes(name)), element, tuples, width);
-            fields.push_back({name, width, finite_numbers(numbers(array, where), where)});
+            fields.push_back({name, width, doubles_of(numbers(array, where))});
         }
         return fields;
     }

@@ -82,18 +82,29 @@ double integral_error(const StepMesh& step, const Hierarchy& key, std::span<cons
     return largest;
 }
 
-double moved_widths(const Hierarchy& key, const Hierarchy& next, std::span<const double> ranges) {
+std::vector<double> moved_widths_times_range(const Hierarchy& key, const Hierarchy& next) {
     const std::array<const Hierarchy*, 2> keys = {&key, &next};
+    std::vector<double> moved;
+    if (key.fields.empty()) return moved;
     const UnionMesh both = unite(keys);
-    double most = 0;
-    for (std::size_t s = 0; s < ranges.size(); ++s) {
-        if (!(ranges[s] > 0)) continue;
-        const FrontIntegrals front = front_integrals(both, united_field(keys, both, key.fields[s].label()));
-        if (!(front.gradient > 0)) continue;
-        most = std::max(
-            most, front.change * front.squared_gradient / (ranges[s] * front.gradient * front.gradient));
+    moved.reserve(key.fields.size());
+    for (const Field& field : key.fields) {
+        const FrontIntegrals front = front_integrals(both, united_field(keys, both, field.label()));
+        const double squared = front.gradient * front.gradient;
+        moved.push_back(squared > 0 ? front.change * front.squared_gradient / squared : 0);
     }
+    return moved;
+}
+
+double widths_of(std::span<const double> widths_times_range, std::span<const double> ranges) {
+    double most = 0;
+    for (std::size_t s = 0; s < widths_times_range.size(); ++s)
+        if (ranges[s] > 0) most = std::max(most, widths_times_range[s] / ranges[s]);
     return most;
+}
+
+double moved_widths(const Hierarchy& key, const Hierarchy& next, std::span<const double> ranges) {
+    return widths_of(moved_widths_times_range(key, next), ranges);
 }
 
 }  // namespace interleaf

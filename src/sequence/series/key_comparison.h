@@ -14,6 +14,15 @@ namespace interleaf {
 /// \param ranges  one per scalar; a scalar with range 0 does not count
 double integral_error(const StepMesh& step, const Hierarchy& key, std::span<const double> ranges);
 
+/// Per scalar of \p key, how far its fronts move from \p key to \p next, in widths of a front, times the range of the
+/// scalar.
+/// \pre  as moved_widths()
+std::vector<double> moved_widths_times_range(const Hierarchy& key, const Hierarchy& next);
+
+/// The most of these figures over all scalars, divided by the ranges.
+/// \param ranges  one per scalar; a scalar with range 0 does not count
+double widths_of(std::span<const double> widths_times_range, std::span<const double> ranges);
+
 /// How far the fronts of a scalar move from \p key to \p next, in widths of a front; of the scalar with the
 /// most.
 ///

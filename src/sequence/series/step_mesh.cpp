@@ -1,8 +1,6 @@
 #include "sequence/series/step_mesh.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
@@ -19,14 +17,6 @@ namespace {
 
 /// A mesh is flat if it is this thin, relative to its size.
 constexpr double max_thickness = 1e-6;
-
-/// "velocity y": the name of a component.
-std::string component_name(const MeshField& field, std::size_t component) {
-    constexpr std::array<std::string_view, 3> axes = {"x", "y", "z"};
-    if (field.components == 1) return field.name;
-    if (field.components <= axes.size()) return fmt::format("{} {}", field.name, axes[component]);
-    return fmt::format("{} {}", field.name, component + 1);
-}
 
 const MeshField& point_field(const FieldMesh& mesh, const std::string& name) {
     const auto found = std::ranges::find(mesh.point_fields, name, &MeshField::name);

@@ -117,7 +117,9 @@ Display display_panel(const Display& shown, const Legend& legend) {
     if (display.coloring == Coloring::level) level_legend(legend.levels);
     if (display.coloring == Coloring::origin) origin_legend(legend);
     if (display.coloring == Coloring::field)
-        display = field_panel(display, legend.fields, legend.key_without_field.value_or(""));
+        display = field_panel(display, legend.fields, legend.key_without_field.value_or(""), legend.is_flat);
+    if (display.coloring == Coloring::field && legend.curves != nullptr)
+        field_curves(*legend.curves, legend.time);
     return display;
 }
 

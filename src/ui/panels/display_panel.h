@@ -9,6 +9,7 @@
 #include "family/family_fields.h"
 #include "render/display.h"
 #include "render/palette.h"
+#include "ui/panels/field_curves.h"
 
 namespace interleaf {
 
@@ -20,6 +21,9 @@ struct Legend {
     std::span<const std::string> active_names;  ///< names of the active keys, in the same order
     std::span<const FamilyField> fields;        ///< fields of the family
     std::optional<std::string> key_without_field;  ///< an active key that lacks the shown field; may be none
+    const FieldCurves* curves = nullptr;           ///< of the shown scalar over time; null for none
+    double time = 0;
+    bool is_flat = false;  ///< whether the keys lie in a plane, so that a field can raise them
 };
 
 /// \return the display that the user wants: \p shown with any changes

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include "family/vector_field.h"
 #include "ui/widgets/scale_legend.h"
 #include "ui/widgets/style.h"
 
@@ -60,9 +61,30 @@ void lock_range(Display& display) {
         display.scale.range = {ends[0], ends[1]};
 }
 
+/// Offers a logarithmic scale, which needs a range above 0.
+void choose_logarithm(ColorScale& scale) {
+    const bool can_be = scale.range.min > 0;
+    if (!can_be) ImGui::BeginDisabled();
+    ImGui::Checkbox("Logarithmic", &scale.is_logarithmic);
+    if (!can_be) ImGui::EndDisabled();
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip(can_be ? "Equal steps of color are equal factors of the value."
+                                 : "Needs a range above 0: lock the range, and type where it begins.");
+}
+
+void choose_height(float& height) {
+    heading("Height", height > 0 ? fmt::format("{:.0f} %", 100 * height) : "flat");
+    ImGui::SetNextItemWidth(-1);
+    ImGui::SliderFloat("##height", &height, 0, 1, "");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "Raises the surface by the field: the range becomes this part of the surface's size.");
+}
+
 }  // namespace
 
-Display field_panel(const Display& shown, std::span<const FamilyField> fields, std::string_view key_without) {
+Display field_panel(const Display& shown, std::span<const FamilyField> fields, std::string_view key_without,
+                    bool can_rise) {
     Display display = shown;
     choose_field(display, fields);
     const FamilyField* const field = find_field(fields, display.field);
@@ -79,6 +101,12 @@ Display field_panel(const Display& shown, std::span<const FamilyField> fields, s
     ImGui::Spacing();
     scale_legend(display.scale);
     lock_range(display);
+    choose_logarithm(display.scale);
+    if (const auto vector = vector_of(fields, display.field)) {
+        ImGui::Checkbox("Arrows", &display.arrows);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Draws the vectors %s.", vector->name.c_str());
+    }
+    if (can_rise) choose_height(display.height);
     return display;
 }
 

@@ -12,7 +12,9 @@ namespace interleaf {
 /// Offers \p fields, color maps and ranges, and shows the legend.
 /// \param key_without  name of an active key that lacks the chosen field, so that the surface cannot show it;
 ///     empty if there is none
+/// \param can_rise  whether to offer to raise the surface by the field, as flat ones can be
 /// \return the display that the user wants: \p shown with any changes
-Display field_panel(const Display& shown, std::span<const FamilyField> fields, std::string_view key_without);
+Display field_panel(const Display& shown, std::span<const FamilyField> fields, std::string_view key_without,
+                    bool can_rise);
 
 }  // namespace interleaf

@@ -23,6 +23,7 @@ ViewInput view_area(const Rect& rect, const char* name) {
         // In the frame of the press, the mouse delta also contains the movement before the press.
         if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) {
             const bool pans = !ImGui::IsMouseDown(ImGuiMouseButton_Left) || io.KeyShift;
+            input.turns_flat = io.KeyCtrl;
             (pans ? input.pan : input.orbit) = from_imgui(io.MouseDelta) / rect.height;
         }
         input.pointed_at = ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown();

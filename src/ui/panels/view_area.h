@@ -14,9 +14,10 @@ struct ViewInput {
     glm::vec2 pointer{0};     ///< window coordinates
     bool view_all = false;    ///< show the whole model
     bool pointed_at = false;  ///< the pointer is over the area, and drags nothing
+    bool turns_flat = false;  ///< Ctrl is held: a drag also orbits a flat surface, which it pans otherwise
 };
 
-/// Reads the mouse in the area. A left drag orbits; a right drag, a middle drag and Shift + left drag pan;
+/// Reads the mouse in the area. A left drag orbits (or pans a flat surface, see turns_flat); a right drag, a middle drag and Shift + left drag pan;
 /// the wheel zooms; a double click shows the whole model.
 /// \param name  unique in the frame
 ViewInput view_area(const Rect& rect, const char* name = "view");

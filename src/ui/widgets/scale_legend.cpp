@@ -15,15 +15,29 @@ namespace interleaf {
 
 namespace {
 
+/// Where \p value is along the bar, 0 to 1.
+float part_at(const ColorScale& scale, double value) {
+    const double min = scale.range.min;
+    const double max = scale.range.max;
+    if (scale.uses_logarithm()) return static_cast<float>(std::log(value / min) / std::log(max / min));
+    return static_cast<float>((value - min) / (max - min));
+}
+
+/// The value at \p part of the bar, 0 to 1.
+float value_at(const ColorScale& scale, float part) {
+    const ValueRange& range = scale.range;
+    if (scale.uses_logarithm()) return range.min * std::pow(range.max / range.min, part);
+    return std::lerp(range.min, range.max, part);
+}
+
 /// Numbers with marks below the bar. A number that would touch an earlier number is left out.
 class Numbers {
   public:
-    Numbers(glm::vec2 corner, float width, const ValueRange& range)
-        : corner_(corner), width_(width), range_(range) {}
+    Numbers(glm::vec2 corner, float width, const ColorScale& scale)
+        : corner_(corner), width_(width), scale_(scale) {}
 
     void put(double value, const std::string& text) {
-        const double length = static_cast<double>(range_.max) - range_.min;
-        const float x = width_ * static_cast<float>((value - range_.min) / length);
+        const float x = width_ * part_at(scale_, value);
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.AddRectFilled({corner_.x + std::floor(std::min(x, width_ - 1)), corner_.y},
                            {corner_.x + std::floor(std::min(x, width_ - 1)) + 1, corner_.y + scaled(4)},
@@ -41,7 +55,7 @@ class Numbers {
   private:
     glm::vec2 corner_;
     float width_;
-    ValueRange range_;
+    ColorScale scale_;
     std::vector<glm::vec2> spans_;
 };
 
@@ -52,7 +66,7 @@ void draw_scale_colors(glm::vec2 corner, glm::vec2 size, const ColorScale& scale
     const auto count = static_cast<int>(std::max(size.x, 1.0F));
     for (int n = 0; n < count; ++n) {
         const float part = (static_cast<float>(n) + 0.5F) / static_cast<float>(count);
-        const float value = std::lerp(scale.range.min, scale.range.max, part);
+        const float value = value_at(scale, part);
         const float x = corner.x + static_cast<float>(n);
         list.AddRectFilled({x, corner.y}, {x + 1, corner.y + size.y}, to_color(scale.color(value)));
     }
@@ -64,11 +78,12 @@ void scale_legend(const ColorScale& scale) {
     const float height = scaled(12);
     draw_scale_colors(corner, {width, height}, scale);
     ImGui::PushFont(small_font());
-    Numbers numbers({corner.x, corner.y + height}, width, scale.range);
+    Numbers numbers({corner.x, corner.y + height}, width, scale);
     if (scale.range.max > scale.range.min) {
         numbers.put(scale.range.min, fmt::format("{:.4g}", scale.range.min));
         numbers.put(scale.range.max, fmt::format("{:.4g}", scale.range.max));
-        for (const double tick : scale_ticks(scale.range.min, scale.range.max, 5))
+        const auto ticks = scale.uses_logarithm() ? logarithmic_ticks : scale_ticks;
+        for (const double tick : ticks(scale.range.min, scale.range.max, 5))
             numbers.put(tick, fmt::format("{:.4g}", tick));
     } else {
         draw_text({corner.x, corner.y + height + scaled(5)}, width, colors::text,

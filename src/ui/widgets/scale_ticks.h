@@ -10,4 +10,8 @@ namespace interleaf {
 /// but at most \p max_count. Empty for a range without length.
 std::vector<double> scale_ticks(double min, double max, std::size_t max_count);
 
+/// The same for a logarithmic scale: powers of ten and, where few of them lie within the range, 2 and 5 times these.
+/// \pre \p min is above 0
+std::vector<double> logarithmic_ticks(double min, double max, std::size_t max_count);
+
 }  // namespace interleaf

@@ -77,6 +77,17 @@ TEST_CASE("a family file, its folder, and no path are families") {
     CHECK(open_family({}).name == read_family(builtin_family_folder()).name);
 }
 
+TEST_CASE("steps of a series are to be imported, which commands do at once") {
+    const Samples samples;
+    put(samples.folder / "s1.vtk",
+        "# vtk DataFile Version 3.0\ns\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n"
+        "0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n");
+    const Opening opened = samples.open({"s1.vtk"});
+    REQUIRE(std::holds_alternative<SeriesToImport>(opened));
+    CHECK(std::get<SeriesToImport>(opened).files == samples.paths({"s1.vtk"}));
+    CHECK(open_family(samples.paths({"s1.vtk"})).keys.size() == 1);
+}
+
 TEST_CASE("files of keys are keys, and only meshes can be fitted instead") {
     const Samples samples;
     const auto keys = [&](std::initializer_list<const char*> names) {

@@ -2,6 +2,8 @@
 #include "fit/clean_up/clean_up.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <random>
 #include <utility>
@@ -28,9 +30,31 @@ double volume(const SurfaceMesh& mesh) {
     return sum;
 }
 
+/// \p mesh with its coordinates as scalars.
+SurfaceMesh with_coordinates(SurfaceMesh mesh) {
+    mesh.scalars = {{"x", 1, {}}, {"y", 1, {}}, {"z", 1, {}}};
+    for (const glm::dvec3& position : mesh.positions)
+        for (int axis = 0; axis < 3; ++axis)
+            mesh.scalars[static_cast<std::size_t>(axis)].values.push_back(position[axis]);
+    return mesh;
+}
+
+/// Whether the scalars of with_coordinates() still are the coordinates of all vertices.
+bool has_coordinates(const SurfaceMesh& mesh) {
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::vector<double>& values = mesh.scalars[static_cast<std::size_t>(axis)].values;
+            if (values.size() != mesh.positions.size()) return false;
+            if (std::abs(values[v] - mesh.positions[v][axis]) > 1e-12 * glm::length(mesh.positions[v]))
+                return false;
+        }
+    return true;
+}
+
 /// Cleans up, and checks what must hold for any result.
 CleanMesh cleaned(const SurfaceMesh& mesh) {
-    CleanMesh clean = clean_up(mesh, {});
+    CleanMesh clean = clean_up(with_coordinates(mesh), {});
+    CHECK(has_coordinates(clean.mesh));
     CHECK(is_closed_manifold(clean.mesh.triangles));
     CHECK(euler_number(clean.mesh.triangles) == 2);
     CHECK(volume(clean.mesh) > 0);
@@ -364,6 +388,9 @@ TEST_CASE("what cannot be repaired is refused with a plain reason") {
     mesh = icosphere(1);
     mesh.colors.resize(3);
     has(mesh, "3 colors for 42 vertices");
+    mesh.colors.clear();
+    mesh.scalars = {{"u", 1, {1, 2}}};
+    has(mesh, "field u has 2 values for 42 vertices");
 
     // A Moebius strip: a band of squares, closed with a half turn.
     SurfaceMesh strip;

@@ -41,6 +41,8 @@ void check_same_surface(const MeshWithLandmarks& after, const SurfaceMesh& befor
 TEST_CASE("points of triangles and of edges become vertices, also many in one triangle") {
     SurfaceMesh mesh = bumpy_ellipsoid(2).mesh;
     mesh.colors.assign(mesh.positions.size(), glm::vec3(0.25F, 0.5F, 0.75F));
+    mesh.scalars = {{"x", 1, {}}};
+    for (const glm::dvec3& position : mesh.positions) mesh.scalars.front().values.push_back(position.x);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> part(0.05, 0.3);
     std::vector<glm::dvec3> points;
@@ -52,8 +54,11 @@ TEST_CASE("points of triangles and of edges become vertices, also many in one tr
     }
     const MeshWithLandmarks made = insert_landmarks(mesh, named(points));
     check_same_surface(made, mesh);
+    REQUIRE(made.mesh.scalars.front().values.size() == made.mesh.positions.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
         CAPTURE(k);
+        const Index vertex = made.vertices[k];
+        CHECK(made.mesh.scalars.front().values[vertex] == doctest::Approx(made.mesh.positions[vertex].x));
         CHECK(glm::distance(made.mesh.positions[made.vertices[k]], points[k]) < 1e-3);
         CHECK(made.distances[k] < 1e-3);
     }

@@ -146,18 +146,23 @@ TEST_CASE("a mesh of many well-shaped triangles is mapped as it is") {
     CHECK(fit(mesh, {}).hierarchy.positions == mapped.hierarchy.positions);
 }
 
-TEST_CASE("colors between the vertices of a refined mesh are those of the mesh") {
+TEST_CASE("colors and scalars between the vertices of a refined mesh are those of the mesh") {
     SurfaceMesh mesh = cylinder(48, 2, Cap::corner_fan);
     const auto color = [](const glm::dvec3& p) {
         return glm::vec3(0.5 + 0.3 * p.x, 0.5 - 0.3 * p.y, 0.25 * p.z);
     };
-    for (const glm::dvec3& position : mesh.positions) mesh.colors.push_back(color(position));
+    mesh.scalars = {{"x", 1, {}}};
+    for (const glm::dvec3& position : mesh.positions) {
+        mesh.colors.push_back(color(position));
+        mesh.scalars.front().values.push_back(position.x);
+    }
     const FittedKey key = fit(mesh, {});
-    REQUIRE(key.hierarchy.fields.size() == 1);
+    REQUIRE(key.hierarchy.fields.size() == 2);
     for (Index vertex = 0; vertex < key.hierarchy.vertex_count(); ++vertex) {
         const auto value = key.hierarchy.fields.front().at(vertex);
         const glm::vec3 expected = color(glm::dvec3(key.hierarchy.positions[vertex]));
         CHECK(glm::distance(glm::vec3(value[0], value[1], value[2]), expected) < 1e-4F);
+        CHECK(std::abs(key.hierarchy.fields[1].values[vertex] - key.hierarchy.positions[vertex].x) < 1e-4F);
     }
 }
 

@@ -327,6 +327,36 @@ TEST_CASE("each of very many equal components takes the nearest one, relative to
     CHECK(match->vertices == renumbering.vertices);
 }
 
+TEST_CASE("fields follow the vertices of a key whose roots are renumbered") {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        CAPTURE(seed);
+        Random random(seed);
+        const RootComplex roots = random_surface(0, false, random);
+        const Hierarchy reference = bisected_key(roots, random);
+        Hierarchy key = bisected_key(roots, random);
+        move_near(key, reference, random);
+        Hierarchy shuffled = renumbered(key, random_renumbering(roots, random));
+        shuffled.fields = {{"x", FieldKind::scalar, {}}, {"place", FieldKind::color, {}}};
+        for (const glm::vec3& position : shuffled.positions) {
+            shuffled.fields[0].values.push_back(position.x);
+            shuffled.fields[1].values.insert(shuffled.fields[1].values.end(),
+                                             {position.x, position.y, position.z});
+        }
+        const std::optional<RootMatch> match = match_of(reference, shuffled);
+        REQUIRE(match);
+        const Hierarchy synchronized = with_roots_of(reference.roots, shuffled, *match);
+        REQUIRE(synchronized.fields.size() == 2);
+        CHECK(labels(synchronized.fields) == labels(shuffled.fields));
+        REQUIRE(synchronized.fields[0].values.size() == synchronized.positions.size());
+        for (Index v = 0; v < synchronized.vertex_count(); ++v) {
+            const glm::vec3& position = synchronized.positions[v];
+            REQUIRE(synchronized.fields[0].values[v] == position.x);
+            const auto place = synchronized.fields[1].at(v);
+            REQUIRE(glm::vec3(place[0], place[1], place[2]) == position);
+        }
+    }
+}
+
 TEST_CASE("a key without bisections takes the marking of the roots it is put over") {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         CAPTURE(seed);

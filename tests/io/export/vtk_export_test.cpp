@@ -16,6 +16,7 @@
 #include "family/new_family.h"
 #include "hierarchy/adaptive_mesh.h"
 #include "hierarchy/error.h"
+#include "io/export/time_list.h"
 #include "io/samples.h"
 #include "io/series_files.h"
 
@@ -175,6 +176,50 @@ TEST_CASE("frames per second are evenly spaced from the begin of the time on") {
     CHECK(written_series(family, {}).remarks.size() == 1);
 }
 
+TEST_CASE("files can be at every step of time, or at chosen times") {
+    const Family family = family_with_fields(18);
+    const auto [series, meshes, remarks] =
+        written_series(family, {.interval = 0.6, .mesh = SeriesUnion::interval});
+    CHECK(series.times == std::vector<double>{0, 0.6, 1.2, 3 * 0.6});
+    for (std::size_t n = 0; n < meshes.size(); ++n)
+        CHECK(distance_from_timeline(family, series.times[n], meshes[n], nullptr) == 0);
+    CHECK(written_series(family, {.interval = 0.1}).series.times.size() ==
+          21);  // the end, too, despite rounding
+    CHECK(written_series(family, {.times = {0.25, 2}}).series.times == std::vector<double>{0.25, 2});
+}
+
+TEST_CASE("the components of a vector are written as one array") {
+    Family family = family_with_fields(19);
+    for (Key& key : family.keys) {
+        Hierarchy hierarchy = *key.hierarchy;
+        const std::size_t count = hierarchy.positions.size();
+        hierarchy.fields.clear();
+        for (const std::string name : {"v x", "v y", "v z", "w x", "w y", "u", "u x", "u y", "p x"})
+            hierarchy.fields.push_back(
+                {name, FieldKind::scalar, Buffer<float>(count, name.ends_with('y') ? 2.0F : 1.0F)});
+        key.hierarchy = hierarchy;
+    }
+    const Written written = written_series(family, {.times = {0}});
+    std::vector<std::string> names;
+    for (const MeshField& field : written.meshes.front().point_fields)
+        names.push_back(fmt::format("{} {}", field.name, field.components));
+    CHECK(names == std::vector<std::string>{"v 3", "w 2", "u 1", "u x 1", "u y 1", "p x 1"});
+    CHECK(written.meshes.front().point_fields[0].values[1] == 2);
+}
+
+TEST_CASE("times are read from a text, and faults are named with their line") {
+    const ScratchFolder folder;
+    put(folder / "t.txt", "# times\n0, 0.5\n\n1e0 2 # end\n");
+    CHECK(read_times(folder / "t.txt") == std::vector<double>{0, 0.5, 1, 2});
+    const auto fault = [&](const char* text) {
+        put(folder / "t.txt", text);
+        return input_error_of([&] { read_times(folder / "t.txt"); });
+    };
+    CHECK(contains(fault("0\n1 x\n"), "t.txt: line 2: \"x\", expected a time"));
+    CHECK(contains(fault("0\n1\n1\n"), "t.txt: line 3: time 1 after 1, expected a later one"));
+    CHECK(contains(fault("# none\n"), "t.txt: has no times"));
+}
+
 TEST_CASE("unions of intervals are taken where that of all keys is much larger, with a word") {
     std::vector<Key> keys;
     for (Index place = 0; place < 16; ++place) keys.push_back({fmt::format("{}", place), fine_at(4 * place)});
@@ -197,6 +242,12 @@ TEST_CASE("a series needs a file, a timeline and a number of frames") {
     CHECK(contains(error(family, {.frames_per_second = 0}, {"a.pvd"}),
                    "--fps: expected a number of frames per second above 0"));
     CHECK(contains(error(family, {.frames_per_second = 1e9}, {"a.pvd"}), "at most 100000"));
+    CHECK(contains(error(family, {.interval = 0}, {"a.pvd"}), "--every: 0 gives no number of files"));
+    CHECK(contains(input_error_of([&] {
+                       export_pvd({.family = family, .weights = {}, .form = {}, .series = {.times = {3}}},
+                                  {"a.pvd"});
+                   }),
+                   "time 3 is outside the time of the family, 0 to 2"));
     family.timeline.reset();
     CHECK(error(family, {}, {"a.pvd"}) == no_default_blend);
 }

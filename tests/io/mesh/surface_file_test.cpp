@@ -43,6 +43,7 @@ const SurfaceFile& pyramid() {
     static const SurfaceFile surface{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}},
                                      {{3, 2, 0}, {2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}},
                                      {},
+                                     {},
                                      {}};
     return surface;
 }
@@ -219,6 +220,27 @@ TEST_CASE("an OBJ near 0 gives the same floats as a surface and as a key") {
     for (std::size_t i = 0; i < 3; ++i)
         for (int axis = 0; axis < 3; ++axis)
             CHECK(surface.positions[i][axis] == double{key.positions[i][axis]});
+}
+
+TEST_CASE("floats of the vertices of a PLY file become scalars, except for places, directions and colors") {
+    const auto file = [](const std::string& values) {
+        return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float heat\nproperty "
+               "float y\n"
+               "property float nx\nproperty int flag\nproperty double u\nproperty float heat\nproperty float "
+               "z\n"
+               "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+               values + "3 0 1 2\n";
+    };
+    const SurfaceFile surface =
+        parse_ply(file("0 300 0 1 7 0.5 9 0\n1 301 0 1 7 0.25 9 0\n0 302 1 1 7 0.125 9 0\n"), "p");
+    REQUIRE(surface.scalars.size() == 2);
+    CHECK(surface.scalars[0] == MeshField{"heat", 1, {300, 301, 302}});
+    CHECK(surface.scalars[1] == MeshField{"u", 1, {0.5, 0.25, 0.125}});
+    const SurfaceFile broken =
+        parse_ply(file("0 300 0 1 7 nan 9 0\n1 301 0 1 7 1 9 0\n0 302 1 1 7 1 9 0\n"), "p");
+    CHECK(broken.scalars.size() == 1);
+    CHECK(broken.remarks ==
+          std::vector<std::string>{"The values \"u\" of the vertices are not all finite: left out."});
 }
 
 TEST_CASE("colors are read; in an OBJ a vertex without a color is white") {

@@ -86,8 +86,10 @@ TEST_CASE("faults of a legacy file are named with their place") {
     CHECK(legacy_error("POLYGONS 1 4\n7 0 1 2\n") == "a.vtk: polygons: ends within cell 0 (counted from 0)");
     CHECK(legacy_error("POLYGONS 4000000000 4000000000\n3 0 1 2\n").find("the file ends too early") !=
           std::string::npos);
-    CHECK(legacy_error("POLYGONS 1 4\n3 0 1 2\nPOINT_DATA 4\nSCALARS u float\n1 2 inf 4\n") ==
-          "a.vtk: field \"u\": point 2 (counted from 0): \"inf\", expected a finite number of type Float32");
+    CHECK(legacy_error("POLYGONS 1 4\n3 0 1 2\nPOINT_DATA 4\nSCALARS u float\n1 2 x 4\n") ==
+          "a.vtk: field \"u\": point 2 (counted from 0): \"x\", expected a number of type Float32");
+    CHECK(legacy_error("POLYGONS 1 4\n3 0 1 2\nPOINT_DATA 4\nSCALARS u int\n1 2 nan 4\n") ==
+          "a.vtk: field \"u\": point 2 (counted from 0): \"nan\", expected a number of type Int32");
     CHECK(legacy_error("POLYGONS 1 4\n3 0 1 2\nPOINT_DATA 3\nSCALARS u float\n1 2 3\n") ==
           "a.vtk: field \"u\": 3 values, expected 1 for each of the 4 points");
     CHECK(legacy_error("POLYGONS 1 4\n3 0 1 2\nPOINT_DATA 4\nSCALARS u string\na b c d\n") ==

@@ -1,5 +1,6 @@
 #include "io/vtk/xml_file.h"
 
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -128,11 +129,15 @@ TEST_CASE("cells of other kinds are refused by name") {
     CHECK(parse_vtk_xml(grid_of_type(21, 3), "a.vtu").triangles.empty());
 }
 
+TEST_CASE("a field may have values that are not finite, points may not") {
+    const FieldMesh mesh = parse_vtk_xml(with(sample_grid({}), "-2", "nan"), "grid.vtu");
+    CHECK(std::isnan(mesh.point_fields.front().values[1]));
+}
+
 TEST_CASE("faults are named with their place") {
     const std::string words = sample_grid({});
-    CHECK(xml_error(with(words, "-2", "nan")) ==
-          "grid.vtu: point field \"u <K>\": point 1 (counted from 0): \"nan\", expected a finite number of "
-          "type "
+    CHECK(xml_error(with(words, "-2", "two")) ==
+          "grid.vtu: point field \"u <K>\": point 1 (counted from 0): \"two\", expected a number of type "
           "Float64");
     CHECK(xml_error(with(words, "0 1 4 ", "0 1 5 ")) ==
           "grid.vtu: Cells connectivity: value 2 (counted from 0): 5, expected a whole number in [0, 5)");

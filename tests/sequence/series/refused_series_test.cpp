@@ -106,6 +106,10 @@ TEST_CASE("fields that are missing or not finite are named") {
     steps = shuffled_steps(3);
     steps[2].point_fields[0].values[7] = std::numeric_limits<double>::quiet_NaN();
     CHECK(contains(refusal(steps), "step 2: field u is not finite at point 7"));
+    for (FieldMesh& step : steps)
+        step.point_fields.push_back({"v", 1, std::vector<double>(step.points.size(), 0)});
+    options.fields = {"v"};
+    CHECK(refusal(steps, options).empty());  // u is not asked for
 }
 
 TEST_CASE("surfaces that are no manifold, or cannot be oriented, are refused") {

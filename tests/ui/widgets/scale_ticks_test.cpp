@@ -6,6 +6,14 @@
 
 using namespace interleaf;
 
+TEST_CASE("ticks of a logarithmic scale are powers of ten, or also 2 and 5 times these") {
+    CHECK(logarithmic_ticks(0.5, 30, 6) == std::vector<double>{0.5, 1, 2, 5, 10, 20});
+    CHECK(logarithmic_ticks(0.5, 3000, 5) == std::vector<double>{1, 10, 100, 1000});
+    CHECK(logarithmic_ticks(1e-8, 1e8, 5).size() <= 5);
+    CHECK(logarithmic_ticks(3, 4, 5).empty());
+    CHECK(logarithmic_ticks(2, 2, 5).empty());
+}
+
 TEST_CASE("ticks are the multiples of a round number") {
     CHECK(scale_ticks(-1, 1, 5) == std::vector<double>{-1, -0.5, 0, 0.5, 1});
     CHECK(scale_ticks(0, 10, 6) == std::vector<double>{0, 2, 4, 6, 8, 10});

@@ -1,4 +1,4 @@
-// The colors of a mesh at the points of a sampled surface.
+// The colors and scalars of a mesh at the points of a sampled surface.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@
 
 namespace interleaf {
 
-/// \param mesh     with the colors
+/// \param mesh     with the colors and scalars
 /// \param mapped   \p mesh itself, or a finer mesh of the same surface (surface_refinement.h)
 /// \param surface  sampled from \p mapped
-/// \return the field "color"; nothing for a mesh without colors
-std::vector<Field> sampled_colors(const SurfaceMesh& mesh, const MappedSurface& mapped,
+/// \return the field "color" if the mesh has colors, then its scalars, except for one of that name
+std::vector<Field> sampled_fields(const SurfaceMesh& mesh, const MappedSurface& mapped,
                                   const SampledSurface& surface);
 
 }  // namespace interleaf

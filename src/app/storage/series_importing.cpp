@@ -1,0 +1,105 @@
+#include "app/storage/series_importing.h"
+
+#include <exception>
+#include <string_view>
+#include <utility>
+
+#include "text/shown_text.h"
+#include <fmt/core.h>
+
+#include "app/document/message.h"
+#include "fit/mesh/progress.h"
+#include "io/text/words.h"
+#include "ui/dialogs/progress_dialog.h"
+
+namespace interleaf {
+namespace {
+
+/// The tolerance that \p entry, in percent, stands for; none if it is out of range.
+std::optional<double> tolerance_in(const std::string& entry) {
+    std::string_view rest = entry;
+    const std::optional<double> percent = parse_double(take_word(rest));
+    if (!percent || !take_word(rest).empty() || !(*percent >= 0 && *percent <= 100)) return std::nullopt;
+    return *percent / 100;
+}
+
+}  // namespace
+
+std::string sentences_of(const SeriesReport& report) {
+    std::string text = fmt::format("{} steps over {} roots, found by {}.", report.steps.size(),
+                                   report.root_count, name_of(report.method));
+    for (const std::string& note : report.notes) text += fmt::format("\n{}", note);
+    return text;
+}
+
+void SeriesImporting::start(std::vector<std::filesystem::path> files, Receiver receiver, double now) {
+    files_ = std::move(files);
+    receiver_ = std::move(receiver);
+    started_ = now;
+    job_.emplace(files_, ImportChoices{});
+}
+
+void SeriesImporting::show(const Rect& area, double now) {
+    if (dialog_.is_open()) {
+        if (auto answer = dialog_.show(area)) answer_ = std::move(answer);
+    } else if (job_) {
+        const ImportJob::State state = job_->state();
+        const std::string title = fmt::format("Importing {}", shown_name(files_.front().filename().string()));
+        const bool is_cancelled = progress_dialog(
+            {.title = title, .stage = state.stage, .part = state.part, .seconds = now - started_}, area,
+            state.is_done);
+        if (is_cancelled) job_->cancel();
+        if (state.is_done) is_work_closed_ = true;
+    }
+}
+
+std::optional<std::string> SeriesImporting::update(double now) {
+    if (const auto answer = std::exchange(answer_, std::nullopt)) {
+        if (answer->button == 0) {
+            started_ = now;
+            job_.emplace(files_, ImportChoices{.tolerance = tolerance_in(answer->entry)});
+        } else {
+            receiver_ = nullptr;
+        }
+    }
+    return std::exchange(is_work_closed_, false) ? hand_on_keys() : std::nullopt;
+}
+
+/// \pre the work is done
+std::optional<std::string> SeriesImporting::hand_on_keys() {
+    ImportedSeries imported;
+    try {
+        imported = job_->take();
+    } catch (const Cancelled&) {
+        job_.reset();
+        receiver_ = nullptr;
+        return std::nullopt;
+    } catch (const NeedsTolerance& error) {
+        job_.reset();
+        ask_for_tolerance(error.reason);
+        return std::nullopt;
+    } catch (const std::exception& error) {
+        job_.reset();
+        receiver_ = nullptr;
+        return cause_of(error);
+    }
+    job_.reset();
+    std::exchange(receiver_, nullptr)(std::move(imported));
+    return std::nullopt;
+}
+
+void SeriesImporting::ask_for_tolerance(const std::string& reason) {
+    dialog_.ask(
+        {.text = "Sample the fields of the series? Largest difference, in percent of each field's range:",
+         .detail =
+             fmt::format("No bisections connect its meshes: {}. Sampling makes keys on new triangles; a "
+                         "smaller difference needs more of them.",
+                         reason),
+         .buttons = {"Sample", "Cancel"},
+         .entry = fmt::format("{:g}", 100 * NeedsTolerance::usual),
+         .fault = [](const std::string& entry) -> std::string {
+             return tolerance_in(entry) ? "" : "Expected a number from 0 to 100";
+         }});
+}
+
+}  // namespace interleaf

@@ -1,0 +1,57 @@
+// Imports series in the window: runs the import on a separate thread, shows its progress in front of the window, asks
+// for a tolerance where the series needs one, and hands on the keys.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/importing/import_job.h"
+#include "app/importing/series_import.h"
+#include "ui/dialogs/dialog.h"
+#include "ui/widgets/rect.h"
+
+namespace interleaf {
+
+/// How the keys of a series were found, and what had to be decided: sentences for a notice, one per line.
+std::string sentences_of(const SeriesReport& report);
+
+class SeriesImporting {
+  public:
+    using Receiver = std::function<void(ImportedSeries)>;
+
+    /// Begins to import \p files. \p receiver receives the result.
+    /// \param now  seconds
+    /// \pre is_open() is false
+    void start(std::vector<std::filesystem::path> files, Receiver receiver, double now);
+
+    /// Whether the progress or the question for a tolerance is in front of the window.
+    bool is_open() const { return job_.has_value() || dialog_.is_open(); }
+
+    /// Whether work in progress needs new frames soon, even without input.
+    bool is_working() const { return job_.has_value(); }
+
+    /// Shows the progress or the question, if open, in the middle of \p area. Call it in every frame from the same
+    /// place.
+    void show(const Rect& area, double now);
+
+    /// Acts on the user's answer, and hands on the keys when the work is done. Call it in every frame.
+    /// \return an error, reported once
+    std::optional<std::string> update(double now);
+
+  private:
+    std::optional<std::string> hand_on_keys();
+    void ask_for_tolerance(const std::string& reason);
+
+    std::vector<std::filesystem::path> files_;
+    Receiver receiver_;
+    Dialog dialog_;
+    std::optional<Answer> answer_;  ///< kept for update()
+    std::optional<ImportJob> job_;
+    bool is_work_closed_ = false;  ///< whether the progress dialog has closed after the work
+    double started_ = 0;
+};
+
+}  // namespace interleaf

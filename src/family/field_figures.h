@@ -1,0 +1,18 @@
+// Figures of a scalar field over the surface of a key, for plots over time.
+#pragma once
+
+#include "hierarchy/field.h"
+#include "hierarchy/hierarchy.h"
+
+namespace interleaf {
+
+struct FieldFigures {
+    double integral = 0;  ///< over the leaves, where the field is linear
+    double least = 0;
+    double most = 0;
+};
+
+/// \param field  a scalar of \p key
+FieldFigures figures_of(const Hierarchy& key, const Field& field);
+
+}  // namespace interleaf

@@ -1,0 +1,55 @@
+// The figures of a field over time are measured on a thread, for the keys that have the field.
+#include "app/pictures/field_history.h"
+
+#include <chrono>
+#include <thread>
+
+#include <doctest/doctest.h>
+
+#include "family/new_family.h"
+
+using namespace interleaf;
+
+namespace {
+
+/// Triangles of area 4 with a field "u", which is \p u everywhere; the last one lacks it.
+std::shared_ptr<const Family> timed_family() {
+    std::vector<Key> keys;
+    for (const float u : {1.0F, 2.0F, 3.0F}) {
+        Hierarchy key;
+        key.roots = RootComplex(3, {{0, 1, 2}});
+        key.bits = {0};
+        key.positions = {{0, 0, 0}, {4, 0, 0}, {0, 2, 0}};
+        if (u < 3) key.fields = {{"u", FieldKind::scalar, Buffer<float>(3, u)}};
+        keys.push_back({std::string(1, static_cast<char>('a' + keys.size())), std::move(key)});
+    }
+    Family family = family_of_keys("timed", std::move(keys));
+    family.timeline = Timeline({{0, 1}, {0.5, 2}, {2, 0}});
+    return std::make_shared<const Family>(std::move(family));
+}
+
+FieldCurves measured(FieldHistory& history) {
+    for (int i = 0; i < 1000 && history.is_working(); ++i) {
+        history.curves();
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    REQUIRE_FALSE(history.is_working());
+    return history.curves();
+}
+
+}  // namespace
+
+TEST_CASE("the curves have the keys of the timeline that have the field, in the order of time") {
+    FieldHistory history;
+    CHECK_FALSE(history.is_working());
+    const std::string field = "u";
+    history.follow(timed_family(), &field);
+    const FieldCurves curves = measured(history);
+    CHECK(curves.times == std::vector<double>{0, 2});
+    CHECK(curves.integrals == std::vector<double>{8, 4});
+    CHECK(curves.least == std::vector<double>{2, 1});
+    CHECK(curves.most == std::vector<double>{2, 1});
+    history.follow(timed_family(), nullptr);
+    CHECK_FALSE(history.is_working());
+    CHECK(history.curves().times.empty());
+}
