@@ -53,6 +53,7 @@ void MeshFitter::aim_landmarks(CleanMesh& clean, FittedMesh& fitted) {
         for (Landmark& landmark : landmarks) landmark.position = (*fitted.placement)(landmark.position);
     }
     task_.options.landmarks = std::move(landmarks);
+    task_.options.symmetric = task_.symmetric;
 }
 
 /// Compares the next key with the first one, or makes it the first one.
@@ -93,7 +94,9 @@ FittedMesh MeshFitter::fit_next(const Progress& progress) {
         if (!task_.reference) task_.reference = extent_of(clean.mesh);
         place(clean, *task_.reference, task_.placing);
         fitted.warning = fault_of_placing(*task_.reference, extent_of(clean.mesh));
-        if (!task_.rotations.empty()) task_.options.rotation = task_.rotations[next_];
+        // A body with targets is placed like the first one, and turned like it before the two are matched.
+        if (!task_.rotations.empty())
+            task_.options.rotation = task_.rotations[task_.targets.empty() ? next_ : 0];
         task_.options.model = model_.get();
         fitted.key = fit(std::move(clean), task_.options, [&](std::string_view stage, double part) {
             return !progress || progress(stage, fitting_begins + (fitting_ends - fitting_begins) * part);
@@ -116,10 +119,13 @@ FittedMesh MeshFitter::fit_next(const Progress& progress) {
 }
 
 void MeshFitter::keep_model(FittedKey& key, const Progress& progress) {
-    // Landmarks already say which places correspond.
-    if (task_.matches && task_.landmarks.empty() && next_ == 0 && task_.meshes.size() > 1)
-        model_ =
-            model_of(key.mapped_mesh(), key.points, task_.options.rotation, task_.options.matching, progress);
+    if (task_.matches && next_ == 0 && task_.meshes.size() > 1) {
+        std::vector<glm::dvec3> directions;
+        directions.reserve(key.report.landmarks.size());
+        for (const FittedLandmark& landmark : key.report.landmarks) directions.push_back(landmark.direction);
+        model_ = model_of(key.mapped_mesh(), key.points, task_.options.rotation, directions,
+                          task_.options.matching, progress);
+    }
     key.fine_mesh = {};
     key.points = {};
 }

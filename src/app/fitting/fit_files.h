@@ -1,6 +1,7 @@
 // Fits keys to meshes from files: for `interleaf fit`, and for the window on a separate thread.
 #pragma once
 
+#include <array>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -31,12 +32,15 @@ struct FitTask {
     std::vector<glm::dmat3> rotations;  ///< one per mesh; empty for no rotation
     std::vector<UpAxis> ups;            ///< one per mesh; empty if y is up in all
     PlacingOptions placing;
-    bool matches = false;  ///< matches the maps of all meshes but the first to that of the first
+    bool matches =
+        false;  ///< matches the maps of all meshes but the first to that of the first; holds landmarks
 
     /// Per mesh, its landmarks as in its file; empty for a fit without. The landmarks of the first mesh are the
     /// targets of all others (fit/landmarks/landmark_targets.h), unless there are targets already.
     std::vector<std::vector<Landmark>> landmarks{};
     std::optional<LandmarkPlacing> landmark_placing{};
+    std::vector<std::array<std::string, 2>>
+        symmetric{};  ///< names of landmarks that mirror each other, in any mesh
 
     /// The targets of an existing family, with directions, and its first key; both or none.
     std::vector<Landmark> targets{};

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "fit/correspondence/direction_insertion.h"
 #include "fit/correspondence/even_mesh.h"
 #include "fit/correspondence/pull_back.h"
 #include "fit/correspondence/sphere_mesh.h"
@@ -126,16 +127,20 @@ MatchedMap unmatched(MatchReport report, std::string fault) {
 }  // namespace
 
 std::unique_ptr<const MatchedBody> model_of(const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
-                                            const glm::dmat3& turn, const MatchOptions& options,
-                                            const Progress& progress) {
-    return std::make_unique<const MatchedBody>(normalized(mesh, points, turn), options.vertices, progress);
+                                            const glm::dmat3& turn, std::span<const glm::dvec3> landmarks,
+                                            const MatchOptions& options, const Progress& progress) {
+    SphereMesh body = normalized(mesh, points, turn);
+    insert_directions(body, landmarks);
+    return std::make_unique<const MatchedBody>(std::move(body), options.vertices, progress);
 }
 
 MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
-                 const glm::dmat3& turn, const MatchOptions& options, const Progress& progress) {
+                 const glm::dmat3& turn, std::span<const Index> held, const MatchOptions& options,
+                 const Progress& progress) {
     const Progress begin = part_of(progress, 0, moving_begins);
     const Progress middle = part_of(progress, moving_begins, 1);
     SphereMesh body = normalized(mesh, points, turn);
+    for (const Index vertex : held) body.landmarks.push_back({vertex, points[vertex]});
     const std::vector<std::array<Index, 2>> halved = split(body, options, begin);
     const MatchedBody other(body, options.vertices, begin);
 
