@@ -108,6 +108,8 @@ class DocumentFiles {
     void offer_to_open(const MeshesToFit& meshes);
     void offer_to_add(const MeshesToFit& meshes);
     void open_fitted(const std::vector<std::filesystem::path>& meshes, const FittedMeshes& fitted);
+    void add_fitted(const FittedMeshes& fitted);
+    void set_landmarks();
     void tell_fit(const FittedMeshes& fitted);
     void replace_document(Family family, std::vector<std::filesystem::path> sources);
     void set_sources(std::vector<std::filesystem::path> sources);
@@ -138,6 +140,8 @@ class DocumentFiles {
     std::optional<Answer> answer_;  ///< waits for act()
     std::function<void(const Answer&)> on_answer_;
     MeshFitting fitting_;
+    std::shared_ptr<const Family> last_fitted_;  ///< the document right after the last fit; null without one
+    bool was_fit_added_ = false;                 ///< whether that fit added keys to the document
     std::optional<Saving> saving_;
     FamilyExport exporting_;
     double now_ = 0;

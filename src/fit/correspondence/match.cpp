@@ -1,5 +1,6 @@
 #include "fit/correspondence/match.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -12,7 +13,9 @@
 #include "fit/correspondence/even_mesh.h"
 #include "fit/correspondence/pull_back.h"
 #include "fit/correspondence/sphere_mesh.h"
+#include "fit/landmarks/similarity.h"
 #include "fit/sphere_map/spherical_map.h"
+#include "hierarchy/error.h"
 
 namespace interleaf {
 namespace {
@@ -118,6 +121,26 @@ MovingMesh::Places places_by_map(const SphereMesh& body, std::span<const glm::dv
     return places;
 }
 
+/// Turns \p body so that its landmarks come nearest to those of \p model, if they determine a rotation.
+void turn_to_landmarks(SphereMesh& body, const MatchedBody& model) {
+    constexpr std::size_t fewest = 3;
+    std::vector<glm::dvec3> from;
+    std::vector<glm::dvec3> to;
+    for (const SphereLandmark& own : body.landmarks) {
+        const auto there = std::ranges::find(model.landmarks(), own.direction, &SphereLandmark::direction);
+        if (there == model.landmarks().end()) continue;
+        from.push_back(body.positions[own.vertex]);
+        to.push_back(model.positions()[there->vertex]);
+    }
+    if (from.size() < fewest) return;
+    try {
+        const glm::dmat3 rotation = fit_similarity(from, to, false).rotation;
+        for (glm::dvec3& position : body.positions) position = rotation * position;
+    } catch (const InputError&) {
+        return;  // they lie on one line
+    }
+}
+
 MatchedMap unmatched(MatchReport report, std::string fault) {
     report.after = report.before;
     report.fault = std::move(fault);
@@ -141,6 +164,7 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
     const Progress middle = part_of(progress, moving_begins, 1);
     SphereMesh body = normalized(mesh, points, turn);
     for (const Index vertex : held) body.landmarks.push_back({vertex, points[vertex]});
+    turn_to_landmarks(body, model);
     const std::vector<std::array<Index, 2>> halved = split(body, options, begin);
     const MatchedBody other(body, options.vertices, begin);
 

@@ -58,7 +58,8 @@ std::unique_ptr<const MatchedBody> model_of(const SurfaceMesh& mesh, std::span<c
 /// \param mesh    clean
 /// \param points  a map of \p mesh to the sphere, one to one and aligned: one point per vertex
 /// \param turn    applied to the body before it is compared: the rotation of its map after the alignment
-/// \param held    vertices of \p mesh, landmarks: they keep their points
+/// \param held    vertices of \p mesh, landmarks: they keep their points. Three or more also turn the body, as they lie
+///                on the model
 /// \throw Cancelled
 MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
                  const glm::dmat3& turn, std::span<const Index> held, const MatchOptions& options,

@@ -53,11 +53,11 @@ void untangle_map(const SphereMesh& mesh, Relaxation& relaxation, std::vector<gl
                   ProgressMeter& meter) {
     constexpr int first_sweeps = 200;
     constexpr int further_sweeps = 100;
-    constexpr int max_tries = 24;
+    constexpr int max_tries = 10;
     bool is_sound = relaxation.untangle(first_sweeps, meter);
     for (int tries = 0; !is_sound && tries < max_tries; ++tries) {
-        const std::vector<char> sick = sick_vertices(mesh, points, 1 + tries / 2);
-        for (int round = 0; round < 20 * (1 + tries); ++round) {
+        const std::vector<char> sick = sick_vertices(mesh, points, 1 + tries / 3);
+        for (int round = 0; round < 20 + 10 * tries; ++round) {
             meter.step(mesh.triangles.size());
             average(mesh, sick, points);
         }

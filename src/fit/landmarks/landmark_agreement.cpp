@@ -1,6 +1,7 @@
 #include "fit/landmarks/landmark_agreement.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -26,16 +27,18 @@ constexpr double reversed_cosine = -0.5;
 /// Landmarks farther apart than this, as a chord of the sphere, are no neighbors: swapped ones lower the agreement.
 constexpr double farthest_neighbor = 1.2;
 
-/// Whether no third point is nearer to one of the two than they are to each other, seen from either.
+/// Whether, seen from either of the two, at most two other points are nearer than the other one. Between two ears,
+/// there may be a nose.
 bool are_neighbors(std::span<const glm::dvec3> points, std::size_t i, std::size_t j) {
     const double apart = glm::distance(points[i], points[j]);
     if (apart > farthest_neighbor) return false;
-    const auto is_nearest = [&](std::size_t to) {
-        for (std::size_t k = 0; k < points.size(); ++k)
-            if (k != i && k != j && glm::distance(points[k], points[to]) < apart) return false;
-        return true;
+    constexpr std::ptrdiff_t most_nearer = 2 + 1;  // and the point itself
+    const auto is_near = [&](std::size_t to) {
+        return std::ranges::count_if(points, [&](const glm::dvec3& point) {
+                   return glm::distance(point, points[to]) < apart;
+               }) <= most_nearer;
     };
-    return is_nearest(i) || is_nearest(j);
+    return is_near(i) || is_near(j);
 }
 
 std::string quoted(const LandmarkPins& pins, const std::array<std::size_t, 2>& pair) {
