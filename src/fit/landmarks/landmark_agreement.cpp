@@ -17,6 +17,9 @@ namespace {
 /// Right landmarks of four-legged animals agree with 0.9 and more; with nose and tail swapped, 0.5 to 0.7.
 constexpr double good_cosine = 0.85;
 
+/// Points of a body that lie nearly in one plane, such as hands, feet and head of a man, fit about as well mirrored.
+constexpr double mirrored_margin = 0.02;
+
 /// Three points and their mirror image can be turned into each other.
 constexpr std::size_t fewest_chiral = 4;
 
@@ -80,7 +83,8 @@ std::vector<std::string> faults_of(const LandmarkAgreement& agreement, const Lan
             fmt::format("the landmarks fit better with left and right exchanged, such as {}: the sides "
                         "are probably swapped in one of the meshes",
                         quoted(pins, pins.symmetric.front())));
-    else if (pins.names.size() >= fewest_chiral && agreement.mirrored_cosine >= agreement.mean_cosine)
+    else if (pins.names.size() >= fewest_chiral &&
+             agreement.mirrored_cosine >= agreement.mean_cosine + mirrored_margin)
         faults.emplace_back(
             "the landmarks fit better mirrored: left and right are probably swapped in one of the meshes");
     for (const std::array<std::size_t, 2>& pair : agreement.reversed)

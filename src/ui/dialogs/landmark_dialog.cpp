@@ -145,7 +145,7 @@ void LandmarkDialog::show_column(const LandmarkDialogShown& shown, LandmarkDialo
     }
     blend_size_ = {width, std::round(std::min(width, 0.36F * room))};
     const float below = 4 * line + blend_size_.y + spacing;
-    show_rows(shown, result, std::max(ImGui::GetContentRegionAvail().y - below - line, 2 * line));
+    show_rows(shown, result, std::max(ImGui::GetContentRegionAvail().y - below, 2 * line));
     show_name(shown, result);
     show_edits(shown, result);
     show_blend(shown, result);
