@@ -45,6 +45,7 @@ void LandmarkEditing::open(Task task) {
     wished_mesh_ = 0;
     preview_ = std::make_unique<LandmarkPreview>(task_.sources, task_.roots);
     dialog_.open();
+    select_unpaired();
     wish_blend();
 }
 
@@ -226,6 +227,16 @@ void LandmarkEditing::add(std::size_t side, const glm::dvec3& place) {
     const std::size_t mesh = mesh_of(side);
     selected_ = add_place(changed, task_.sources.size(), mesh, file_place(mesh, place), selected_);
     history_.push(std::move(changed));
+    if (is_paired(points()[*selected_], other_)) select_unpaired();
+}
+
+/// Selects the first landmark of the first mesh that has no partner yet, so that the next click gives it one.
+void LandmarkEditing::select_unpaired() {
+    const auto lacks_partner = [&](const LandmarkPoint& point) {
+        return point.places[0].has_value() && !point.places[other_];
+    };
+    const auto next = std::ranges::find_if(points(), lacks_partner);
+    if (next != points().end()) selected_ = static_cast<std::size_t>(next - points().begin());
 }
 
 void LandmarkEditing::apply_to_side(std::size_t side, const LandmarkPictureInput& input) {

@@ -63,6 +63,7 @@ class LandmarkEditing {
     void apply(const LandmarkDialogResult& done);
     void apply_to_side(std::size_t side, const LandmarkPictureInput& input);
     void add(std::size_t side, const glm::dvec3& place);
+    void select_unpaired();
     void step_proposal(int by);
     void wish_blend();
     void follow_work(float density);
