@@ -83,6 +83,19 @@ std::optional<Movement> move_over(MovingMesh& mesh, const MatchOptions& options,
     return best;
 }
 
+/// Relaxes a match once more, with distortion weighted by \p factor: less strained places are pulled back with fewer
+/// triangles turned over.
+void stiffen(MovingMesh& mesh, const MovingMesh::Places& places, double factor) {
+    constexpr int sweeps = 100;
+    MatchWeights weights = weights_at(double(mesh.count()));
+    mesh.set_places(places);
+    weights.distortion *= factor;
+    mesh.set_weights(weights);
+    mesh.relax(sweeps);
+    weights.distortion /= factor;
+    mesh.set_weights(weights);
+}
+
 std::vector<std::array<Index, 2>> split(SphereMesh& body, const MatchOptions& options,
                                         const Progress& progress) {
     ProgressMeter meter(progress);
@@ -180,11 +193,18 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
     if (!movement) return unmatched(std::move(report), "there is no room for a vertex of the first mesh");
     report.passes = movement->passes;
     meter.enter("matching", finishing_begins);
-    MatchedMap matched{.mesh = with_middles(mesh, halved, body.triangles),
-                       .points = pull_back(body, model, movement->places.on_sphere, meter),
-                       .report = {}};
-    if (std::string fault = fault_of_map(matched.mesh, matched.points); !fault.empty())
-        return unmatched(std::move(report), "the matched map is not one to one: " + fault);
+    MatchedMap matched{.mesh = with_middles(mesh, halved, body.triangles), .points = {}, .report = {}};
+    std::string fault;
+    for (const double stiffness : {1.0, 10.0, 40.0}) {
+        if (stiffness > 1) stiffen(moving, movement->places, stiffness);
+        const std::span<const glm::dvec3> on_sphere =
+            stiffness > 1 ? moving.places().on_sphere : movement->places.on_sphere;
+        matched.points = pull_back(body, model, on_sphere, meter);
+        fault = fault_of_map(matched.mesh, matched.points);
+        // Another attempt takes as long again, and pays where landmarks tell what belongs together.
+        if (fault.empty() || body.landmarks.empty()) break;
+    }
+    if (!fault.empty()) return unmatched(std::move(report), "the matched map is not one to one: " + fault);
     moving.set_places(places_by_map(body, matched.points, model, other));
     report.after = moving.figures();
     if (!(report.after.energy < report.before.energy))
