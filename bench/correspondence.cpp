@@ -1,8 +1,8 @@
 // How well automatic matching (fit/correspondence) makes two bodies correspond, for pairs of meshes, without and
-// with matching.
+// with matching. Pairs of meshes with landmark files beside them, NAME.json, are measured with landmarks, too.
 //
 // Usage: bench_correspondence FOLDER... or bench_correspondence A B [A B ...]: a folder stands for the pairs
-// NAME-1.obj, NAME-2.obj in it. Prints two lines of JSON per pair. Lengths are percent of the box diagonal of the
+// NAME-1.obj, NAME-2.obj in it. Prints two lines of JSON per pair, or four. Lengths are percent of the box diagonal of the
 // first mesh.
 #include <algorithm>
 #include <cmath>
@@ -20,9 +20,11 @@
 #include <glm/geometric.hpp>
 
 #include "fit/fit.h"
+#include "fit/landmarks/landmark_targets.h"
 #include "fit/mesh/surface_distance.h"
 #include "hierarchy/error.h"
 #include "hierarchy/union_mesh.h"
+#include "io/landmarks/landmark_file.h"
 #include "io/read_files.h"
 
 namespace {
@@ -113,38 +115,80 @@ Json key_figures(const FittedKey& key) {
             {"seconds", seconds}};
 }
 
-void measure_pair(const MeshPair& pair) {
-    const std::string name = pair.first.stem().string() + " " + pair.second.stem().string();
-    const FittedKey first = fit(read_clean(pair.first), {});
-    const FittedKey second = fit(read_clean(pair.second), {});
-    Json none = {{"pair", name}, {"match", "none"}};
-    none.update(figures_of(first, second));
-    none.update(key_figures(second));
-    bench::print_line(none);
-    std::fflush(stdout);
+double processor_seconds_since(std::clock_t start) {
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
 
-    FitOptions options;
-    std::unique_ptr<const MatchedBody> model;
-    const double modeling = bench::seconds_of(
-        [&] { model = model_of(first.mapped_mesh(), first.points, glm::dmat3(1), options.matching, {}); });
-    options.model = model.get();
-    const std::clock_t start = std::clock();
-    const FittedKey matched = fit(read_clean(pair.second), options);
-    const double fitting = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    const MatchReport& report = *matched.report.match;
-    Json with = {{"pair", name}, {"match", report.fault.empty() ? "auto" : report.fault}};
-    with.update(figures_of(first, matched));
-    with.update(key_figures(matched));
-    with.update({{"passes", report.passes},
-                 {"energy", {report.before.energy, report.after.energy}},
-                 {"distortion", report.after.distortion},
-                 {"model_seconds", modeling},
-                 {"processor_seconds", fitting}});
-    for (const StageTime& time : matched.report.times)
-        if (time.stage == "matching") with["match_seconds"] = time.seconds;
-    bench::print_line(with);
+void print_figures(const std::string& name, const std::string& match, const FittedKey& first,
+                   const FittedKey& second, double processor_seconds) {
+    Json line = {{"pair", name}, {"match", match}};
+    line.update(figures_of(first, second));
+    line.update(key_figures(second));
+    line["processor_seconds"] = processor_seconds;
+    if (const auto& report = second.report.match)
+        line.update({{"fault", report->fault},
+                     {"passes", report->passes},
+                     {"energy", {report->before.energy, report->after.energy}},
+                     {"distortion", report->after.distortion}});
+    for (const StageTime& time : second.report.times)
+        if (time.stage == "matching") line["match_seconds"] = time.seconds;
+    bench::print_line(line);
     std::fflush(stdout);
 }
+
+/// Fits the second mesh of a pair to the first, placed by landmarks if both have some.
+class Measurement {
+  public:
+    explicit Measurement(const MeshPair& pair)
+        : name_(pair.first.stem().string() + " " + pair.second.stem().string()),
+          second_(read_clean(pair.second)) {
+        FitOptions options;
+        const auto file_of = [](std::filesystem::path mesh) { return mesh.replace_extension(".json"); };
+        const bool has_landmarks =
+            std::filesystem::exists(file_of(pair.first)) && std::filesystem::exists(file_of(pair.second));
+        if (has_landmarks) options.landmarks = read_landmarks(file_of(pair.first)).landmarks;
+        first_ = fit(read_clean(pair.first), options);
+        if (has_landmarks) landmarks_ = read_landmarks(file_of(pair.second)).landmarks;
+    }
+
+    void run() {
+        measure("none", false, false);
+        measure("auto", true, false);
+        if (landmarks_.empty()) return;
+        measure("landmarks", false, true);
+        measure("landmarks and auto", true, true);
+    }
+
+  private:
+    void measure(const std::string& match, bool is_matched, bool has_landmarks) {
+        FitOptions options;
+        CleanMesh clean = second_;
+        std::vector<glm::dvec3> directions;
+        if (has_landmarks) {
+            AimedLandmarks aimed = aim(landmarks_, targets_of(first_.report.landmarks));
+            if (const auto placement = placement_of(aimed, {})) {
+                for (glm::dvec3& position : clean.mesh.positions) position = (*placement)(position);
+                for (Landmark& landmark : aimed.landmarks)
+                    landmark.position = (*placement)(landmark.position);
+            }
+            options.landmarks = std::move(aimed.landmarks);
+            for (const FittedLandmark& each : first_.report.landmarks) directions.push_back(each.direction);
+        }
+        std::unique_ptr<const MatchedBody> model;
+        if (is_matched)
+            model = model_of(first_.mapped_mesh(), first_.points, glm::dmat3(1), directions, options.matching,
+                             {});
+        options.model = model.get();
+        const std::clock_t start = std::clock();
+        const FittedKey key = fit(std::move(clean), options);
+        print_figures(name_, match, first_, key, processor_seconds_since(start));
+    }
+
+    std::string name_;
+    CleanMesh second_;
+    FittedKey first_;
+    std::vector<Landmark> landmarks_;  ///< of the second mesh; empty unless both have some
+};
 
 }  // namespace
 
@@ -157,7 +201,7 @@ int main(int argc, char** argv) {
     int failures = 0;
     for (const MeshPair& pair : pairs) {
         try {
-            measure_pair(pair);
+            Measurement(pair).run();
         } catch (const InputError& error) {
             std::fprintf(stderr, "%s: %s\n", pair.first.string().c_str(), error.what());
             ++failures;

@@ -1,6 +1,6 @@
 // How well landmarks make bodies correspond. Takes a folder of closed meshes, NAME.off, each with a file
 // NAME.vts that has one landmark per line; the first column is a vertex. Lines with one number are landmarks of
-// one name. Fits each mesh with some of the landmarks onto each of the first few, and measures where the others
+// one name. Fits each mesh, without and with matching, with some of the landmarks onto each of the first few, and measures where the others
 // arrive. Prints one line of JSON per pair, and one of all pairs.
 #include <algorithm>
 #include <array>
@@ -11,6 +11,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "json_line.h"
@@ -81,7 +82,10 @@ struct Totals {
     int failed = 0;
     int inexact = 0;  ///< maps that do not bring a landmark to its target to the last bit
     int warned = 0;
+    int swaps_named = 0;  ///< of the last two given landmarks, the ears
     double held_out = 0;
+    double held_out_matched = 0;  ///< with matching after the pins
+    double match_seconds = 0;
     double off_in_key = 0;
     double most_off_in_key = 0;
     double map_seconds = 0;
@@ -89,6 +93,39 @@ struct Totals {
     double largest_hausdorff = 0;
     std::size_t most_flipped = 0;
 };
+
+/// The mean distance, in square roots of the area, at which the landmarks that are not given arrive in \p key.
+double held_out_of(const Body& body, const FittedKey& first, const FittedKey& key) {
+    const SphereRoots roots = FitOptions().roots;
+    const double unit = extent_of(body.clean.mesh).size;
+    const SurfaceGraph graph(body.clean.mesh.triangles, body.clean.mesh.positions);
+    double sum = 0;
+    for (std::size_t line = 0; line < body.landmarks.size(); ++line) {
+        if (is_given(line)) continue;
+        const std::vector<glm::dvec3>& positions = body.clean.mesh.positions;
+        const auto vertex = static_cast<Index>(std::ranges::find(positions, body.landmarks[line].position) -
+                                               positions.begin());
+        const glm::dvec3 place =
+            point_in_direction(key.hierarchy, roots, first.report.landmarks[line].direction);
+        sum += distance_along(body.clean.mesh, graph, vertex, place) / unit;
+    }
+    return sum / double(body.landmarks.size() - given_lines.size());
+}
+
+/// Whether the ears are named if they are swapped.
+bool names_swap(const SurfaceMesh& mesh, LandmarkPins pins) {
+    const std::size_t count = pins.directions.size();
+    std::swap(pins.directions[count - 2], pins.directions[count - 1]);
+    std::string text;
+    try {
+        for (const std::string& fault : faults_of(map_to_pins(mesh, pins, {}, {}).agreement, pins))
+            text += fault;
+    } catch (const InputError& error) {
+        text = error.what();
+    }
+    return text.find(pins.names[count - 2]) != std::string::npos ||
+           text.find("left and right") != std::string::npos;
+}
 
 /// Fits \p body so that its given landmarks are at the directions in \p first.
 void measure_pair(const Body& body, const std::string& first_name, const FittedKey& first, Totals& totals) {
@@ -119,20 +156,16 @@ void measure_pair(const Body& body, const std::string& first_name, const FittedK
             processor_seconds_of([&] { key = fit(CleanMesh(body.clean), {.landmarks = given}); });
         totals.fit_seconds += seconds;
 
-        const SphereRoots roots = FitOptions().roots;
-        const double unit = extent_of(body.clean.mesh).size;
-        const SurfaceGraph graph(body.clean.mesh.triangles, body.clean.mesh.positions);
-        double held_out = 0;
-        for (std::size_t line = 0; line < body.landmarks.size(); ++line) {
-            if (is_given(line)) continue;
-            const std::vector<glm::dvec3>& positions = body.clean.mesh.positions;
-            const auto vertex = static_cast<Index>(
-                std::ranges::find(positions, body.landmarks[line].position) - positions.begin());
-            const glm::dvec3 place =
-                point_in_direction(key.hierarchy, roots, first.report.landmarks[line].direction);
-            held_out += distance_along(body.clean.mesh, graph, vertex, place) / unit;
-        }
-        held_out /= double(body.landmarks.size() - given.size());
+        const double held_out = held_out_of(body, first, key);
+        const auto model =
+            model_of(first.mapped_mesh(), first.points, glm::dmat3(1), pins.directions, {}, {});
+        FittedKey matched;
+        const double match_seconds = processor_seconds_of(
+            [&] { matched = fit(CleanMesh(body.clean), {.model = model.get(), .landmarks = given}); });
+        const double held_out_matched = held_out_of(body, first, matched);
+        totals.held_out_matched += held_out_matched;
+        totals.match_seconds += match_seconds;
+        totals.swaps_named += names_swap(inserted.mesh, pins);
         double off = 0;
         double most_off = 0;
         for (const FittedLandmark& landmark : key.report.landmarks) {
@@ -152,11 +185,14 @@ void measure_pair(const Body& body, const std::string& first_name, const FittedK
                            {"mirrored", map.agreement.mirrored_cosine},
                            {"distortion_at_90_percent", distortion.at_90_percent},
                            {"held_out", held_out},
+                           {"held_out_matched", held_out_matched},
+                           {"match_fault", matched.report.match->fault},
                            {"off_in_key", off},
                            {"most_off_in_key", most_off},
                            {"hausdorff", key.report.quality.hausdorff},
                            {"flipped_leaves", key.report.quality.flipped_leaves},
-                           {"fit_seconds", seconds}});
+                           {"fit_seconds", seconds},
+                           {"fit_seconds_matched", match_seconds}});
     } catch (const InputError& error) {
         ++totals.failed;
         bench::print_line({{"first", first_name}, {"other", body.name}, {"error", error.what()}});
@@ -193,6 +229,9 @@ int main(int argc, char** argv) {
                            {"inexact_landmarks", totals.inexact},
                            {"warned", totals.warned},
                            {"held_out", totals.held_out / fitted},
+                           {"held_out_matched", totals.held_out_matched / fitted},
+                           {"fit_seconds_matched", totals.match_seconds / fitted},
+                           {"swapped_ears_named", totals.swaps_named},
                            {"off_in_key", totals.off_in_key / fitted},
                            {"most_off_in_key", totals.most_off_in_key},
                            {"largest_hausdorff", totals.largest_hausdorff},

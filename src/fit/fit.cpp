@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -92,7 +93,7 @@ FittedKey key_of(JudgedMap judged, const FitOptions& options, const LandmarkPins
     const std::string fault = fault_of_fit(judged.quality, surface.leaves.size(), options.limits);
     if (!fault.empty()) {
         const std::string text = fmt::format("no good key: {}{}", fault,
-                                             pins != nullptr ? advice_on(judged.agreement, pins->names) : "");
+                                             pins != nullptr ? advice_on(judged.agreement, *pins) : "");
         if (pins != nullptr && judged.agreement.is_doubtful()) throw LandmarkError(text);
         throw InputError(text);
     }
@@ -123,7 +124,7 @@ FittedKey key_of(JudgedMap judged, const FitOptions& options, const LandmarkPins
     report.landmarks = fitted_landmarks(options.landmarks, map, {key.hierarchy, options.roots});
     report.landmark_faults = faults_of_places(report.landmarks);
     if (pins != nullptr)
-        for (std::string& text : faults_of(judged.agreement, pins->names))
+        for (std::string& text : faults_of(judged.agreement, *pins))
             report.landmark_faults.push_back(std::move(text));
     return key;
 }
@@ -134,12 +135,20 @@ bool is_accepted(const JudgedMap& judged, const FitLimits& limits) {
 
 /// Matches an accepted map to the model's, if the options name a model. Keeps the map where the matched map gives
 /// no key that is accepted.
-std::optional<MatchReport> match_to_model(JudgedMap& judged, const FitOptions& options, Stopwatch& stopwatch,
+/// \param pins  null for none
+std::optional<MatchReport> match_to_model(JudgedMap& judged, const LandmarkPins* pins,
+                                          const FitOptions& options, Stopwatch& stopwatch,
                                           const Progress& progress) {
     if (options.model == nullptr || !is_accepted(judged, options.limits)) return std::nullopt;
+    if (pins != nullptr && !faults_of(judged.agreement, *pins).empty()) {
+        MatchReport report;
+        report.fault = "landmarks are probably wrong";
+        return report;
+    }
     const AlignedMap& map = *judged.map;
-    MatchedMap matched = match(*options.model, map.mesh(), map.points, options.rotation, options.matching,
-                               part_of(progress, 0, matching_ends));
+    const std::span<const Index> held = pins != nullptr ? pins->vertices : std::span<const Index>();
+    MatchedMap matched = match(*options.model, map.mesh(), map.points, options.rotation, held,
+                               options.matching, part_of(progress, 0, matching_ends));
     stopwatch.lap("matching");
     if (!matched.report.fault.empty()) return std::move(matched.report);
     auto in_place = std::make_unique<AlignedMap>(map.original, std::move(matched.mesh),
@@ -148,6 +157,7 @@ std::optional<MatchReport> match_to_model(JudgedMap& judged, const FitOptions& o
         judge(std::move(in_place), options.roots, stopwatch, part_of(progress, matching_ends, 1));
     if (is_accepted(judged_match, options.limits)) {
         judged_match.method = judged.method;
+        judged_match.agreement = judged.agreement;
         judged = std::move(judged_match);
     } else {
         matched.report.after = matched.report.before;
@@ -172,7 +182,7 @@ FittedKey fit_clean(const SurfaceMesh& mesh, const LandmarkPins* pins, Keeps kee
                                    .pins = pins},
                                   stopwatch, part_of(progress, 0, options.model ? mapped_at : judged_at));
     std::optional<MatchReport> match =
-        match_to_model(judged, options, stopwatch, part_of(progress, mapped_at, judged_at));
+        match_to_model(judged, pins, options, stopwatch, part_of(progress, mapped_at, judged_at));
     FittedKey key =
         key_of(std::move(judged), options, pins, std::move(times), part_of(progress, judged_at, 1));
     key.report.map_keeps = keeps;
@@ -239,7 +249,7 @@ FittedKey fit(CleanMesh clean, const FitOptions& options, const Progress& progre
 
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
-    const std::optional<PinnedMesh> pinned = pinned_mesh(clean.mesh, options.landmarks);
+    const std::optional<PinnedMesh> pinned = pinned_mesh(clean.mesh, options.landmarks, options.symmetric);
     const SurfaceMesh& mesh = pinned ? pinned->mesh : clean.mesh;
     const LandmarkPins* const pins = pinned ? &pinned->pins : nullptr;
     FittedKey key;

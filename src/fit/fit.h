@@ -2,6 +2,7 @@
 // root triangles, and acceptance.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,9 +45,11 @@ struct FitOptions {
     MatchOptions matching{};
 
     /// Points of the surface or near it. Either all have directions, and the map brings them exactly there; then
-    /// \a rotation means nothing. Or none has, and the map is the same as without landmarks; the report then says
+    /// \a rotation turns only the body that is matched to a model. Or none has, and the map is the same as without landmarks; the report then says
     /// where the map has put them.
     std::vector<Landmark> landmarks{};
+    /// Names of landmarks that mirror each other. Pairs without both landmarks mean nothing.
+    std::vector<std::array<std::string, 2>> symmetric{};
 
     bool keep_largest = false;  ///< keeps the largest part, however much area is lost
     bool fill_holes = false;    ///< fills holes, however much area that adds

@@ -22,7 +22,8 @@ void check_directions(std::span<const Landmark> landmarks) {
             throw UsageError("some landmarks have a direction and some have none, expected all or none");
 }
 
-std::optional<PinnedMesh> pinned_mesh(const SurfaceMesh& mesh, std::span<const Landmark> landmarks) {
+std::optional<PinnedMesh> pinned_mesh(const SurfaceMesh& mesh, std::span<const Landmark> landmarks,
+                                      std::span<const std::array<std::string, 2>> symmetric) {
     if (landmarks.empty()) return {};
     MeshWithLandmarks inserted = insert_landmarks(mesh, landmarks);
     if (!landmarks.front().direction) return {};
@@ -37,6 +38,13 @@ std::optional<PinnedMesh> pinned_mesh(const SurfaceMesh& mesh, std::span<const L
                             shown_text(landmark.name)));
         pinned.pins.names.push_back(landmark.name);
         pinned.pins.directions.push_back(*landmark.direction);
+    }
+    for (const auto& [left, right] : symmetric) {
+        const std::vector<std::string>& names = pinned.pins.names;
+        const auto a = std::ranges::find(names, left);
+        const auto b = std::ranges::find(names, right);
+        if (a != names.end() && b != names.end())
+            pinned.pins.symmetric.push_back({std::size_t(a - names.begin()), std::size_t(b - names.begin())});
     }
     return pinned;
 }

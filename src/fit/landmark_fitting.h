@@ -1,6 +1,7 @@
 // The landmarks of a fit: pins of the mesh before the map, and the report after it.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,9 +27,11 @@ struct PinnedMesh {
 };
 
 /// None if the landmarks have no directions; they are checked nevertheless.
-/// \param mesh  clean (clean_up.h)
+/// \param mesh       clean (clean_up.h)
+/// \param symmetric  names of landmarks that mirror each other
 /// \throw InputError naming two landmarks that are at one point or have one direction
-std::optional<PinnedMesh> pinned_mesh(const SurfaceMesh& mesh, std::span<const Landmark> landmarks);
+std::optional<PinnedMesh> pinned_mesh(const SurfaceMesh& mesh, std::span<const Landmark> landmarks,
+                                      std::span<const std::array<std::string, 2>> symmetric = {});
 
 /// A key with the roots over which it was sampled.
 struct KeyOverRoots {

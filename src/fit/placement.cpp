@@ -16,6 +16,12 @@ void turn_up(std::vector<glm::dvec3>& positions, UpAxis up) {
         p = up == UpAxis::x ? glm::dvec3(-p.y, p.x, p.z) : glm::dvec3(p.x, p.z, -p.y);
 }
 
+void turn_back(std::vector<glm::dvec3>& positions, UpAxis up) {
+    if (up == UpAxis::y) return;
+    for (glm::dvec3& p : positions)
+        p = up == UpAxis::x ? glm::dvec3(p.y, -p.x, p.z) : glm::dvec3(p.x, -p.z, p.y);
+}
+
 SurfaceExtent extent_of(const SurfaceMesh& mesh) {
     const glm::dvec3 origin = mesh.positions[mesh.triangles.front()[0]];
     SurfaceExtent extent{.size = 0, .center = origin, .least = origin, .most = origin};

@@ -15,6 +15,9 @@ namespace interleaf {
 /// The axis of a mesh that points up.
 enum class UpAxis { x, y, z };
 
+/// Undoes turn_up(), to the last bit.
+void turn_back(std::vector<glm::dvec3>& positions, UpAxis up);
+
 /// Turns \p positions so that \p up becomes y. The result is exact, because the turn only swaps coordinates
 /// and signs.
 void turn_up(std::vector<glm::dvec3>& positions, UpAxis up);

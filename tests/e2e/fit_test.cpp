@@ -169,6 +169,7 @@ TEST_CASE("in the offer, the keyboard chooses leaves, roots and the turn of each
     CHECK(viewer.state()["offer"]["match_parts"] == true);
     viewer.press(XK_space);
     wait_for_offered(viewer, "match_parts", false);
+    go_to_row(viewer, "landmarks");
     go_to_row(viewer, "size");
     viewer.press(XK_space);
     wait_for_offered(viewer, "same_size", false);
@@ -198,6 +199,57 @@ TEST_CASE("in the offer, the keyboard chooses leaves, roots and the turn of each
     compare_and_return(viewer);
 }
 
+TEST_CASE("landmarks are set from proposals by the keyboard, undone, and used by the fit and the family") {
+    const ScratchFolder home;
+    std::vector<fs::path> meshes{home.path() / "cushion.obj", home.path() / "sphere.ply"};
+    for (const fs::path& mesh : meshes) {
+        const std::string command = fmt::format("'{}' export --weights {}=1 -o '{}'", INTERLEAF_PROGRAM,
+                                                mesh.stem().string(), mesh.string());
+        REQUIRE(std::system(command.c_str()) == 0);
+    }
+    const RunningViewer viewer(home.path(), meshes);
+    wait_for_offer(viewer);
+    viewer.type("500");
+    for (const char* row : {"roots", "match"}) go_to_row(viewer, row);
+    viewer.press(XK_space);
+    wait_for_offered(viewer, "match_parts", false);
+    go_to_row(viewer, "landmarks");
+    viewer.press(XK_Return);
+    const auto wait_for_points = [&](const char* what, const State& places) {
+        viewer.wait_for(what, [&](const State& s) {
+            if (!s["landmarks"].is_object() || s["landmarks"]["points"].size() != places.size()) return false;
+            for (std::size_t k = 0; k < places.size(); ++k)
+                if (s["landmarks"]["points"][k]["places"] != places[k]) return false;
+            return true;
+        });
+    };
+    viewer.wait_for("the blend", [](const State& s) {
+        return s["landmarks"].is_object() && s["landmarks"]["made"] == true;
+    });
+    viewer.press(XK_space);
+    wait_for_points("a point on the first mesh", State::array({State::array({true, false})}));
+    viewer.press(XK_Right);
+    viewer.press(XK_space);
+    wait_for_points("its partner", State::array({State::array({true, true})}));
+    viewer.press(XK_z, XK_Control_L);
+    wait_for_points("no partner", State::array({State::array({true, false})}));
+    viewer.press(XK_y, XK_Control_L);
+    wait_for_points("the partner again", State::array({State::array({true, true})}));
+    viewer.press(XK_F2);
+    viewer.wait_for("the name", [](const State& s) { return s["takes_text"] == true; });
+    viewer.type("tip");
+    viewer.press(XK_Return);
+    viewer.wait_for("the new name",
+                    [](const State& s) { return s["landmarks"]["points"][0]["name"] == "tip"; });
+    viewer.press(XK_Return);
+    viewer.wait_for("the offer", [](const State& s) { return s["landmarks"].is_null(); });
+    viewer.press(XK_Tab);
+    wait_for_offered(viewer, "row", "size");
+    viewer.press(XK_Return);
+    const State state = wait_for_keys(viewer, 2);
+    CHECK(state["document"]["landmarks"] == State::array({"tip"}));
+}
+
 TEST_CASE("a mesh dropped on the list is fitted over the family's roots; a refused mesh changes nothing") {
     const ScratchFolder home;
     const std::vector<fs::path> meshes = unlike_meshes(home.path());
@@ -215,7 +267,7 @@ TEST_CASE("a mesh dropped on the list is fitted over the family's roots; a refus
     wait_for_offer(viewer);
     // There are no roots and no meshes to choose. After the number come the choices that depend on the other
     // keys.
-    for (const char* row : {"size", "center", "up", "axis"}) go_to_row(viewer, row);
+    for (const char* row : {"match", "landmarks", "size", "center", "up", "axis"}) go_to_row(viewer, row);
     viewer.press(XK_Return);
     State state = wait_for_keys(viewer, 6);
     CHECK(state["document"]["keys"][5] == "bone 2");
@@ -266,7 +318,8 @@ TEST_CASE("the offer shows what is lost and added, and Fit waits until the user 
         };
     };
     viewer.wait_for("a remark about parts", fault_with("A key is made of one part"));
-    for (const char* row : {"roots", "match", "size", "center", "meshes", "up", "axis", "degrees", "parts"})
+    for (const char* row :
+         {"roots", "match", "landmarks", "size", "center", "meshes", "up", "axis", "degrees", "parts"})
         go_to_row(viewer, row);
     viewer.press(XK_Return);
     CHECK(viewer.state()["offer"].is_object());

@@ -129,8 +129,13 @@ Fitted fit_files(const FitCommandOptions& options, const HeldInterrupts& interru
                  .placing = options.placing,
                  .matches = options.matches,
                  .landmark_placing = options.landmark_placing};
-    for (const std::filesystem::path& file : options.landmarks)
-        task.landmarks.push_back(read_landmarks(file).landmarks);
+    for (const std::filesystem::path& file : options.landmarks) {
+        LandmarkSet set = read_landmarks(file);
+        task.landmarks.push_back(std::move(set.landmarks));
+        for (auto& pair : set.symmetric)
+            if (std::ranges::find(task.symmetric, pair) == task.symmetric.end())
+                task.symmetric.push_back(std::move(pair));
+    }
     for (const AxisTurn& rotation : options.rotations) task.rotations.push_back(matrix_of(rotation));
     if (!options.onto.empty()) aim_at(options.onto, task);
     MeshFitter fitter(std::move(task));

@@ -127,7 +127,8 @@ void keep_blend(ViewerState& state, double now) {
     if (state.document.family().keys.size() > count) state.selected_key = count;
 }
 
-void add_keys(ViewerState& state, std::vector<Key> keys, const glm::dvec3& origin, double now) {
+void add_keys(ViewerState& state, std::vector<Key> keys, const glm::dvec3& origin, double now,
+              const std::vector<LandmarkDirection>& landmarks) {
     const std::string step =
         keys.size() == 1 ? fmt::format("Add {}", keys.front().name) : fmt::format("Add {} keys", keys.size());
     edit(
@@ -144,6 +145,10 @@ void add_keys(ViewerState& state, std::vector<Key> keys, const glm::dvec3& origi
                 const KeyMismatch& mismatch = synchronization.mismatches.front();
                 throw MismatchError(mismatch.text, result.keys, mismatch);
             }
+            for (const LandmarkDirection& landmark : landmarks)
+                if (std::ranges::find(result.landmarks, landmark.name, &LandmarkDirection::name) ==
+                    result.landmarks.end())
+                    result.landmarks.push_back(landmark);
             return result;
         },
         now);

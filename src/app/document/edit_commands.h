@@ -30,7 +30,8 @@ void redo(ViewerState& state, double now);
 
 void keep_blend(ViewerState& state, double now);
 /// \param origin  the origin of the positions of \p keys (family/origin.h)
-void add_keys(ViewerState& state, std::vector<Key> keys, const glm::dvec3& origin, double now);
+void add_keys(ViewerState& state, std::vector<Key> keys, const glm::dvec3& origin, double now,
+              const std::vector<LandmarkDirection>& landmarks = {});
 void duplicate_key(ViewerState& state, double now);
 void remove_key(ViewerState& state, double now);
 void move_key(ViewerState& state, std::size_t to, double now);

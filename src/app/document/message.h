@@ -21,7 +21,8 @@ struct Message {
     std::string text;                                          ///< empty for no message
     std::shared_ptr<const MismatchedKeys> mismatch = nullptr;  ///< keys to show with it; null for none
     MessageKind kind = MessageKind::fault;
-    double seen = 0;  ///< when a notice appeared or was last hovered; seconds
+    bool offers_landmarks = false;  ///< a button in the notice leads to the landmark window
+    double seen = 0;                ///< when a notice appeared or was last hovered; seconds
 
     bool empty() const { return text.empty(); }
     bool is_fault() const { return !empty() && kind == MessageKind::fault; }

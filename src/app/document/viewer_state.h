@@ -18,7 +18,17 @@
 namespace interleaf {
 
 /// The request of a command that concerns the files of the document.
-enum class FileWish : std::uint8_t { none, open, reopen, save, save_as, export_as, add_keys, quit };
+enum class FileWish : std::uint8_t {
+    none,
+    open,
+    reopen,
+    save,
+    save_as,
+    export_as,
+    add_keys,
+    set_landmarks,
+    quit
+};
 
 /// What the camera frames as a whole from the next frame on.
 enum class ViewTarget {
@@ -66,6 +76,7 @@ struct ViewerState {
     std::shared_ptr<const FitComparison> compared;  ///< the shown one; the first if not in comparisons
 
     FileWish file_wish = FileWish::none;
+    bool can_set_landmarks = false;  ///< the last fitted meshes can be fitted again with landmarks
     std::optional<std::filesystem::path> film_wish;  ///< a film or picture to make
     std::optional<TextQuestion> question;
     bool help_shown = false;

@@ -30,7 +30,8 @@ CleanMesh MeshFitter::clean_next(SurfaceFile surface, const Progress& progress) 
 
 /// Sets the landmarks of the next mesh in the options, and places the mesh by them.
 void MeshFitter::aim_landmarks(CleanMesh& clean, FittedMesh& fitted) {
-    if (task_.landmarks.empty()) return;
+    task_.options.landmarks.clear();
+    if (task_.landmarks.empty() || task_.landmarks[next_].empty()) return;
     std::vector<Landmark> landmarks = std::move(task_.landmarks[next_]);
     std::vector<glm::dvec3> positions;
     positions.reserve(landmarks.size());
@@ -54,6 +55,7 @@ void MeshFitter::aim_landmarks(CleanMesh& clean, FittedMesh& fitted) {
         for (Landmark& landmark : landmarks) landmark.position = (*fitted.placement)(landmark.position);
     }
     task_.options.landmarks = std::move(landmarks);
+    task_.options.symmetric = task_.symmetric;
 }
 
 /// Compares the next key with the first one, or makes it the first one.
@@ -92,9 +94,14 @@ FittedMesh MeshFitter::fit_next(const Progress& progress) {
         stopwatch.lap("clean-up");
         aim_landmarks(clean, fitted);
         if (!task_.reference) task_.reference = extent_of(clean.mesh);
-        place(clean, *task_.reference, task_.placing);
+        if (!fitted.placement) place(clean, *task_.reference, task_.placing);
         fitted.warning = fault_of_placing(*task_.reference, extent_of(clean.mesh));
-        if (!task_.rotations.empty()) task_.options.rotation = task_.rotations[next_];
+        // A body with targets is placed like the first one, and turned like it before the two are matched.
+        if (!task_.rotations.empty())
+            task_.options.rotation = task_.rotations[task_.targets.empty() ? next_ : 0];
+        if (task_.matches && task_.first_key && !model_)
+            model_first_key(
+                [&](std::string_view stage, double) { return !progress || progress(stage, fitting_begins); });
         task_.options.model = model_.get();
         fitted.key = fit(std::move(clean), task_.options, [&](std::string_view stage, double part) {
             return !progress || progress(stage, fitting_begins + (fitting_ends - fitting_begins) * part);
@@ -116,11 +123,23 @@ FittedMesh MeshFitter::fit_next(const Progress& progress) {
     return fitted;
 }
 
+/// Makes the first key of an existing family the model.
+void MeshFitter::model_first_key(const Progress& progress) {
+    std::vector<glm::dvec3> directions;
+    directions.reserve(task_.targets.size());
+    for (const Landmark& target : task_.targets) directions.push_back(*target.direction);
+    model_ = model_of(surface_of(*task_.first_key), sphere_points_of(*task_.first_key, task_.options.roots),
+                      glm::dmat3(1), directions, task_.options.matching, progress);
+}
+
 void MeshFitter::keep_model(FittedKey& key, const Progress& progress) {
-    // Landmarks already say which places correspond.
-    if (task_.matches && task_.landmarks.empty() && next_ == 0 && task_.meshes.size() > 1)
-        model_ =
-            model_of(key.mapped_mesh(), key.points, task_.options.rotation, task_.options.matching, progress);
+    if (task_.matches && !model_ && next_ == 0 && task_.meshes.size() > 1) {
+        std::vector<glm::dvec3> directions;
+        directions.reserve(key.report.landmarks.size());
+        for (const FittedLandmark& landmark : key.report.landmarks) directions.push_back(landmark.direction);
+        model_ = model_of(key.mapped_mesh(), key.points, task_.options.rotation, directions,
+                          task_.options.matching, progress);
+    }
     key.fine_mesh = {};
     key.points = {};
 }
@@ -161,6 +180,8 @@ void FitJob::work(const std::stop_token& stop) {
             FittedMesh fitted = fitter_.fit_next([&](std::string_view stage, double part) {
                 return part_of_all(stage, comparing_begins * part);
             });
+            const std::optional<MatchReport>& match = fitted.key.report.match;
+            const double stretched = match ? match->after.stretched : 0;
             auto compared = std::make_shared<const FitComparison>(compare(
                 mesh.filename().string(), std::move(fitted.key), [&](std::string_view stage, double part) {
                     return part_of_all(stage, comparing_begins + (1 - comparing_begins) * part);
@@ -168,6 +189,12 @@ void FitJob::work(const std::stop_token& stop) {
             const std::scoped_lock lock(mutex_);
             fitted_.comparisons.push_back(std::move(compared));
             fitted_.origin = fitter_.origin();
+            fitted_.landmarks.clear();
+            for (const Landmark& target : fitter_.targets())
+                fitted_.landmarks.push_back({target.name, *target.direction});
+            fitted_.stretched = std::max(fitted_.stretched, stretched);
+            for (const std::string& warning : fitted.landmark_warnings)
+                fitted_.warnings.push_back(fmt::format("{}: {}.", mesh.filename().string(), warning));
             if (!fitted.warning.empty())
                 fitted_.warnings.push_back(fmt::format("{} {}.", mesh.filename().string(), fitted.warning));
         }

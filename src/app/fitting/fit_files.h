@@ -1,6 +1,7 @@
 // Fits keys to meshes from files: for `interleaf fit`, and for the window on a separate thread.
 #pragma once
 
+#include <array>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -31,14 +32,18 @@ struct FitTask {
     std::vector<glm::dmat3> rotations;  ///< one per mesh; empty for no rotation
     std::vector<UpAxis> ups;            ///< one per mesh; empty if y is up in all
     PlacingOptions placing;
-    bool matches = false;  ///< matches the maps of all meshes but the first to that of the first
+    /// Matches the maps of all meshes to that of the existing first key or else of the first mesh; holds landmarks.
+    bool matches = false;
 
     /// Per mesh, its landmarks as in its file; empty for a fit without. The landmarks of the first mesh are the
-    /// targets of all others (fit/landmarks/landmark_targets.h), unless there are targets already.
+    /// targets of all others (fit/landmarks/landmark_targets.h), unless there are targets already. A mesh without
+    /// any is fitted without.
     std::vector<std::vector<Landmark>> landmarks{};
     std::optional<LandmarkPlacing> landmark_placing{};
+    std::vector<std::array<std::string, 2>>
+        symmetric{};  ///< names of landmarks that mirror each other, in any mesh
 
-    /// The targets of an existing family, with directions, and its first key; both or none.
+    /// The targets of an existing family, with directions; there may be none. The family's first key.
     std::vector<Landmark> targets{};
     std::optional<Hierarchy> first_key{};
 
@@ -67,12 +72,17 @@ class MeshFitter {
     /// \throw InputError naming the file, UsageError, MachineError, Cancelled as read_surface() and fit()
     FittedMesh fit_next(const Progress& progress);
 
+    /// The landmarks to which those of the meshes correspond, with directions; without landmarks, or before the
+    /// first mesh is fitted, there are none.
+    const std::vector<Landmark>& targets() const { return task_.targets; }
+
     /// The origin, subtracted from all positions (family/origin.h); 0 before the first mesh is fitted.
     glm::dvec3 origin() const { return task_.origin.value_or(glm::dvec3(0)); }
 
   private:
     /// Keeps the first body as the model of the others, if they are to be matched.
     void keep_model(FittedKey& key, const Progress& progress);
+    void model_first_key(const Progress& progress);
     CleanMesh clean_next(SurfaceFile surface, const Progress& progress);
     void aim_landmarks(CleanMesh& clean, FittedMesh& fitted);
     void judge_landmarks(FittedMesh& fitted);
@@ -87,6 +97,8 @@ struct FittedMeshes {
     Comparisons comparisons;
     glm::dvec3 origin{0};               ///< subtracted from all positions
     std::vector<std::string> warnings;  ///< sentences that name the mesh
+    std::vector<LandmarkDirection> landmarks;
+    double stretched = 0;  ///< the largest part of a matched body that is stretched more than 8 times
 };
 
 /// The fitted keys, named after the files of their meshes.

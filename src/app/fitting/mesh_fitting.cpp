@@ -10,6 +10,8 @@
 
 #include "app/document/message.h"
 #include "app/fitting/tile_places.h"
+#include "fit/landmarks/landmark_report.h"
+#include "fit/preview.h"
 #include "ui/dialogs/progress_dialog.h"
 #include "ui/widgets/number_text.h"
 
@@ -34,20 +36,37 @@ std::string remark_of(const MeshPreviews::Preview& preview) {
 }  // namespace
 
 void MeshFitting::offer(Task task, Receiver receiver) {
-    meshes_ = std::move(task.meshes);
-    reason_ = std::move(task.reason);
+    offer_ = {.task = std::move(task), .points = {}};
+    const Task& now = offer_.task;
+    for (const auto& [name, direction] : now.landmarks) {
+        LandmarkPoint point{.name = name, .places = {}, .direction = direction};
+        point.places.resize(now.meshes.size() + 1);
+        point.places.front() = point_in_direction(**now.first_key, now.roots->roots, direction);
+        offer_.points.push_back(std::move(point));
+    }
+    begin(std::move(receiver));
+    // The first key of a family may be any shape; landmarks show that its parts have counterparts.
+    dialog_.open(now.meshes.size(), can_be_placed(), now.meshes.size() > 1 || !now.landmarks.empty());
+}
+
+void MeshFitting::offer_again(Receiver receiver) {
+    offer_ = *last_;
+    begin(std::move(receiver));
+    dialog_.open(last_->choices);
+    open_landmarks();
+}
+
+void MeshFitting::begin(Receiver receiver) {
     receiver_ = std::move(receiver);
-    are_roots_given_ = task.roots.has_value();
-    roots_ = task.roots ? std::vector{*std::move(task.roots)} : named_roots();
-    origin_ = task.origin;
-    reference_ = task.reference;
-    dialog_.open(meshes_.size(), can_be_placed());
-    previews_ = std::make_unique<MeshPreviews>(meshes_);
+    roots_ = offer_.task.roots ? std::vector{*offer_.task.roots} : named_roots();
+    previews_ = std::make_unique<MeshPreviews>(offer_.task.meshes);
     is_reading_ = true;
 }
 
 void MeshFitting::show(const Rect& area, double now) {
-    if (dialog_.is_open()) {
+    if (landmarks_.is_open()) {
+        landmarks_.show(area);
+    } else if (dialog_.is_open()) {
         if (const auto answer = dialog_.show(area, offer_shown())) answer_ = answer;
     } else if (job_) {
         show_work(area, now);
@@ -57,6 +76,8 @@ void MeshFitting::show(const Rect& area, double now) {
 std::optional<std::string> MeshFitting::update(float density, double now) {
     std::erase_if(leaving_, [](const auto& previews) { return previews->is_over(); });
     if (const auto answer = std::exchange(answer_, std::nullopt)) close_offer(*answer, now);
+    if (auto points = landmarks_.update(density)) offer_.points = *std::move(points);
+    if (dialog_.wants_landmarks()) open_landmarks();
     if (dialog_.is_open())
         is_reading_ = previews_->update(static_cast<int>(std::lround(dialog_.tile_side() * density)),
                                         ups_of(dialog_.choices()));
@@ -76,21 +97,28 @@ void MeshFitting::close_offer(bool is_accepted, double now) {
 }
 
 FitOfferShown MeshFitting::offer_shown() const {
-    const bool is_single = meshes_.size() == 1;
-    const std::string reason = reason_.empty() ? "" : fmt::format("No keys as they are: {}. ", reason_);
-    FitOfferShown shown{.text = is_single ? fmt::format("Fit a key to {}?", name_of(meshes_.front()))
-                                          : fmt::format("Fit keys to these {} meshes?", meshes_.size()),
-                        .detail = fmt::format(
-                            "{}{} mapped to the sphere and sampled over the roots; the picture{} about where "
-                            "their edges will lie. For closed surfaces without handles.",
-                            reason, is_single ? "It is" : "Each is", is_single ? " shows" : "s show"),
-                        .roots = {},
-                        .roots_remark = are_roots_given_ ? "those of the family's keys" : "",
-                        .meshes = tiles(),
-                        .can_be_placed = can_be_placed(),
-                        .parts_remark = {},
-                        .holes_remark = {},
-                        .fault = {}};
+    const bool is_single = offer_.task.meshes.size() == 1;
+    const std::string reason =
+        offer_.task.reason.empty() ? "" : fmt::format("No keys as they are: {}. ", offer_.task.reason);
+    FitOfferShown shown{
+        .text = is_single ? fmt::format("Fit a key to {}?", name_of(offer_.task.meshes.front()))
+                          : fmt::format("Fit keys to these {} meshes?", offer_.task.meshes.size()),
+        .detail =
+            fmt::format("{}{} mapped to the sphere and sampled over the roots; the picture{} about where "
+                        "their edges will lie. For closed surfaces without handles.",
+                        reason, is_single ? "It is" : "Each is", is_single ? " shows" : "s show"),
+        .roots = {},
+        .roots_remark = offer_.task.roots ? "those of the family's keys" : "",
+        .meshes = tiles(),
+        .can_be_matched = offer_.can_be_matched(),
+        .landmarks = {},
+        .can_be_placed = can_be_placed(),
+        .parts_remark = {},
+        .holes_remark = {},
+        .fault = {}};
+    const auto pairs =
+        std::ranges::count_if(offer_.points, [](const LandmarkPoint& point) { return is_paired(point, 0); });
+    if (pairs > 0) shown.landmarks = fmt::format("{} {} of points", pairs, pairs == 1 ? "pair" : "pairs");
     for (const NamedRoots& roots : roots_) shown.roots.push_back(capitalised(roots.name));
     std::vector<std::string> names;
     for (const FitTile& tile : shown.meshes) {
@@ -115,7 +143,7 @@ void MeshFitting::tell_changes(FitOfferShown& shown) const {
             fmt::runtime(text), 100 * (*most).*part,
             previews.size() == 1
                 ? ""
-                : fmt::format(" of {}", name_of(meshes_[std::size_t(most - previews.begin())])));
+                : fmt::format(" of {}", name_of(offer_.task.meshes[std::size_t(most - previews.begin())])));
     };
     constexpr CleanUpLimits limits;
     shown.parts_remark =
@@ -132,19 +160,19 @@ void MeshFitting::tell_changes(FitOfferShown& shown) const {
 std::vector<FitTile> MeshFitting::tiles() const {
     const FitChoices& choices = dialog_.choices();
     std::vector<TileBody> bodies;
-    bodies.reserve(meshes_.size());
+    bodies.reserve(offer_.task.meshes.size());
     for (const MeshPreviews::Preview& preview : previews_->previews())
         if (preview.is_read && preview.fault.empty()) bodies.push_back(preview.body);
-    const std::vector<TilePlace> places = tile_places(bodies, placing_of(choices), reference_);
+    const std::vector<TilePlace> places = tile_places(bodies, placing_of(choices), offer_.task.reference);
     auto place = places.begin();
     std::vector<FitTile> tiles;
-    tiles.reserve(meshes_.size());
-    for (std::size_t mesh = 0; mesh < meshes_.size(); ++mesh) {
+    tiles.reserve(offer_.task.meshes.size());
+    for (std::size_t mesh = 0; mesh < offer_.task.meshes.size(); ++mesh) {
         const MeshPreviews::Preview& preview = previews_->previews()[mesh];
         const FitChoices::Turn& turn = choices.turns[mesh];
         const bool has_place = preview.is_read && preview.fault.empty();
         const TilePlace here = has_place ? *place++ : TilePlace();
-        tiles.push_back({.name = name_of(meshes_[mesh]),
+        tiles.push_back({.name = name_of(offer_.task.meshes[mesh]),
                          .remark = remark_of(preview),
                          .picture = preview.picture.name(),
                          .fault = preview.fault,
@@ -165,20 +193,64 @@ void MeshFitting::start(double now) {
     rotations.reserve(choices.turns.size());
     for (const FitChoices::Turn& turn : choices.turns) rotations.push_back(rotation_of(turn));
     started_ = now;
-    job_.emplace(FitTask{.meshes = meshes_,
-                         .options = fit_options(choices, roots_[choices.roots].roots),
-                         .rotations = std::move(rotations),
-                         .ups = ups_of(choices),
-                         .placing = placing_of(choices),
-                         .matches = choices.match_parts,
-                         .origin = origin_,
-                         .reference = reference_});
+    FitTask task{.meshes = offer_.task.meshes,
+                 .options = fit_options(choices, roots_[choices.roots].roots),
+                 .rotations = std::move(rotations),
+                 .ups = ups_of(choices),
+                 .placing = placing_of(choices),
+                 .matches = choices.match_parts,
+                 .origin = offer_.task.origin,
+                 .reference = offer_.task.reference};
+    add_landmarks(task);
+    last_ = LastFit{offer_, choices};
+    job_.emplace(std::move(task));
+}
+
+/// Gives the task the landmarks that correspond, and the first key of the family.
+void MeshFitting::add_landmarks(FitTask& task) const {
+    const Task& now = offer_.task;
+    const std::size_t before = now.first_key ? 1 : 0;  // the key comes before the meshes
+    if (now.first_key) task.first_key = **now.first_key;
+    const bool has_pairs =
+        std::ranges::any_of(offer_.points, [](const LandmarkPoint& point) { return is_paired(point, 0); });
+    if (!has_pairs) return;
+    for (std::size_t mesh = 0; mesh < now.meshes.size(); ++mesh)
+        task.landmarks.push_back(counting_landmarks(offer_.points, mesh + before));
+    if (!now.first_key) return;
+    const PreviewReference reference = preview_reference(**now.first_key, task.options.roots);
+    std::vector<Landmark> first;
+    for (const LandmarkPoint& point : offer_.points)
+        if (is_paired(point, 0)) first.push_back({point.name, *point.places.front(), point.direction});
+    task.targets = targets_on(reference, first);
+}
+
+void MeshFitting::open_landmarks() {
+    const Task& now = offer_.task;
+    const FitChoices& choices = dialog_.choices();
+    const std::vector<UpAxis> ups = ups_of(choices);
+    LandmarkEditing::Task task{
+        .sources = {}, .names = {}, .roots = roots_[choices.roots].roots, .points = offer_.points};
+    if (now.first_key) {
+        task.sources.push_back(
+            {.file = {}, .up = UpAxis::y, .rotation = glm::dmat3(1), .key = **now.first_key});
+        task.names.push_back(now.key_name);
+    }
+    for (std::size_t mesh = 0; mesh < now.meshes.size(); ++mesh) {
+        task.sources.push_back({.file = now.meshes[mesh],
+                                .up = ups[mesh],
+                                .rotation = rotation_of(choices.turns[mesh]),
+                                .key = {}});
+        task.names.push_back(name_of(now.meshes[mesh]));
+    }
+    task.other = std::max<std::size_t>(1, dialog_.selected_mesh() + task.sources.size() - now.meshes.size());
+    landmarks_.open(std::move(task));
 }
 
 void MeshFitting::show_work(const Rect& area, double now) {
     const FitJob::State state = job_->state();
-    const std::string title = meshes_.size() == 1 ? fmt::format("Fitting {}", name_of(meshes_.front()))
-                                                  : fmt::format("Fitting {} meshes", meshes_.size());
+    const std::string title = offer_.task.meshes.size() == 1
+                                  ? fmt::format("Fitting {}", name_of(offer_.task.meshes.front()))
+                                  : fmt::format("Fitting {} meshes", offer_.task.meshes.size());
     const bool is_cancelled =
         progress_dialog({.title = title, .stage = state.stage, .part = state.part, .seconds = now - started_},
                         area, state.is_done);

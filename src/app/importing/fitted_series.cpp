@@ -144,7 +144,7 @@ class StepFitting {
         figures.integral_error = integral_error(step, fitted.hierarchy, ranges_);
         figures.largest_difference = largest_difference(fitted.mesh, fitted.hierarchy, ranges_);
         if (step_ + 1 < series_.step_count)
-            model_ = model_of(fitted.mapped_mesh(), fitted.points, fit_.rotation, fit_.matching,
+            model_ = model_of(fitted.mapped_mesh(), fitted.points, fit_.rotation, {}, fit_.matching,
                               part_of_step(fit_ends, 1));
         if (step_ > 0) {
             report_.steps[step_ - 1].moved_widths = moved_widths(waiting_, fitted.hierarchy, ranges_);

@@ -123,6 +123,9 @@ void DocumentFiles::grant(FileWish wish) {
         case FileWish::add_keys:
             browse_to_add();
             break;
+        case FileWish::set_landmarks:
+            set_landmarks();
+            break;
         case FileWish::quit:
             leave_document([this] {
                 forget_unsaved();

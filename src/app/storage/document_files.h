@@ -114,6 +114,8 @@ class DocumentFiles {
     void open_fitted(const std::vector<std::filesystem::path>& meshes, const FittedMeshes& fitted);
     void import(std::vector<std::filesystem::path> files, SeriesImporting::Receiver receiver);
     void open_imported(const std::vector<std::filesystem::path>& files, ImportedSeries imported);
+    void add_fitted(const FittedMeshes& fitted);
+    void set_landmarks();
     void tell_fit(const FittedMeshes& fitted);
     void replace_document(Family family, std::vector<std::filesystem::path> sources);
     void set_sources(std::vector<std::filesystem::path> sources);
@@ -145,6 +147,8 @@ class DocumentFiles {
     std::function<void(const Answer&)> on_answer_;
     MeshFitting fitting_;
     SeriesImporting importing_;
+    std::shared_ptr<const Family> last_fitted_;  ///< the document right after the last fit; null without one
+    bool was_fit_added_ = false;                 ///< whether that fit added keys to the document
     std::optional<Saving> saving_;
     FamilyExport exporting_;
     double now_ = 0;

@@ -102,7 +102,7 @@ bool DocumentFiles::show_opened(const std::vector<fs::path>& paths) {
 }
 
 void DocumentFiles::offer_to_open(const MeshesToFit& meshes) {
-    fitting_.offer({meshes.files, meshes.reason, {}},
+    fitting_.offer({.meshes = meshes.files, .reason = meshes.reason, .roots = {}},
                    [this, files = meshes.files](const FittedMeshes& fitted) { open_fitted(files, fitted); });
 }
 
@@ -148,15 +148,51 @@ void DocumentFiles::open_imported(const std::vector<fs::path>& files, ImportedSe
 void DocumentFiles::offer_to_add(const MeshesToFit& meshes) {
     try {
         const Family& family = state_.document.family();
-        fitting_.offer({meshes.files, meshes.reason, roots_of(family), family.origin,
-                        extent_of(surface_of(*family.keys.front().hierarchy))},
-                       [this](const FittedMeshes& fitted) {
-                           interleaf::add_keys(state_, keys_of(fitted.comparisons), fitted.origin, now_);
-                           tell_fit(fitted);
-                       });
+        const SharedHierarchy first = family.keys.front().hierarchy;
+        fitting_.offer({.meshes = meshes.files,
+                        .reason = meshes.reason,
+                        .roots = roots_of(family),
+                        .origin = family.origin,
+                        .reference = extent_of(surface_of(*first)),
+                        .key_name = family.keys.front().name,
+                        .first_key = first,
+                        .landmarks = family.landmarks},
+                       [this](const FittedMeshes& fitted) { add_fitted(fitted); });
     } catch (const InputError& error) {
         complain(error);
     }
+}
+
+/// Adds fitted keys, and the landmarks that the family lacks, to the document.
+void DocumentFiles::add_fitted(const FittedMeshes& fitted) {
+    // A family knows its sphere only if its roots have a name.
+    const bool keeps_landmarks = find_roots(roots_of(state_.document.family()).name) != nullptr;
+    interleaf::add_keys(state_, keys_of(fitted.comparisons), fitted.origin, now_,
+                        keeps_landmarks ? fitted.landmarks : std::vector<LandmarkDirection>());
+    tell_fit(fitted);
+    was_fit_added_ = true;
+}
+
+/// Offers the last fit once more, with landmarks. Its keys are replaced.
+void DocumentFiles::set_landmarks() {
+    if (!fitting_.can_offer_again()) return;
+    const bool is_untouched = state_.document.snapshot() == last_fitted_;
+    if (was_fit_added_) {
+        fitting_.offer_again([this, is_untouched](const FittedMeshes& fitted) {
+            if (is_untouched && state_.document.snapshot() == last_fitted_) undo(state_, now_);
+            add_fitted(fitted);
+        });
+        return;
+    }
+    const auto offer = [this] {
+        fitting_.offer_again([this, files = fitting_.last_meshes()](const FittedMeshes& fitted) {
+            open_fitted(files, fitted);
+        });
+    };
+    if (is_untouched)
+        offer();
+    else
+        leave_document(offer);
 }
 
 /// Opens the fitted keys as a new, unsaved document. Several keys are played once, from the first to the
@@ -166,6 +202,7 @@ void DocumentFiles::open_fitted(const std::vector<fs::path>& meshes, const Fitte
     const std::string name = keys.size() == 1 ? keys.front().name : "Fitted meshes";
     Family family = family_of_keys(name, std::move(keys));
     family.origin = fitted.origin;
+    family.landmarks = fitted.landmarks;
     replace_document(std::move(family), {});
     state_.document.mark_unsaved();
     for (const fs::path& mesh : meshes) remember(mesh);
@@ -191,7 +228,19 @@ void DocumentFiles::tell_fit(const FittedMeshes& fitted) {
                             in_words(each.comparison->quality));
     if (compared.size() > max_lines) text += fmt::format("\nAnd {} more.", compared.size() - max_lines);
     for (const std::string& warning : fitted.warnings) text += "\n" + warning;
-    state_.message = {.text = std::move(text), .kind = MessageKind::notice, .seen = now_};
+    constexpr double much_stretched = 0.05;
+    const bool offers_landmarks =
+        fitted.stretched > much_stretched && fitted.landmarks.empty() && fitting_.can_offer_again();
+    if (offers_landmarks)
+        text += fmt::format("\n{:.2g} % of a body is stretched more than 8 times. Landmarks may help.",
+                            100 * fitted.stretched);
+    state_.message = {.text = std::move(text),
+                      .kind = MessageKind::notice,
+                      .offers_landmarks = offers_landmarks,
+                      .seen = now_};
+    last_fitted_ = state_.document.snapshot();
+    was_fit_added_ = false;
+    state_.can_set_landmarks = fitting_.can_offer_again();
 }
 
 }  // namespace interleaf

@@ -32,6 +32,7 @@ enum class CommandId : std::uint8_t {
     new_domain,
     edit_domain,
     add_keys,
+    set_landmarks,
     keep_blend,
     rename_key,
     duplicate_key,

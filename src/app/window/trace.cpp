@@ -70,6 +70,8 @@ Json json_of(const Document& document) {
             json["times"].push_back({key.time, family.keys[key.key].name});
     json["interpolation"] = family.timeline ? Json(name_of(family.timeline->interpolation().basis)) : Json();
     json["path"] = family.path ? family.path->points().size() : 0;
+    json["landmarks"] = Json::array();
+    for (const LandmarkDirection& landmark : family.landmarks) json["landmarks"].push_back(landmark.name);
     json["domain"] = Json::array();
     if (family.domain)
         for (const DomainVertex& vertex : family.domain->vertices())
@@ -96,6 +98,17 @@ Json json_of(const FitDialog& offer) {
     for (const std::size_t up : choices.ups) json["ups"].push_back(std::string(1, "XYZ"[up]));
     for (const FitChoices::Turn& turn : choices.turns)
         json["turns"].push_back({std::string(1, "xyz"[turn.axis]), turn.degrees});
+    return json;
+}
+
+Json json_of(const LandmarkEditing& landmarks) {
+    Json json{{"points", Json::array()}, {"made", landmarks.has_blend()}};
+    for (const LandmarkPoint& point : landmarks.points()) {
+        Json places = Json::array();
+        for (const auto& place : point.places) places.push_back(place.has_value());
+        json["points"].push_back({{"name", point.name}, {"places", places}});
+    }
+    json["selected"] = landmarks.selected() ? Json(*landmarks.selected()) : Json();
     return json;
 }
 
@@ -127,6 +140,7 @@ void Trace::record(std::size_t frame, double seconds, const ViewerState& state, 
     json["comparing"] = state.is_comparing;
     json["compared"] = state.compared ? Json(state.compared->mesh_name) : Json();
     json["offer"] = record.offer != nullptr ? json_of(*record.offer) : Json();
+    json["landmarks"] = record.landmarks != nullptr ? json_of(*record.landmarks) : Json();
     json["message"] = state.message.text;
     json["notice"] = !state.message.empty() && !state.message.is_fault();
     json["window"] = {layout.window.x, layout.window.y};

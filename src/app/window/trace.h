@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/document/viewer_state.h"
+#include "app/landmarks/landmark_editing.h"
 #include "app/pictures/morph_surface.h"
 #include "app/window/window_panels.h"
 #include "ui/dialogs/fit_dialog.h"
@@ -31,6 +32,7 @@ struct FrameRecord {
     std::optional<Rect> popup;  ///< the frontmost menu or question
     std::optional<std::filesystem::path> browsed;  ///< the file browser's cursor, or its folder
     const FitDialog* offer;                        ///< the offer to fit meshes; null for none
+    const LandmarkEditing* landmarks;              ///< the landmark window; null unless it is open
 };
 
 class Trace {

@@ -339,18 +339,20 @@ FrameLayout Viewer::layout() const {
 
 void Viewer::record() {
     if (!trace_ || frame_ == 0) return;
-    trace_->record(frame_, glfwGetTime(), state_, views_.figures(),
-                   {.shown = drawn_,
-                    .eye = views_.eye(),
-                    .pointer = gui_.pointer(),
-                    .follows_camera = views_.follows_camera(),
-                    .is_coarse = rest_.is_coarse,
-                    .button_down = gui_.is_button_down(),
-                    .is_asking = takes_keys_,
-                    .takes_text = gui_.takes_text(),
-                    .popup = gui_.popup(),
-                    .browsed = files_.browsed(),
-                    .offer = files_.fitting().offered()});
+    trace_->record(
+        frame_, glfwGetTime(), state_, views_.figures(),
+        {.shown = drawn_,
+         .eye = views_.eye(),
+         .pointer = gui_.pointer(),
+         .follows_camera = views_.follows_camera(),
+         .is_coarse = rest_.is_coarse,
+         .button_down = gui_.is_button_down(),
+         .is_asking = takes_keys_,
+         .takes_text = gui_.takes_text(),
+         .popup = gui_.popup(),
+         .browsed = files_.browsed(),
+         .offer = files_.fitting().offered(),
+         .landmarks = files_.fitting().landmarks().is_open() ? &files_.fitting().landmarks() : nullptr});
 }
 
 /// Saves the picture of the window, which no longer changes, and closes the window.

@@ -164,6 +164,7 @@ void apply_to_state(const WindowActions& actions, ViewerState& state, MouseHolds
     if (actions.view && actions.view->view_all) state.view_target = ViewTarget::surface;
     if (actions.points_at_notice) state.message.seen = now;
     if (actions.dismisses_message) state.message.clear();
+    if (actions.wants_landmarks) run_command(CommandId::set_landmarks, state, now);
     if (actions.closes_help) state.help_shown = false;
 
     // The domain and the timeline come first, because actions on keys may change their indices.

@@ -195,7 +195,9 @@ void show_message(const WindowShown& shown, const Rect& view, WindowActions& act
         actions.dismisses_message = message_panel(message.text, shown.pictures, view);
         return;
     }
-    const NoticeResult notice = notice_panel(message.text, view);
+    const NoticeResult notice =
+        notice_panel(message.text, message.offers_landmarks ? "Set landmarks..." : nullptr, view);
+    actions.wants_landmarks = notice.pressed;
     actions.points_at_notice = notice.pointed_at;
     actions.dismisses_message = notice.dismissed;
 }

@@ -67,6 +67,7 @@ struct WindowActions {
     std::optional<ComparisonActions> comparison;
     bool closes_help = false;
     bool dismisses_message = false;
+    bool wants_landmarks = false;  ///< the button of a notice was pressed
     bool points_at_notice = false;
 };
 

@@ -136,8 +136,9 @@ class Coarsening {
     /// The worst quality of the triangles that the collapse makes; -1 if the collapse is not allowed.
     double quality_after(Index half_edge) {
         constexpr double refused = -1;
-        if (!keeps_complex(half_edge)) return refused;
         const Index from = mesh_.origin(half_edge);
+        if (!view_.are_held.empty() && view_.are_held[from]) return refused;
+        if (!keeps_complex(half_edge)) return refused;
         const Index to = mesh_.target(half_edge);
         double worst = 1;
         double worst_before = 1;

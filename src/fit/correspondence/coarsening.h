@@ -26,6 +26,9 @@ struct CoarseningView {
     /// Vertices that are removed first, if they can be: 1 per such vertex, else 0. May be empty.
     std::span<const char> are_first{};
 
+    /// Vertices that are never removed: 1 per such vertex, else 0. May be empty.
+    std::span<const char> are_held{};
+
     /// Other numbers but 0 give other coarse meshes: lengths count up to a quarter more or less.
     std::uint32_t variation = 0;
 };

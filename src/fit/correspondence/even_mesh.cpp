@@ -54,6 +54,8 @@ SphereMesh without_unused_vertices(const SphereMesh& mesh) {
     packed.triangles.reserve(mesh.triangles.size());
     for (const auto& [a, b, c] : mesh.triangles)
         packed.triangles.push_back({number[a], number[b], number[c]});
+    for (const SphereLandmark& landmark : mesh.landmarks)
+        packed.landmarks.push_back({number[landmark.vertex], landmark.direction});
     return packed;
 }
 
@@ -103,7 +105,10 @@ std::vector<std::array<Index, 2>> split_long_edges(SphereMesh& mesh, std::size_t
 SphereMesh even_mesh(SphereMesh mesh, std::size_t vertices, ProgressMeter& meter) {
     split_long_edges(mesh, vertices, meter);
     HalfEdgeMesh half_edges(static_cast<Index>(mesh.positions.size()), mesh.triangles);
-    coarsen(half_edges, vertices, {.positions = mesh.positions, .points = mesh.points}, meter);
+    std::vector<char> are_held(mesh.positions.size(), 0);
+    for (const SphereLandmark& landmark : mesh.landmarks) are_held[landmark.vertex] = 1;
+    coarsen(half_edges, vertices, {.positions = mesh.positions, .points = mesh.points, .are_held = are_held},
+            meter);
     mesh.triangles = triangles_in(half_edges);
     return without_unused_vertices(mesh);
 }

@@ -25,7 +25,7 @@ double even_edge(double vertices);
 std::vector<std::array<Index, 2>> split_long_edges(SphereMesh& mesh, std::size_t vertices,
                                                    ProgressMeter& meter);
 
-/// An even mesh of the same mapped surface with about \p vertices vertices.
+/// An even mesh of the same mapped surface with about \p vertices vertices, among them all landmarks.
 /// \param mesh  area 1; its map is one to one
 /// \throw Cancelled
 SphereMesh even_mesh(SphereMesh mesh, std::size_t vertices, ProgressMeter& meter);

@@ -1,5 +1,6 @@
 #include "fit/correspondence/match.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -8,10 +9,13 @@
 
 #include <glm/geometric.hpp>
 
+#include "fit/correspondence/direction_insertion.h"
 #include "fit/correspondence/even_mesh.h"
 #include "fit/correspondence/pull_back.h"
 #include "fit/correspondence/sphere_mesh.h"
+#include "fit/landmarks/similarity.h"
 #include "fit/sphere_map/spherical_map.h"
+#include "hierarchy/error.h"
 
 namespace interleaf {
 namespace {
@@ -79,6 +83,19 @@ std::optional<Movement> move_over(MovingMesh& mesh, const MatchOptions& options,
     return best;
 }
 
+/// Relaxes a match once more, with distortion weighted by \p factor: less strained places are pulled back with fewer
+/// triangles turned over.
+void stiffen(MovingMesh& mesh, const MovingMesh::Places& places, double factor) {
+    constexpr int sweeps = 100;
+    MatchWeights weights = weights_at(double(mesh.count()));
+    mesh.set_places(places);
+    weights.distortion *= factor;
+    mesh.set_weights(weights);
+    mesh.relax(sweeps);
+    weights.distortion /= factor;
+    mesh.set_weights(weights);
+}
+
 std::vector<std::array<Index, 2>> split(SphereMesh& body, const MatchOptions& options,
                                         const Progress& progress) {
     ProgressMeter meter(progress);
@@ -117,6 +134,26 @@ MovingMesh::Places places_by_map(const SphereMesh& body, std::span<const glm::dv
     return places;
 }
 
+/// Turns \p body so that its landmarks come nearest to those of \p model, if they determine a rotation.
+void turn_to_landmarks(SphereMesh& body, const MatchedBody& model) {
+    constexpr std::size_t fewest = 3;
+    std::vector<glm::dvec3> from;
+    std::vector<glm::dvec3> to;
+    for (const SphereLandmark& own : body.landmarks) {
+        const auto there = std::ranges::find(model.landmarks(), own.direction, &SphereLandmark::direction);
+        if (there == model.landmarks().end()) continue;
+        from.push_back(body.positions[own.vertex]);
+        to.push_back(model.positions()[there->vertex]);
+    }
+    if (from.size() < fewest) return;
+    try {
+        const glm::dmat3 rotation = fit_similarity(from, to, false).rotation;
+        for (glm::dvec3& position : body.positions) position = rotation * position;
+    } catch (const InputError&) {
+        return;  // they lie on one line
+    }
+}
+
 MatchedMap unmatched(MatchReport report, std::string fault) {
     report.after = report.before;
     report.fault = std::move(fault);
@@ -126,16 +163,21 @@ MatchedMap unmatched(MatchReport report, std::string fault) {
 }  // namespace
 
 std::unique_ptr<const MatchedBody> model_of(const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
-                                            const glm::dmat3& turn, const MatchOptions& options,
-                                            const Progress& progress) {
-    return std::make_unique<const MatchedBody>(normalized(mesh, points, turn), options.vertices, progress);
+                                            const glm::dmat3& turn, std::span<const glm::dvec3> landmarks,
+                                            const MatchOptions& options, const Progress& progress) {
+    SphereMesh body = normalized(mesh, points, turn);
+    insert_directions(body, landmarks);
+    return std::make_unique<const MatchedBody>(std::move(body), options.vertices, progress);
 }
 
 MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
-                 const glm::dmat3& turn, const MatchOptions& options, const Progress& progress) {
+                 const glm::dmat3& turn, std::span<const Index> held, const MatchOptions& options,
+                 const Progress& progress) {
     const Progress begin = part_of(progress, 0, moving_begins);
     const Progress middle = part_of(progress, moving_begins, 1);
     SphereMesh body = normalized(mesh, points, turn);
+    for (const Index vertex : held) body.landmarks.push_back({vertex, points[vertex]});
+    turn_to_landmarks(body, model);
     const std::vector<std::array<Index, 2>> halved = split(body, options, begin);
     const MatchedBody other(body, options.vertices, begin);
 
@@ -151,11 +193,18 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
     if (!movement) return unmatched(std::move(report), "there is no room for a vertex of the first mesh");
     report.passes = movement->passes;
     meter.enter("matching", finishing_begins);
-    MatchedMap matched{.mesh = with_middles(mesh, halved, body.triangles),
-                       .points = pull_back(body, model, movement->places.on_sphere, meter),
-                       .report = {}};
-    if (std::string fault = fault_of_map(matched.mesh, matched.points); !fault.empty())
-        return unmatched(std::move(report), "the matched map is not one to one: " + fault);
+    MatchedMap matched{.mesh = with_middles(mesh, halved, body.triangles), .points = {}, .report = {}};
+    std::string fault;
+    for (const double stiffness : {1.0, 10.0, 40.0}) {
+        if (stiffness > 1) stiffen(moving, movement->places, stiffness);
+        const std::span<const glm::dvec3> on_sphere =
+            stiffness > 1 ? moving.places().on_sphere : movement->places.on_sphere;
+        matched.points = pull_back(body, model, on_sphere, meter);
+        fault = fault_of_map(matched.mesh, matched.points);
+        // Another attempt takes as long again, and pays where landmarks tell what belongs together.
+        if (fault.empty() || body.landmarks.empty()) break;
+    }
+    if (!fault.empty()) return unmatched(std::move(report), "the matched map is not one to one: " + fault);
     moving.set_places(places_by_map(body, matched.points, model, other));
     report.after = moving.figures();
     if (!(report.after.energy < report.before.energy))

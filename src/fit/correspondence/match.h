@@ -5,7 +5,7 @@
 // make them agree. So an even mesh of the model moves over the surface of the other body until the two agree
 // best (moving_mesh.h), from coarse to fine (Schmidt, Pieper and Kobbelt 2023 optimize maps over spheres for a
 // like energy). Each vertex of the other body then takes over the model's point on the sphere (pull_back.h).
-// There are no landmarks; all bodies should stand alike.
+// Without landmarks, all bodies should stand alike. Landmarks that both bodies have stay on each other.
 #pragma once
 
 #include <memory>
@@ -46,19 +46,23 @@ struct MatchedMap {
 /// \param mesh    clean
 /// \param points  the map of \p mesh by which its key is sampled: one point per vertex
 /// \param turn    the rotation of that map after the alignment
+/// \param landmarks  directions on the sphere at which landmarks of other bodies are
 /// \throw InputError  if the surface has no area
 /// \throw Cancelled
 std::unique_ptr<const MatchedBody> model_of(const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
-                                            const glm::dmat3& turn, const MatchOptions& options,
-                                            const Progress& progress);
+                                            const glm::dmat3& turn, std::span<const glm::dvec3> landmarks,
+                                            const MatchOptions& options, const Progress& progress);
 
 /// Matches a map to that of \p model. The same input gives the same bits. Never rotate the result: it is in the
 /// position of the model's map.
 /// \param mesh    clean
 /// \param points  a map of \p mesh to the sphere, one to one and aligned: one point per vertex
 /// \param turn    applied to the body before it is compared: the rotation of its map after the alignment
+/// \param held    vertices of \p mesh, landmarks: they keep their points. Three or more also turn the body, as they lie
+///                on the model
 /// \throw Cancelled
 MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
-                 const glm::dmat3& turn, const MatchOptions& options, const Progress& progress);
+                 const glm::dmat3& turn, std::span<const Index> held, const MatchOptions& options,
+                 const Progress& progress);
 
 }  // namespace interleaf

@@ -85,6 +85,18 @@ glm::dvec3 MatchedBody::point(const MeshPoint& place) const {
     return glm::normalize(place.of(triangles(), points()));
 }
 
+MeshPoint MatchedBody::place_of(Index vertex) const {
+    MeshPoint place;
+    for (Index t = 0; t < triangles().size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (triangles()[t][k] == vertex) {
+                place.triangle = t;
+                place.barycentric[static_cast<glm::length_t>(k)] = 1;
+                return place;
+            }
+    return place;
+}
+
 MeshPoint walk(const MatchedBody& body, MeshPoint place, const glm::dvec3& step) {
     constexpr int max_triangles = 400;
     constexpr double no_area = 1e-26;  // square of twice the area

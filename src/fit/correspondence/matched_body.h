@@ -40,6 +40,9 @@ class MatchedBody {
     /// Of the unit sphere, in the given map, one per vertex.
     std::span<const glm::dvec3> points() const { return even_.points; }
 
+    /// Vertices that correspond to vertices of other bodies.
+    std::span<const SphereLandmark> landmarks() const { return even_.landmarks; }
+
     /// Triangles across the sides opposite the corners.
     const std::vector<Triangle>& neighbors() const { return neighbors_; }
     const std::vector<glm::dvec3>& triangle_normals() const { return triangle_normals_; }
@@ -54,6 +57,7 @@ class MatchedBody {
 
     glm::dvec3 position(const MeshPoint& place) const { return place.of(triangles(), positions()); }
     glm::dvec3 point(const MeshPoint& place) const;
+    MeshPoint place_of(Index vertex) const;
 
   private:
     SphereMesh even_;

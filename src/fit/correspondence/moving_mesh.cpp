@@ -62,7 +62,8 @@ MovingMesh::MovingMesh(const MatchedBody& moving, const MatchedBody& onto, Progr
       cotangent_(3 * moving.triangles().size()),
       rest_area_(moving.triangles().size()),
       mass_(count_),
-      is_active_(count_) {
+      is_active_(count_),
+      is_held_(count_) {
     places_.on_mesh.resize(count_);
     places_.in_space.resize(count_);
     places_.on_sphere.resize(count_);
@@ -79,8 +80,24 @@ void MovingMesh::put_at_own_points() {
         places_.in_space[v] = onto_.position(place);
         places_.on_sphere[v] = moving_.points()[v];
     }
+    hold_landmarks();
     linear_ = glm::dmat3(1);
     offset_ = glm::dvec3(0);
+}
+
+/// Puts landmarks at those of the other body with the same directions. Both maps have them there, up to a
+/// small part of a triangle, so there is nearly always room.
+void MovingMesh::hold_landmarks() {
+    for (const SphereLandmark& own : moving_.landmarks()) {
+        is_held_[own.vertex] = 0;
+        const auto there = std::ranges::find(onto_.landmarks(), own.direction, &SphereLandmark::direction);
+        if (there == onto_.landmarks().end()) continue;
+        gather(own.vertex);
+        const MeshPoint place = onto_.place_of(there->vertex);
+        if (!is_positive_at(onto_.point(place))) continue;
+        put(own.vertex, place);
+        is_held_[own.vertex] = 1;
+    }
 }
 
 void MovingMesh::set_places(const Places& places) {
@@ -168,6 +185,7 @@ std::vector<char> MovingMesh::strained_vertices() const {
 
 void MovingMesh::coarsen_to(std::size_t vertices, std::uint32_t variation, bool heeds_places) {
     CoarseningView view{.positions = moving_.positions(), .points = places_.on_sphere};
+    view.are_held = is_held_;
     view.variation = variation;
     std::vector<char> strained;
     if (heeds_places) {
@@ -263,6 +281,7 @@ void MovingMesh::make_room_around(Index vertex, int rings) {
 }
 
 void MovingMesh::move_to_middle(Index vertex) {
+    if (is_held_[vertex]) return;
     gather(vertex);
     const auto middle = kernel_middle(places_.on_sphere[vertex]);
     if (!middle) return;

@@ -2,7 +2,8 @@
 //
 // Each vertex lies on the other body's surface, and so at a point of the other body's map to the sphere. All
 // triangles stay positive there, by exact signs, so the mesh covers the other body once whatever happens. The
-// mesh can be coarsened by collapses that are undone later.
+// mesh can be coarsened by collapses that are undone later. Landmarks that both bodies have lie on each other, and
+// stay there.
 #pragma once
 
 #include <array>
@@ -98,6 +99,7 @@ class MovingMesh {
     glm::dvec3 affine_place(Index vertex) const { return linear_ * moving_.positions()[vertex] + offset_; }
     double data_energy(Index vertex, const MeshPoint& place, const glm::dvec3& position) const;
     double star_energy(Index vertex, const MeshPoint& place, const glm::dvec3& position) const;
+    void hold_landmarks();
     bool is_positive_at(const glm::dvec3& point) const;
     std::optional<double> try_place(Index vertex, const MeshPoint& place, double energy);
     double relax_vertex(Index vertex);
@@ -125,6 +127,7 @@ class MovingMesh {
     std::vector<double> rest_area_;  ///< per triangle
     std::vector<double> mass_;       ///< per vertex, the mean of its areas on both bodies
     std::vector<char> is_active_;
+    std::vector<char> is_held_;  ///< 1 per vertex that stays at a landmark of the other body, else 0
     std::vector<StarSide> star_;
     glm::dmat3 linear_{1};
     glm::dvec3 offset_{0};

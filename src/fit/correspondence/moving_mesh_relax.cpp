@@ -143,6 +143,7 @@ double MovingMesh::relax_vertex(Index vertex) {
     constexpr int max_tries = 6;
     constexpr double shorter = 0.4;
     constexpr double strained = 4;  // energy per rest area
+    if (is_held_[vertex]) return 0;
     meter_.step(60);
     const MeshPoint place = places_.on_mesh[vertex];
     const glm::dvec3 position = places_.in_space[vertex];

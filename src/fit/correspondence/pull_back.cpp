@@ -22,7 +22,8 @@ std::vector<double> solid_angles(const SphereMesh& mesh, std::span<const glm::dv
     return angles;
 }
 
-/// Marks the vertices of triangles that are not positive, and those within \p rings rings of triangles.
+/// Marks the vertices of triangles that are not positive, and those within \p rings rings of triangles, except
+/// landmarks.
 std::vector<char> sick_vertices(const SphereMesh& mesh, std::span<const glm::dvec3> points, int rings) {
     std::vector<char> sick(points.size(), 0);
     for (const auto& [a, b, c] : mesh.triangles)
@@ -32,6 +33,7 @@ std::vector<char> sick_vertices(const SphereMesh& mesh, std::span<const glm::dve
         for (const auto& [a, b, c] : mesh.triangles)
             if (inner[a] || inner[b] || inner[c]) sick[a] = sick[b] = sick[c] = 1;
     }
+    for (const SphereLandmark& landmark : mesh.landmarks) sick[landmark.vertex] = 0;
     return sick;
 }
 
@@ -79,10 +81,12 @@ std::vector<glm::dvec3> pull_back(const SphereMesh& body, const MatchedBody& mod
         guess = place.triangle;
         points.push_back(glm::normalize(place.of(model.triangles(), model.points())));
     }
+    for (const SphereLandmark& landmark : body.landmarks) points[landmark.vertex] = landmark.direction;
     const HalfEdgeMesh half_edges(static_cast<Index>(points.size()), body.triangles);
     const std::vector<double> areas = solid_angles(body, points);
     Relaxation relaxation(half_edges, body.positions, areas, points, Keeps::shapes);
     relaxation.update_shapes(blend);
+    for (const SphereLandmark& landmark : body.landmarks) relaxation.pin(landmark.vertex);
     untangle_map(body, relaxation, points, meter);
     relaxation.sweep(last_sweeps, meter);
     return points;

@@ -9,10 +9,17 @@
 
 namespace interleaf {
 
+/// A vertex that corresponds to a vertex of another body: the one with the same direction.
+struct SphereLandmark {
+    Index vertex = no_index;
+    glm::dvec3 direction{0};  ///< on the sphere to which both bodies are mapped; a unit vector
+};
+
 struct SphereMesh {
     std::vector<Triangle> triangles;
     std::vector<glm::dvec3> positions;  ///< in space, one per vertex
     std::vector<glm::dvec3> points;     ///< of the unit sphere, one per vertex
+    std::vector<SphereLandmark> landmarks{};
 };
 
 }  // namespace interleaf

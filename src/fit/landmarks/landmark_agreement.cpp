@@ -1,7 +1,15 @@
 #include "fit/landmarks/landmark_agreement.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
 #include "text/shown_text.h"
 #include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include "fit/sphere_map/rotation_fit.h"
 
 namespace interleaf {
 namespace {
@@ -9,37 +17,97 @@ namespace {
 /// Right landmarks of four-legged animals agree with 0.9 and more; with nose and tail swapped, 0.5 to 0.7.
 constexpr double good_cosine = 0.85;
 
+/// Points of a body that lie nearly in one plane, such as hands, feet and head of a man, fit about as well mirrored.
+constexpr double mirrored_margin = 0.02;
+
 /// Three points and their mirror image can be turned into each other.
 constexpr std::size_t fewest_chiral = 4;
 
+/// Two neighbors lie the other way round if the cosine between the ways from one to the other is below this.
+/// Right landmarks of four-legged animals turn less.
+constexpr double reversed_cosine = -0.5;
+
+/// Landmarks farther apart than this, as a chord of the sphere, are no neighbors: swapped ones lower the agreement.
+constexpr double farthest_neighbor = 1.2;
+
+/// Whether, seen from either of the two, at most two other points are nearer than the other one. Between two ears,
+/// there may be a nose.
+bool are_neighbors(std::span<const glm::dvec3> points, std::size_t i, std::size_t j) {
+    const double apart = glm::distance(points[i], points[j]);
+    if (apart > farthest_neighbor) return false;
+    constexpr std::ptrdiff_t most_nearer = 2 + 1;  // and the point itself
+    const auto is_near = [&](std::size_t to) {
+        return std::ranges::count_if(points, [&](const glm::dvec3& point) {
+                   return glm::distance(point, points[to]) < apart;
+               }) <= most_nearer;
+    };
+    return is_near(i) || is_near(j);
+}
+
+std::string quoted(const LandmarkPins& pins, const std::array<std::size_t, 2>& pair) {
+    return fmt::format("'{}' and '{}'", shown_text(pins.names[pair[0]]), shown_text(pins.names[pair[1]]));
+}
+
 }  // namespace
+
+LandmarkAgreement agreement_of(std::span<const glm::dvec3> points, const LandmarkPins& pins) {
+    LandmarkAgreement agreement;
+    const auto count = double(points.size());
+    const RotationFit fit = fit_rotation(points, pins.directions);
+    agreement.mean_cosine = fit.agreement / count;
+    agreement.mirrored_cosine = fit.mirrored / count;
+    if (!pins.symmetric.empty()) {
+        std::vector<glm::dvec3> exchanged(points.begin(), points.end());
+        for (const auto& [left, right] : pins.symmetric) std::swap(exchanged[left], exchanged[right]);
+        agreement.exchanged_cosine = fit_rotation(exchanged, pins.directions).agreement / count;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const glm::dvec3 way = fit.rotation * (points[i] - points[j]);
+            const glm::dvec3 wanted = pins.directions[i] - pins.directions[j];
+            if (glm::dot(way, wanted) < reversed_cosine * glm::length(way) * glm::length(wanted) &&
+                are_neighbors(pins.directions, i, j) && are_neighbors(points, i, j))
+                agreement.reversed.push_back({j, i});
+        }
+    return agreement;
+}
 
 bool LandmarkAgreement::is_doubtful() const {
     return mean_cosine < good_cosine;
 }
 
-std::vector<std::string> faults_of(const LandmarkAgreement& agreement,
-                                   const std::vector<std::string>& names) {
+std::vector<std::string> faults_of(const LandmarkAgreement& agreement, const LandmarkPins& pins) {
     std::vector<std::string> faults;
-    if (names.size() >= fewest_chiral && agreement.mirrored_cosine >= agreement.mean_cosine)
+    if (!pins.symmetric.empty() && agreement.exchanged_cosine > agreement.mean_cosine)
+        faults.push_back(
+            fmt::format("the landmarks fit better with left and right exchanged, such as {}: the sides "
+                        "are probably swapped in one of the meshes",
+                        quoted(pins, pins.symmetric.front())));
+    else if (pins.names.size() >= fewest_chiral &&
+             agreement.mirrored_cosine >= agreement.mean_cosine + mirrored_margin)
         faults.emplace_back(
             "the landmarks fit better mirrored: left and right are probably swapped in one of the meshes");
+    for (const std::array<std::size_t, 2>& pair : agreement.reversed)
+        faults.push_back(
+            fmt::format("the landmarks {} lie the other way round than on the first mesh: they are "
+                        "probably swapped in one of the meshes",
+                        quoted(pins, pair)));
     if (agreement.is_doubtful())
         faults.push_back(
             fmt::format("the landmarks lie differently than on the first mesh (agreement {:.2f}, expected at "
                         "least {}), most "
                         "of all '{}': it is probably swapped with another one or in the wrong place; check "
                         "it, or leave it out",
-                        agreement.mean_cosine, good_cosine, shown_text(names[agreement.farthest])));
+                        agreement.mean_cosine, good_cosine, shown_text(pins.names[agreement.farthest])));
     return faults;
 }
 
-std::string advice_on(const LandmarkAgreement& agreement, const std::vector<std::string>& names) {
+std::string advice_on(const LandmarkAgreement& agreement, const LandmarkPins& pins) {
     std::string advice;
-    for (const std::string& fault : faults_of(agreement, names)) advice += "; " + fault;
+    for (const std::string& fault : faults_of(agreement, pins)) advice += "; " + fault;
     if (agreement.is_doubtful()) return advice;
     return advice + fmt::format("; the landmark '{}' is farthest from its place: check it, or leave it out",
-                                shown_text(names[agreement.farthest]));
+                                shown_text(pins.names[agreement.farthest]));
 }
 
 }  // namespace interleaf

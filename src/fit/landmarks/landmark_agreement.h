@@ -2,7 +2,9 @@
 // wrong where they do not.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,9 @@ struct LandmarkPins {
     std::vector<std::string> names;
     std::vector<Index> vertices;         ///< all different
     std::vector<glm::dvec3> directions;  ///< unit vectors, all different
+
+    /// Pairs of landmarks that mirror each other, such as the left and the right ear.
+    std::vector<std::array<std::size_t, 2>> symmetric{};
 };
 
 /// After the rotation of the map that turns the landmarks best toward their targets.
@@ -24,17 +29,28 @@ struct LandmarkAgreement {
     double mean_cosine = 1;      ///< between landmarks and targets
     double mirrored_cosine = 0;  ///< the same for the best reflection of the map
     std::size_t farthest = 0;    ///< the landmark farthest from its target
+    std::vector<double>
+        ways{};  ///< per landmark, its distance from its target, as a chord of the unit sphere
+
+    /// The mean cosine if the two landmarks of each symmetric pair changed places; -1 without such pairs.
+    double exchanged_cosine = -1;
+
+    /// Neighboring landmarks that lie the other way round than their targets.
+    std::vector<std::array<std::size_t, 2>> reversed{};
 
     /// Whether landmarks are probably wrong.
     bool is_doubtful() const;
 };
 
-/// Sentences about landmarks that probably are wrong: they lie very differently than their targets, or fit
-/// better mirrored.
-/// \param names  of the landmarks
-std::vector<std::string> faults_of(const LandmarkAgreement& agreement, const std::vector<std::string>& names);
+/// How well landmarks at \p points agree with their targets. Leaves out the ways.
+/// \param points  of the unit sphere, one per landmark, in any position
+LandmarkAgreement agreement_of(std::span<const glm::dvec3> points, const LandmarkPins& pins);
+
+/// Sentences about landmarks that probably are wrong: they lie very differently than their targets, fit better
+/// mirrored, or two of them are swapped.
+std::vector<std::string> faults_of(const LandmarkAgreement& agreement, const LandmarkPins& pins);
 
 /// What to do where no key comes about: "; the landmark 'nose' is ...".
-std::string advice_on(const LandmarkAgreement& agreement, const std::vector<std::string>& names);
+std::string advice_on(const LandmarkAgreement& agreement, const LandmarkPins& pins);
 
 }  // namespace interleaf

@@ -117,6 +117,27 @@ glm::dvec3 point_in_direction(const Hierarchy& key, const SphereRoots& roots, co
            place.z * glm::dvec3(key.positions[node[2]]);
 }
 
+std::vector<glm::dvec3> sphere_points_of(const Hierarchy& key, const SphereRoots& roots) {
+    std::vector<glm::dvec3> points(key.positions.size());
+    std::ranges::copy(roots.points, points.begin());
+    NodeCursor cursor(key);
+    std::vector<Triangle> open;
+    for (const Triangle& root : roots.complex.triangles()) {
+        open.push_back(root);
+        while (!open.empty()) {
+            const Triangle node = open.back();
+            open.pop_back();
+            const Index midpoint = cursor.next();
+            if (midpoint == no_index) continue;
+            points[midpoint] = glm::normalize(points[node[1]] + points[node[2]]);
+            const auto [first, second] = bisect(node, midpoint);
+            open.push_back(second);
+            open.push_back(first);
+        }
+    }
+    return points;
+}
+
 MorphDistortion morph_distortion(const Hierarchy& first, const Hierarchy& other,
                                  std::span<const glm::dvec3> landmarks) {
     const std::array<const Hierarchy*, 2> keys = {&first, &other};

@@ -31,6 +31,11 @@ std::vector<Landmark> targets_of(std::span<const FittedLandmark> landmarks);
 /// \param roots  over which \p key was sampled
 glm::dvec3 point_in_direction(const Hierarchy& key, const SphereRoots& roots, const glm::dvec3& direction);
 
+/// The points of the sphere over which the vertices of \p key lie.
+/// \param roots  over which \p key was sampled
+/// \return       unit vectors, one per vertex
+std::vector<glm::dvec3> sphere_points_of(const Hierarchy& key, const SphereRoots& roots);
+
 /// How much a morph between two keys over the same roots changes shapes.
 struct MorphDistortion {
     /// The conformal distortion (MIPS, 1 for similar triangles) that nine tenths of the area do not exceed.

@@ -143,15 +143,14 @@ class PinnedMapping {
         rotate(points, rotation_to_targets(from));
         for (std::size_t i = 0; i < present.size(); ++i) mapping_.points()[present[i]] = points[i];
 
-        for (std::size_t k = 0; k < pins_.vertices.size(); ++k)
-            if (distance_to_target(k) > distance_to_target(agreement_.farthest)) agreement_.farthest = k;
+        for (std::size_t k = 0; k < pins_.vertices.size(); ++k) {
+            agreement_.ways.push_back(distance_to_target(k));
+            if (agreement_.ways[k] > agreement_.ways[agreement_.farthest]) agreement_.farthest = k;
+        }
     }
 
     glm::dmat3 rotation_to_targets(std::vector<glm::dvec3> from) {
-        const auto count = double(from.size());
-        const RotationFit plain = fit_rotation(from, pins_.directions);
-        agreement_.mean_cosine = plain.agreement / count;
-        agreement_.mirrored_cosine = plain.mirrored / count;
+        agreement_ = agreement_of(from, pins_);
         std::vector<glm::dvec3> to = pins_.directions;
         for (int axis = 0; axis < 3; ++axis) {
             glm::dvec3 still(0);
@@ -313,7 +312,7 @@ PinnedMap map_to_pins(const SurfaceMesh& mesh, const LandmarkPins& pins, const P
     }
     const std::string text =
         fmt::format("the surface could not be mapped to a sphere with its landmarks in place ({}){}", faults,
-                    advice_on(agreement, pins.names));
+                    advice_on(agreement, pins));
     if (agreement.is_doubtful()) throw LandmarkError(text);
     throw InputError(text);
 }

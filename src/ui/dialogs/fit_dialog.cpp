@@ -53,18 +53,26 @@ void row_remark(const std::string& text) {
 /// Number of rows below the tiles, including the buttons.
 int row_count(const FitOfferShown& shown) {
     constexpr int always = 5;  // limit, roots, up, turn, buttons
-    return always + int{shown.can_be_placed} + int{!shown.parts_remark.empty()} +
+    return always + int{shown.can_be_matched} + int{shown.can_be_placed} + int{!shown.parts_remark.empty()} +
            int{!shown.holes_remark.empty()};
 }
 
 }  // namespace
 
-void FitDialog::open(std::size_t mesh_count, bool can_be_placed) {
+void FitDialog::open(FitChoices choices) {
+    open(choices.turns.size(), false, false);
+    choices_ = std::move(choices);
+    focus(Place::fit);
+    has_focus_moved_ = false;
+    select_mesh(0);
+}
+
+void FitDialog::open(std::size_t mesh_count, bool can_be_placed, bool matches_parts) {
     assert(!is_open_ && mesh_count > 0);
     *this = FitDialog();
     choices_.turns.resize(mesh_count);
     choices_.ups.assign(mesh_count, 1);
-    choices_.match_parts = mesh_count > 1;
+    choices_.match_parts = matches_parts;
     choices_.same_size = choices_.same_center = can_be_placed;
     is_open_ = is_new_ = true;
     focus(Place::number);
@@ -102,7 +110,8 @@ std::optional<bool> FitDialog::show(const Rect& area, const FitOfferShown& shown
         ImGui::Dummy({0, std::round(spacing / 2)});
         show_limit(shown);
         show_roots(shown);
-        if (shown.can_be_placed) show_placing(shown);
+        if (shown.can_be_matched) show_matching(shown);
+        if (shown.can_be_placed) show_placing();
         show_up(shown);
         show_turn(shown);
         show_changes(shown);
@@ -119,8 +128,9 @@ std::optional<bool> FitDialog::show(const Rect& area, const FitOfferShown& shown
 }
 
 std::string_view FitDialog::row() const {
-    constexpr std::string_view names[] = {"limit", "number", "roots",   "match", "size",  "center", "meshes",
-                                          "up",    "axis",   "degrees", "parts", "holes", "fit",    "cancel"};
+    constexpr std::string_view names[] = {"limit",   "number", "roots",  "match", "landmarks",
+                                          "size",    "center", "meshes", "up",    "axis",
+                                          "degrees", "parts",  "holes",  "fit",   "cancel"};
     return names[static_cast<std::size_t>(focus_)];
 }
 
@@ -134,7 +144,10 @@ void FitDialog::read_keys(const FitOfferShown& shown) {
     if (is_key_pressed(GLFW_KEY_DOWN, KeyRepeat::yes)) move_focus(1, shown);
     if (focus_ == Place::number || focus_ == Place::degrees)
         return;  // these read Enter and arrows themselves
-    if (is_enter_pressed()) press(focus_ != Place::cancel, shown);
+    if (is_enter_pressed() && focus_ == Place::landmarks)
+        wants_landmarks_ = true;
+    else if (is_enter_pressed())
+        press(focus_ != Place::cancel, shown);
     if (is_key_pressed(GLFW_KEY_LEFT, KeyRepeat::yes)) step_choice(-1, shown);
     if (is_key_pressed(GLFW_KEY_RIGHT, KeyRepeat::yes)) step_choice(1, shown);
     if (!is_key_pressed(GLFW_KEY_SPACE)) return;
@@ -148,7 +161,8 @@ void FitDialog::move_focus(int by, const FitOfferShown& shown) {
     constexpr int places = static_cast<int>(Place::cancel) + 1;
     const auto is_passed = [&](Place place) {
         return (place == Place::roots && shown.roots.size() < 2) ||
-               ((place == Place::meshes || place == Place::match) && shown.meshes.size() < 2) ||
+               (place == Place::meshes && shown.meshes.size() < 2) ||
+               ((place == Place::match || place == Place::landmarks) && !shown.can_be_matched) ||
                ((place == Place::size || place == Place::center) && !shown.can_be_placed) ||
                (place == Place::parts && shown.parts_remark.empty()) ||
                (place == Place::holes && shown.holes_remark.empty());
@@ -190,6 +204,7 @@ void FitDialog::step_choice(int by, const FitOfferShown& shown) {
     if (focus_ == Place::roots) choices_.roots = step(choices_.roots, shown.roots.size());
     if (focus_ == Place::meshes) select_mesh(step(mesh_, shown.meshes.size()));
     if (focus_ == Place::match) choices_.match_parts = !choices_.match_parts;
+    if (focus_ == Place::landmarks) wants_landmarks_ = true;
     if (focus_ == Place::size) choices_.same_size = !choices_.same_size;
     if (focus_ == Place::center) choices_.same_center = !choices_.same_center;
     if (focus_ == Place::parts) choices_.keep_largest = !choices_.keep_largest;
@@ -266,12 +281,20 @@ void FitDialog::show_toggle(const char* label, bool& value, Place place) {
     mark_focus(place);
 }
 
-void FitDialog::show_placing(const FitOfferShown& shown) {
+void FitDialog::show_matching(const FitOfferShown& shown) {
     row_label("Match");
-    if (shown.meshes.size() > 1) {
-        show_toggle("Match parts", choices_.match_parts, Place::match);
-        ImGui::SameLine(0, scaled(16));
+    show_toggle("Match parts", choices_.match_parts, Place::match);
+    ImGui::SameLine(0, scaled(16));
+    if (ImGui::Button("Landmarks...", {modal_button_width("Landmarks..."), 0})) {
+        focus(Place::landmarks);
+        wants_landmarks_ = true;
     }
+    mark_focus(Place::landmarks);
+    row_remark(shown.landmarks.empty() ? "points that correspond" : shown.landmarks);
+}
+
+void FitDialog::show_placing() {
+    row_label("Place");
     show_toggle("Same size", choices_.same_size, Place::size);
     ImGui::SameLine(0, scaled(16));
     show_toggle("Same center", choices_.same_center, Place::center);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ui/dialogs/fit_tiles.h"
@@ -40,27 +41,37 @@ struct FitOfferShown {
     std::vector<std::string> roots;
     std::string roots_remark;  ///< the reason why there is only one kind of roots; empty if there are several
     std::vector<FitTile> meshes;
-    bool can_be_placed = false;  ///< whether there are other meshes or keys to match in size and center
-    std::string parts_remark;    ///< what is lost with the smaller parts; empty if that is negligible
-    std::string holes_remark;    ///< what is added to fill holes; empty if that is negligible
+    bool can_be_matched = false;  ///< whether there is a mesh or a key whose parts can be matched
+    std::string landmarks;        ///< how many are set: "5 pairs"; empty for none
+    bool can_be_placed = false;   ///< whether there are other meshes or keys to match in size and center
+    std::string parts_remark;     ///< what is lost with the smaller parts; empty if that is negligible
+    std::string holes_remark;     ///< what is added to fill holes; empty if that is negligible
     std::string fault;  ///< what is wrong with the choices, so that "Fit" is disabled; "" if nothing is
 };
 
 /// Enter fits, Esc cancels. Tab, Up and Down move between the rows; Left and Right choose within a row.
 class FitDialog {
   public:
-    /// \param can_be_placed  whether there are other meshes or keys to match in size and center; if so, both
-    ///     are matched at first. Parts are matched at first if there are several meshes
+    /// \param can_be_placed   whether there are other meshes or keys to match in size and center; if so, both
+    ///     are matched at first
+    /// \param matches_parts   whether parts are matched at first
     /// \pre is_open() is false
-    void open(std::size_t mesh_count, bool can_be_placed);
+    void open(std::size_t mesh_count, bool can_be_placed, bool matches_parts);
+
+    /// Opens the dialog with the choices of an earlier one for the same meshes.
+    /// \pre is_open() is false
+    void open(FitChoices choices);
 
     bool is_open() const { return is_open_; }
 
     /// The current choices. The caller derives the argument of the next show() from them.
     const FitChoices& choices() const { return choices_; }
 
-    /// The row that has the keyboard: "limit", "number", "roots", "match", "size", "center", "meshes", "up",
-    /// "axis", "degrees", "parts", "holes", "fit" or "cancel".
+    /// Whether the user wants to set landmarks, once.
+    bool wants_landmarks() { return std::exchange(wants_landmarks_, false); }
+
+    /// The row that has the keyboard: "limit", "number", "roots", "match", "landmarks", "size", "center",
+    /// "meshes", "up", "axis", "degrees", "parts", "holes", "fit" or "cancel".
     std::string_view row() const;
 
     /// What was wrong with the choices in the last show(), so that "Fit" was disabled; "" if nothing was.
@@ -83,6 +94,7 @@ class FitDialog {
         number,
         roots,
         match,
+        landmarks,
         size,
         center,
         meshes,
@@ -106,7 +118,8 @@ class FitDialog {
     void show_meshes(const FitOfferShown& shown);
     void show_limit(const FitOfferShown& shown);
     void show_roots(const FitOfferShown& shown);
-    void show_placing(const FitOfferShown& shown);
+    void show_matching(const FitOfferShown& shown);
+    void show_placing();
     void show_up(const FitOfferShown& shown);
     void show_turn(const FitOfferShown& shown);
     void show_changes(const FitOfferShown& shown);
@@ -119,6 +132,7 @@ class FitDialog {
     bool is_open_ = false;
     bool is_new_ = false;  ///< the keys that opened the dialog are still down
     std::optional<bool> pressed_;
+    bool wants_landmarks_ = false;
     FitChoices choices_;
     Place focus_ = Place::number;
     bool has_focus_moved_ = false;  ///< the focused row must be scrolled into view

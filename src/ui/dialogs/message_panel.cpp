@@ -71,7 +71,7 @@ bool message_panel(const std::string& message, std::span<const MessagePicture> p
     return dismissed;
 }
 
-NoticeResult notice_panel(const std::string& text, const Rect& area) {
+NoticeResult notice_panel(const std::string& text, const char* button, const Rect& area) {
     if (text.empty()) return {};
     const float margin = scaled(12);
     const float widest = std::min(scaled(360), area.width - 2 * margin);
@@ -90,8 +90,14 @@ NoticeResult notice_panel(const std::string& text, const Rect& area) {
                      ImGuiWindowFlags_NoFocusOnAppearing);
     wrapped_text(text, colors::text);
     NoticeResult result;
-    result.pointed_at = ImGui::IsWindowHovered();
-    result.dismissed = result.pointed_at && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    bool is_on_button = false;
+    if (button != nullptr) {
+        result.pressed = ImGui::Button(button);
+        is_on_button = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    }
+    result.pointed_at = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+    result.dismissed = result.pressed ||
+                       (result.pointed_at && !is_on_button && ImGui::IsMouseClicked(ImGuiMouseButton_Left));
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();

@@ -24,10 +24,12 @@ bool message_panel(const std::string& message, std::span<const MessagePicture> p
 struct NoticeResult {
     bool pointed_at = false;
     bool dismissed = false;  ///< by a click
+    bool pressed = false;    ///< the button
 };
 
 /// Shows the notice \p text, if there is one, in a small panel in the lower left corner of \p area.
-NoticeResult notice_panel(const std::string& text, const Rect& area);
+/// \param button  label of a button below the text; null for none
+NoticeResult notice_panel(const std::string& text, const char* button, const Rect& area);
 
 /// The largest size of a picture, in screen coordinates.
 glm::vec2 message_picture_size();

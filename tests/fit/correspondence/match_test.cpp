@@ -10,8 +10,10 @@
 #include <glm/geometric.hpp>
 
 #include "fit/correspondence/coarsening.h"
+#include "fit/correspondence/direction_insertion.h"
 #include "fit/correspondence/even_mesh.h"
 #include "fit/fit.h"
+#include "fit/landmarks/pinned_map.h"
 #include "fit/mesh/half_edge_mesh.h"
 #include "fit/star_shapes.h"
 
@@ -81,8 +83,8 @@ TEST_CASE("matching finds the known correspondence of a body on unlike meshes, a
         for (std::size_t v = 0; v < given.size(); ++v) before += glm::distance(given[v], second.points[v]);
         before /= double(given.size());
 
-        const auto model = model_of(first.mesh, first.points, glm::dmat3(1), quick, {});
-        const MatchedMap matched = match(*model, second.mesh, given, glm::dmat3(1), quick, {});
+        const auto model = model_of(first.mesh, first.points, glm::dmat3(1), {}, quick, {});
+        const MatchedMap matched = match(*model, second.mesh, given, glm::dmat3(1), {}, quick, {});
         REQUIRE(matched.report.fault.empty());
         const double after = mean_error(second, matched);
         MESSAGE(doctest::toString(each.divisions) << " divisions: mean error " << before << " before, "
@@ -99,21 +101,21 @@ TEST_CASE("matching finds the known correspondence of a body on unlike meshes, a
 TEST_CASE("the matched map is one of the same surface: the given vertices come first, in place") {
     const MappedMesh first = body_on_mesh(3, glm::dmat3(1), 0);
     const MappedMesh second = body_on_mesh(2, turn_about_z(0.5), 0.1);
-    const auto model = model_of(first.mesh, first.points, glm::dmat3(1), quick, {});
-    const MatchedMap matched = match(*model, second.mesh, second.points, glm::dmat3(1), quick, {});
+    const auto model = model_of(first.mesh, first.points, glm::dmat3(1), {}, quick, {});
+    const MatchedMap matched = match(*model, second.mesh, second.points, glm::dmat3(1), {}, quick, {});
     REQUIRE(matched.report.fault.empty());
     REQUIRE(matched.mesh.positions.size() > second.mesh.positions.size());
     CHECK(std::equal(second.mesh.positions.begin(), second.mesh.positions.end(),
                      matched.mesh.positions.begin()));
     CHECK(matched.points.size() == matched.mesh.positions.size());
-    const MatchedMap again = match(*model, second.mesh, second.points, glm::dmat3(1), quick, {});
+    const MatchedMap again = match(*model, second.mesh, second.points, glm::dmat3(1), {}, quick, {});
     CHECK(matched.points == again.points);
 }
 
 TEST_CASE("matching keeps the given map where no match agrees better") {
     const MappedMesh body = body_on_mesh(4, glm::dmat3(1), 0);
-    const auto model = model_of(body.mesh, body.points, glm::dmat3(1), quick, {});
-    const MatchedMap matched = match(*model, body.mesh, body.points, glm::dmat3(1), quick, {});
+    const auto model = model_of(body.mesh, body.points, glm::dmat3(1), {}, quick, {});
+    const MatchedMap matched = match(*model, body.mesh, body.points, glm::dmat3(1), {}, quick, {});
     CHECK(matched.report.before.distortion < 1.01);
     if (!matched.report.fault.empty()) {
         CHECK(matched.mesh.triangles.empty());
@@ -123,20 +125,67 @@ TEST_CASE("matching keeps the given map where no match agrees better") {
     }
 }
 
+TEST_CASE(
+    "matching holds landmarks to the last bit, and brings the rest nearer to its place than pins alone") {
+    const MappedMesh first = body_on_mesh(4, glm::dmat3(1), 0);
+    const MappedMesh second = body_on_mesh(3, turn_about_z(0.6), 0.3);
+    LandmarkPins pins;
+    for (const glm::dvec3& extremity :
+         {glm::dvec3(1, 0, 0.2), glm::dvec3(0.3, 0.5, 1), glm::dvec3(-1, 0, -0.3)}) {
+        const auto along = [&](const glm::dvec3& point) {
+            return glm::dot(point, glm::normalize(extremity));
+        };
+        const auto nearest = std::ranges::max_element(second.points, {}, along);
+        pins.names.push_back(std::to_string(pins.names.size()));
+        pins.vertices.push_back(static_cast<Index>(nearest - second.points.begin()));
+        pins.directions.push_back(*nearest);
+    }
+    const PinnedMap pinned = map_to_pins(second.mesh, pins, {}, {});
+    const auto model = model_of(first.mesh, first.points, glm::dmat3(1), pins.directions, quick, {});
+    REQUIRE(model->landmarks().size() == pins.vertices.size());
+    const MatchedMap matched =
+        match(*model, second.mesh, pinned.points, glm::dmat3(1), pins.vertices, quick, {});
+    REQUIRE(matched.report.fault == "");
+    CHECK(fault_of_map(matched.mesh, matched.points).empty());
+    for (std::size_t k = 0; k < pins.vertices.size(); ++k)
+        CHECK(matched.points[pins.vertices[k]] == pins.directions[k]);
+    const double before = mean_error(second, {.mesh = {}, .points = pinned.points, .report = {}});
+    CHECK(mean_error(second, matched) < 0.5 * before);
+    CHECK(mean_error(second, matched) < 0.03);
+}
+
+TEST_CASE("points in given directions become vertices, also at corners, on edges and two in one triangle") {
+    const MappedMesh body = body_on_mesh(1, glm::dmat3(1), 0);
+    SphereMesh mesh = normalized(body.mesh, body.points, glm::dmat3(1));
+    const auto& [a, b, c] = mesh.triangles.front();
+    const std::vector<glm::dvec3> directions = {
+        mesh.points[a], glm::normalize(mesh.points[a] + mesh.points[b]),
+        glm::normalize(mesh.points[a] + mesh.points[b] + mesh.points[c]),
+        glm::normalize(2.0 * mesh.points[a] + mesh.points[b] + mesh.points[c]), mesh.points[a]};
+    const Index corner = a;
+    insert_directions(mesh, directions);
+    REQUIRE(mesh.landmarks.size() == 4);
+    CHECK(mesh.landmarks.front().vertex == corner);
+    for (const SphereLandmark& landmark : mesh.landmarks)
+        CHECK(glm::distance(mesh.points[landmark.vertex], landmark.direction) < 2e-3);
+    CHECK(fault_of_map({.positions = mesh.positions, .triangles = mesh.triangles, .colors = {}}, mesh.points)
+              .empty());
+}
+
 TEST_CASE("matching can be cancelled, and its progress never falls") {
     const MappedMesh first = body_on_mesh(3, glm::dmat3(1), 0);
     const MappedMesh second = body_on_mesh(3, turn_about_z(0.5), 0.1);
-    const auto model = model_of(first.mesh, first.points, glm::dmat3(1), quick, {});
+    const auto model = model_of(first.mesh, first.points, glm::dmat3(1), {}, quick, {});
     double last = 0;
     bool falls = false;
-    match(*model, second.mesh, second.points, glm::dmat3(1), quick, [&](std::string_view, double part) {
+    match(*model, second.mesh, second.points, glm::dmat3(1), {}, quick, [&](std::string_view, double part) {
         falls = falls || part < last;
         last = part;
         return true;
     });
     CHECK_FALSE(falls);
     CHECK(last > 0.8);
-    CHECK_THROWS_AS(match(*model, second.mesh, second.points, glm::dmat3(1), quick,
+    CHECK_THROWS_AS(match(*model, second.mesh, second.points, glm::dmat3(1), {}, quick,
                           [](std::string_view, double part) { return part < 0.5; }),
                     Cancelled);
 }
@@ -178,7 +227,7 @@ TEST_CASE("fit with a model matches the key, and without one fits as before") {
     REQUIRE(alone.points.size() == alone.mapped_mesh().positions.size());
     // The model's map is drawn to one side, so that the two maps do not agree by themselves.
     const std::vector<glm::dvec3> drawn = wrong_map({alone.mapped_mesh(), alone.points}, turn_about_z(0.2));
-    const auto model = model_of(alone.mapped_mesh(), drawn, glm::dmat3(1), quick, {});
+    const auto model = model_of(alone.mapped_mesh(), drawn, glm::dmat3(1), {}, quick, {});
     FitOptions options{.leaves = 2000};
     options.model = model.get();
     options.matching = quick;

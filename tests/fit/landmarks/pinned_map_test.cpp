@@ -116,8 +116,7 @@ TEST_CASE("swapped landmarks are named, and a mirrored set is called mirrored") 
     const auto faults = [&](const LandmarkPins& wrong) {
         try {
             std::string text;
-            for (const std::string& each :
-                 faults_of(map_to_pins(body.mesh, wrong, {}, {}).agreement, wrong.names))
+            for (const std::string& each : faults_of(map_to_pins(body.mesh, wrong, {}, {}).agreement, wrong))
                 text += each;
             return text;
         } catch (const InputError& error) {

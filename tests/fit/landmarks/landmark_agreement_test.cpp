@@ -1,0 +1,85 @@
+// Landmarks that are probably wrong are named: swapped neighbors, swapped sides.
+#include "fit/landmarks/landmark_agreement.h"
+
+#include <cstdint>
+#include <random>
+#include <utility>
+
+#include "messages.h"
+#include "trials.h"
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+using namespace interleaf;
+using namespace interleaf::testing;
+
+namespace {
+
+/// Nose, two ears close to each other, four feet and a tail, as a four-legged animal has them on the sphere.
+LandmarkPins animal() {
+    LandmarkPins pins;
+    const auto add = [&](const char* name, const glm::dvec3& direction) {
+        pins.names.emplace_back(name);
+        pins.vertices.push_back(static_cast<Index>(pins.vertices.size()));
+        pins.directions.push_back(glm::normalize(direction));
+    };
+    add("nose", {1, 0.2, 0});
+    add("left ear", {0.9, 0.6, 0.15});
+    add("right ear", {0.9, 0.6, -0.15});
+    add("left hand", {0.6, -1, 0.4});
+    add("right hand", {0.6, -1, -0.4});
+    add("left foot", {-0.6, -1, 0.4});
+    add("right foot", {-0.6, -1, -0.4});
+    add("tail", {-1, 0.3, 0});
+    pins.symmetric = {{1, 2}, {3, 4}, {5, 6}};
+    return pins;
+}
+
+/// The landmarks of another animal: moved by about \p noise, and turned as a whole.
+std::vector<glm::dvec3> other_animal(const LandmarkPins& pins, double noise, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> any(0, noise);
+    std::vector<glm::dvec3> points;
+    for (const glm::dvec3& direction : pins.directions) {
+        const glm::dvec3 moved =
+            glm::normalize(direction + glm::dvec3(any(random), any(random), any(random)));
+        points.emplace_back(0.8 * moved.x - 0.6 * moved.y, 0.6 * moved.x + 0.8 * moved.y, moved.z);
+    }
+    return points;
+}
+
+std::string text_of(const std::vector<glm::dvec3>& points, const LandmarkPins& pins) {
+    std::string text;
+    for (const std::string& fault : faults_of(agreement_of(points, pins), pins)) text += fault + ".";
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("right landmarks of another body raise no doubt") {
+    const LandmarkPins pins = animal();
+    for (std::uint32_t seed = 0; seed < trials(50); ++seed) {
+        CAPTURE(seed);
+        CHECK(text_of(other_animal(pins, 0.07, seed), pins) == "");
+    }
+}
+
+TEST_CASE("two swapped landmarks near each other are named") {
+    const LandmarkPins pins = animal();
+    for (std::uint32_t seed = 0; seed < trials(50); ++seed) {
+        CAPTURE(seed);
+        std::vector<glm::dvec3> points = other_animal(pins, 0.03, seed);
+        std::swap(points[1], points[2]);
+        CHECK(contains(text_of(points, pins), "'left ear' and 'right ear' lie the other way round"));
+        CHECK_FALSE(agreement_of(points, pins).is_doubtful());
+    }
+}
+
+TEST_CASE("swapped sides are found from the symmetric pairs") {
+    LandmarkPins pins = animal();
+    std::vector<glm::dvec3> points = other_animal(pins, 0.05, 4);
+    for (const auto& [left, right] : pins.symmetric) std::swap(points[left], points[right]);
+    CHECK(contains(text_of(points, pins), "left and right exchanged, such as 'left ear' and 'right ear'"));
+    const LandmarkAgreement agreement = agreement_of(points, pins);
+    CHECK(agreement.exchanged_cosine > agreement.mean_cosine);
+}
