@@ -25,7 +25,7 @@ namespace {
 using nlohmann::ordered_json;
 
 /// Segments are chosen where the union of all keys has more than this many times their vertices.
-constexpr std::size_t max_growth = 4;
+constexpr std::size_t max_union_growth = 4;
 
 void remark(const Export& exported, std::string sentence) {
     if (exported.remarks != nullptr) exported.remarks->push_back(std::move(sentence));
@@ -278,7 +278,7 @@ void export_glb(const Export& exported, const OutputTarget& target) {
     const UnionMesh mesh = united(family, all);
     if (has_segments(family) && !family.domain && family.keys.size() > 2) {
         const std::size_t most = largest_segment(exported);
-        if (mesh.vertex_count() > max_growth * most) {
+        if (mesh.vertex_count() > max_union_growth * most) {
             remark(exported,
                    fmt::format("the union of all keys has {} vertices, over four times the {} of an "
                                "interval; written as one mesh per interval, as by --segments",

@@ -18,7 +18,7 @@ constexpr float picture_size = 38;
 constexpr float picture_room = 58;
 
 /// With more visible vertices than this, no picture has room.
-constexpr std::size_t max_pictures = 64;
+constexpr std::size_t max_key_pictures = 64;
 
 /// Fills a triangle with one color per vertex. Dear ImGui has no function for it, but its vertices carry
 /// colors.
@@ -86,7 +86,8 @@ std::vector<VisibleVertex> visible_vertices(const DomainDrawing& drawing) {
 }
 
 bool has_room(const std::vector<VisibleVertex>& vertices, const VisibleVertex& vertex) {
-    return vertices.size() <= max_pictures && std::ranges::none_of(vertices, [&](const VisibleVertex& other) {
+    return vertices.size() <= max_key_pictures &&
+           std::ranges::none_of(vertices, [&](const VisibleVertex& other) {
                return &other != &vertex && glm::distance(other.pixel, vertex.pixel) < scaled(picture_room);
            });
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr float ruler_height = 15;
 constexpr float track_height = 18;
 constexpr float names_height = 22;
-constexpr float gap = 5;
+constexpr float track_gap = 5;
 constexpr float min_curves_height = 20;
 
 /// The view that follows the playhead: where it has left the view, the view turns to the page with it.
@@ -55,13 +55,13 @@ TimelineResult timeline_panel(const Rect& rect, const Family& family, const Time
     result.transport = show_transport(state.transport, rect.width - 2 * padding);
 
     const float margin = padding + scaled(14);
-    const float top = rect.y + ImGui::GetStyle().WindowPadding.y + ImGui::GetFrameHeight() + scaled(gap);
+    const float top = rect.y + ImGui::GetStyle().WindowPadding.y + ImGui::GetFrameHeight() + scaled(track_gap);
     const float width = std::max(rect.width - 2 * margin, 1.0F);
     TrackLayout layout;
     layout.ruler = {rect.x + margin, top, width, scaled(ruler_height)};
     layout.track = {layout.ruler.x, layout.ruler.bottom(), width, scaled(track_height)};
     layout.names = {layout.ruler.x, layout.track.bottom(), width, scaled(names_height)};
-    const float curves_top = layout.names.bottom() + scaled(gap);
+    const float curves_top = layout.names.bottom() + scaled(track_gap);
     const Rect curves{layout.ruler.x, curves_top, width,
                       rect.bottom() - ImGui::GetStyle().WindowPadding.y - curves_top};
     const bool has_curves = curves.height >= scaled(min_curves_height);
