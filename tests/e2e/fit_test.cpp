@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 /// Small meshes of two shapes, in \p folder, with different faces and file formats.
 std::vector<fs::path> unlike_meshes(const fs::path& folder) {
-    std::vector<fs::path> meshes{folder / "star.obj", folder / "bone.ply"};
+    std::vector<fs::path> meshes{folder / "star.obj", folder / "cushion.ply"};
     for (const fs::path& mesh : meshes) {
         const std::string command =
             fmt::format("'{0}' make {1} --leaves 2500 -o '{2}.ilh' && '{0}' export '{2}.ilh' -o '{2}'",
@@ -72,11 +72,11 @@ void wait_for_played(const RunningViewer& viewer) {
     });
     viewer.wait_for("its end", [](const State& s) {
         return s["playing"] == false && s["time"] == 1 &&
-               s["weights"] == State({{"star", 0.0}, {"bone", 1.0}});
+               s["weights"] == State({{"star", 0.0}, {"cushion", 1.0}});
     });
 }
 
-/// Compares the fitted keys star and bone with their meshes, looks at both, and goes back.
+/// Compares the fitted keys star and cushion with their meshes, looks at both, and goes back.
 void compare_and_return(const RunningViewer& viewer) {
     wait_for_fit_told(viewer);
     viewer.press(XK_m);
@@ -86,8 +86,8 @@ void compare_and_return(const RunningViewer& viewer) {
     viewer.point_at({view_middle(state).x, 40});
     const Picture star = viewer.settled_picture();
     viewer.press(XK_Right);
-    wait_for_compared(viewer, "bone.ply");
-    const Picture bone = viewer.changed_picture(star);
+    wait_for_compared(viewer, "cushion.ply");
+    const Picture cushion = viewer.changed_picture(star);
     viewer.press(XK_Right);
     wait_for_compared(viewer, "star.obj");
     CHECK(viewer.shows(star));
@@ -131,8 +131,8 @@ TEST_CASE("dropped meshes with different faces are fitted by Enter alone, unless
     wait_for_offer(viewer);
     viewer.press(XK_Return);
     const State state = wait_for_keys(viewer, 2);
-    CHECK(state["document"]["keys"] == State({"star", "bone"}));
-    CHECK(state["document"]["times"] == State({{0, "star"}, {1, "bone"}}));
+    CHECK(state["document"]["keys"] == State({"star", "cushion"}));
+    CHECK(state["document"]["times"] == State({{0, "star"}, {1, "cushion"}}));
     CHECK(state["document"]["changed"] == true);
     CHECK(state["document"]["folder"].is_null());
     CHECK(state["leaves"] > 19'000);
@@ -191,7 +191,7 @@ TEST_CASE("in the offer, the keyboard chooses leaves, roots and the turn of each
     wait_for_offered(viewer, "turns", turns("-90"));
     viewer.press(XK_Return);
     const State state = wait_for_keys(viewer, 2);
-    CHECK(state["document"]["keys"] == State({"star", "bone"}));
+    CHECK(state["document"]["keys"] == State({"star", "cushion"}));
 
     CHECK(state["document"]["roots"] == 20);
     CHECK(state["leaves"] > 1'900);
@@ -253,7 +253,7 @@ TEST_CASE("landmarks are set from proposals by the keyboard, undone, and used by
 TEST_CASE("a mesh dropped on the list is fitted over the family's roots; a refused mesh changes nothing") {
     const ScratchFolder home;
     const std::vector<fs::path> meshes = unlike_meshes(home.path());
-    const fs::path& bone = meshes.back();
+    const fs::path& cushion = meshes.back();
     const RunningViewer viewer(home.path());
     const State before = viewer.state();
     // An .obj is a key by itself, but not a key of this family.
@@ -263,16 +263,16 @@ TEST_CASE("a mesh dropped on the list is fitted over the family's roots; a refus
     wait_for_no_question(viewer);
     CHECK(viewer.state()["document"] == before["document"]);
 
-    viewer.drop(std::vector{bone}, row_pixel(before, 1));
+    viewer.drop(std::vector{cushion}, row_pixel(before, 1));
     wait_for_offer(viewer);
     // There are no roots and no meshes to choose. After the number come the choices that depend on the other
     // keys.
     for (const char* row : {"match", "landmarks", "size", "center", "up", "axis"}) go_to_row(viewer, row);
     viewer.press(XK_Return);
     State state = wait_for_keys(viewer, 6);
-    CHECK(state["document"]["keys"][5] == "bone 2");
+    CHECK(state["document"]["keys"][5] == "cushion 2");
     CHECK(state["document"]["roots"] == before["document"]["roots"]);
-    CHECK(state["document"]["undo"] == "Add bone");
+    CHECK(state["document"]["undo"] == "Add cushion");
     CHECK(wait_for_fit_told(viewer)["playing"] == false);
     // The notice lies in the lower left corner of the view, and a click dismisses it.
     const State& view = state["rects"]["view"];
@@ -366,6 +366,6 @@ TEST_CASE("unsaved changes are asked about before the offer to fit, and a cancel
     const glm::vec2 corner(popup[0].get<float>() + popup[2].get<float>(),
                            popup[1].get<float>() + popup[3].get<float>());
     viewer.click(corner - glm::vec2(150, 25));
-    CHECK(wait_for_keys(viewer, 2)["document"]["keys"] == State({"star", "bone"}));
+    CHECK(wait_for_keys(viewer, 2)["document"]["keys"] == State({"star", "cushion"}));
     wait_for_played(viewer);
 }

@@ -58,7 +58,7 @@ std::string command_section(const CLI::App& command) {
 }  // namespace
 
 std::string manual_page(const CLI::App& program, std::string_view version) {
-    const std::string name = program.get_name();
+    const std::string& name = program.get_name();
     std::string page = fmt::format(
         ".TH INTERLEAF 1 \"\" \"{0} {1}\" \"User Commands\"\n"
         ".SH NAME\n{0} \\- {2}\n"

@@ -27,10 +27,15 @@ void show_series(const SeriesToImport& series, const ViewOptions& view) {
     try {
         keys = import_steps(series);
     } catch (const NeedsTolerance&) {
+        // The options mean the series, not the built-in family.
+        if (options.display.coloring == Coloring::field) options.display.coloring = Coloring::plain;
+        options.at.reset();
+        options.time.reset();
+        options.along.reset();
         run_viewer(open_family({}), {}, series.files, options);
         return;
     }
-    if (options.display == Display()) color_by_field(options.display, fields_of(keys.family.keys));
+    if (options.display.coloring == Coloring::plain) color_by_field(options.display, fields_of(keys.family.keys));
     if (options.along) require_source(keys.family, *options.along);
     run_viewer(std::move(keys.family), series.files, {}, options);
 }

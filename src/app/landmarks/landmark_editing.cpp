@@ -307,6 +307,8 @@ void LandmarkEditing::apply(const LandmarkDialogResult& done) {
     }
     LandmarkPoints changed = points();
     if (done.name && selected_) changed[*selected_].name = *done.name;
+    // The next step of a drag is then a change of its own.
+    if (done.removes || done.undoes || done.redoes) has_dragged_ = false;
     if (done.removes && selected_) {
         changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(*selected_));
         selected_.reset();

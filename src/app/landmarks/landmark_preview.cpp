@@ -177,6 +177,7 @@ std::shared_ptr<LandmarkBlend> LandmarkPreview::blended(const Wish& wish, const 
     blend->ways = std::move(made.agreement.ways);
     if (!wish.first.empty()) {
         std::vector<glm::dvec3> places;
+        places.reserve(wish.first.size());
         for (const Landmark& landmark : wish.first) places.push_back(landmark.position);
         const MorphDistortion distortion = morph_distortion(reference_->key, made.key, places);
         const std::string fault = fault_of_distortion(distortion, wish.first[distortion.worst].name);

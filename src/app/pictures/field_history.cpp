@@ -17,7 +17,7 @@ void FieldHistory::follow(const std::shared_ptr<const Family>& family, const std
     thread_ = std::jthread([this, family, name = *field](const std::stop_token& stop) {
         try {
             measure(stop, *family, name);
-        } catch (const std::bad_alloc&) {
+        } catch (const std::bad_alloc&) {  // NOLINT(bugprone-empty-catch)
             // The curves end here: without them the window still shows everything else.
         }
         const std::scoped_lock lock(mutex_);

@@ -145,6 +145,7 @@ bool MorphSurface::prepares(const Family& family, const Weights& weights) {
     for (const Weight& weight : weights) hierarchies.push_back(family.keys[weight.key].hierarchy);
     if (union_ != nullptr && are_same(hierarchies, hierarchies_)) return false;
     unions_.prepare({hierarchies});
+    if (const UnionCache::Prepared united = unions_.peek(hierarchies)) return !has_sent(united, slice_bytes);
     return unions_.is_coming(hierarchies);
 }
 

@@ -56,8 +56,8 @@ class MorphSurface {
     /// \param key_sets  the active keys of blends that will soon be shown, as indices in \p family
     void expect(const Family& family, std::span<const std::vector<std::size_t>> key_sets);
 
-    /// Lets a worker make the union of the active keys of \p weights, unless it is there.
-    /// \return whether the worker is making it; otherwise update() need not wait for a worker
+    /// Lets a worker make the union of the active keys of \p weights, unless it is there, and sends a slice of it.
+    /// \return whether that goes on; otherwise update() shows the surface at once
     bool prepares(const Family& family, const Weights& weights);
 
     /// The value of the field where \p ray first meets the surface: one number, or the linear light of a color.

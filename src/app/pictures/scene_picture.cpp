@@ -23,6 +23,11 @@ bool ScenePicture::update(Renderer& renderer, const Scene& scene) {
     return quality_ == Quality::shaded;
 }
 
+void ScenePicture::reload_shaders() {
+    occlusion_.reset();
+    drawn_.reset();
+}
+
 ScenePicture::Quality ScenePicture::quality_while_moving() const {
     if (shaded_time_ <= slow_from) return Quality::shaded;
     return smooth_time_ <= slow_from ? Quality::smooth : Quality::coarse;
@@ -32,6 +37,7 @@ void ScenePicture::draw(Renderer& renderer, const Scene& scene, Quality quality)
     const int samples = quality == Quality::coarse ? 1 : all_samples;
     if (!target_ || samples != samples_ || target_->width() != scene.width ||
         target_->height() != scene.height) {
+        drawn_.reset();   // there is no picture if there is no memory for the target
         target_.reset();  // two targets at a time may exceed the memory
         target_ = std::make_unique<OffscreenTarget>(scene.width, scene.height, samples);
         samples_ = samples;

@@ -42,6 +42,9 @@ class ScenePicture {
     /// Makes the next update draw even if the scene has not changed.
     void forget() { drawn_.reset(); }
 
+    /// As forget(); also reads the shaders of the picture again.
+    void reload_shaders();
+
     /// Duration of the last drawing.
     double milliseconds() const { return milliseconds_; }
 

@@ -54,7 +54,8 @@ bool ViewSurface::follow(const Family& family, const Weights& weights, const Key
 
 void ViewSurface::refine(const Family& family, const Weights& weights, const Camera& camera, float aspect,
                          const FieldName* field) {
-    Subject subject{.weights = weight_values(weights),
+    Subject subject{.keys = active_keys(weights),
+                    .weights = weight_values(weights),
                     .camera = camera,
                     .aspect = aspect,
                     .field = field != nullptr ? std::optional(*field) : std::nullopt,
@@ -62,13 +63,13 @@ void ViewSurface::refine(const Family& family, const Weights& weights, const Cam
     subject.names.reserve(weights.size());
     for (const Weight& weight : weights) subject.names.push_back(family.keys[weight.key].name);
     if (subject_ == subject) return;
+    subject_.reset();
 
     const auto start = std::chrono::steady_clock::now();
     const std::vector<const Hierarchy*>& keys = refinement_->keys();
     view_mesh(refinement_->refine(subject.weights, view_point(camera, aspect), view_leaf_budget), keys,
               subject.weights, mesh_);
-    const std::vector<std::size_t> active = active_keys(weights);
-    renderer_.upload_blend(mesh_.mesh, mesh_.positions, mesh_.normals, active);
+    renderer_.upload_blend(mesh_.mesh, mesh_.positions, mesh_.normals, subject.keys);
     figures_.key_without_field.reset();
     field_.reset();
     if (field != nullptr) {
@@ -80,7 +81,7 @@ void ViewSurface::refine(const Family& family, const Weights& weights, const Cam
     renderer_.set_field(field_ ? &*field_ : nullptr);
     const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
 
-    figures_.keys = active;
+    figures_.keys = subject.keys;
     figures_.key_names = subject.names;
     figures_.leaves = mesh_.mesh.leaf_count();
     figures_.vertices = mesh_.mesh.vertex_count();

@@ -52,6 +52,7 @@ class ViewSurface {
   private:
     /// What the surface was made from.
     struct Subject {
+        std::vector<std::size_t> keys;
         std::vector<float> weights;
         Camera camera;
         float aspect;

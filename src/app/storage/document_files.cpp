@@ -129,6 +129,7 @@ void DocumentFiles::grant(FileWish wish) {
         case FileWish::quit:
             leave_document([this] {
                 forget_unsaved();
+                exporting_.cancel();
                 state_.quit_wanted = true;
             });
             break;
@@ -139,8 +140,10 @@ void DocumentFiles::show(const Rect& area, double now) {
     if (auto choice = browser_.show(area)) choice_ = std::move(choice);
     if (auto answer = dialog_.show(area)) answer_ = std::move(answer);
     fitting_.show(area, now);
-    exporting_.show(area, now);
-    importing_.show(area, now);
+    // The progress of what goes on beside waits until the user has answered: there is room for one dialog.
+    const bool asks = browser_.is_open() || dialog_.is_open() || fitting_.is_open();
+    if (!asks) importing_.show(area, now);
+    if (!asks && !importing_.is_open()) exporting_.show(area, now);
 }
 
 void DocumentFiles::act(float density, double now) {

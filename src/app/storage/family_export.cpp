@@ -39,6 +39,7 @@ std::string shown_file(const std::filesystem::path& file) {
 
 void FamilyExport::begin(std::shared_ptr<const Family> family, Weights weights, std::filesystem::path file,
                          double now) {
+    if (work_) work_->written.wait();
     auto report = std::make_shared<Report>();
     const Progress progress = [report](std::string_view stage, double part) {
         const std::lock_guard lock(report->mutex);

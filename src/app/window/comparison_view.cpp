@@ -175,6 +175,8 @@ bool ComparisonView::draw(const Display& display, const Gui& gui, float window_h
                     .display = display,
                     .surface = surface_,
                     .view = 0};
+        scene.display.detail = 1;
+        scene.display.follows_camera = false;
         scene.display.line_width *= gui.scale() * gui.density();
         scene.display.coloring = has_colors_ ? Coloring::field : Coloring::plain;
         scene.display.field = field_name;
@@ -200,7 +202,7 @@ void ComparisonView::reload_shaders() {
     if (!sides_) return;
     for (Side& side : *sides_) {
         side.renderer.reload_shaders();
-        side.picture.forget();
+        side.picture.reload_shaders();
     }
 }
 

@@ -86,11 +86,20 @@ void SurfaceView::follow(const Session& session, const FamilyField* field,
                          std::span<const FamilyField> fields, double now) {
     if (camera_ != last_camera_ || session.weights() != last_weights_) moved_at_ = now;
     last_weights_ = session.weights();
+    last_camera_ = camera_;
     want_details(session);
     const bool showed_view = shows_view_;
-    shows_view_ = wants_view(session, now) && view_.follow(session.family(), session.weights(), details_);
+    const bool can_follow = !needs_whole(session, field, fields);
+    holds_view_ = false;
+    shows_view_ =
+        can_follow && wants_view(session, now) && view_.follow(session.family(), session.weights(), details_);
     if (shows_view_) return;
     waits_ = false;
+    if (showed_view && can_follow && session.display.detail >= 1 &&
+        surface_.prepares(session.family(), session.weights())) {
+        holds_view_ = shows_view_ = waits_ = true;
+        return;
+    }
     if (showed_view) picture_.forget();  // so that the whole surface is drawn in its final quality at once
     follow_whole(session, field, fields);
 }
@@ -137,11 +146,18 @@ void SurfaceView::want_details(const Session& session) {
     details_.want(std::move(keys));
 }
 
+/// Whether the display asks for what only the whole surface has: heights or arrows.
+bool SurfaceView::needs_whole(const Session& session, const FamilyField* field,
+                              std::span<const FamilyField> fields) const {
+    const Display& display = session.display;
+    return warped_.is_warped() || warp_of(display, fields, all_keys_.box) ||
+           (display.arrows && field != nullptr && vector_of(fields, field->label.name));
+}
+
 /// Whether the detail of the surface follows the camera: because the display says so, or while a large surface
 /// moves on a slow machine.
 bool SurfaceView::wants_view(const Session& session, double now) {
     const Display& display = session.display;
-    if (display.height != 0 || warped_.is_warped() || display.arrows) return false;
     const std::size_t leaves = leaves_of(session.family(), session.weights());
     const std::size_t roots = session.family().keys.front().hierarchy->roots.triangle_count();
     if (leaves <= view_leaf_budget || roots > view_leaf_budget) return false;
@@ -173,7 +189,7 @@ void SurfaceView::aim(ViewTarget view_target, const Rect& view) {
 }
 
 void SurfaceView::refine(const Session& session, const FamilyField* field, const Rect& view) {
-    if (!shows_view_) return;
+    if (!shows_view_ || holds_view_) return;
     view_.refine(session.family(), session.weights(), camera_, aspect_of(view),
                  field != nullptr ? &field->label : nullptr);
     view_figures_ = view_.figures();
@@ -197,7 +213,7 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
     const bool is_good = picture_.update(shows_view_ ? view_.renderer() : surface_.renderer(), scene);
     if (!shows_view_ && session.display.detail >= 1) is_slow_ = picture_.milliseconds() > slow_whole_from;
     picture_.target()->blit_to_window(pixels(view.x), pixels(window_height - view.bottom()));
-    return is_good && !surface_.figures().is_late;
+    return is_good && (shows_view_ || !surface_.figures().is_late);
 }
 
 void SurfaceView::draw_arrows(const Rect& view, const Gui& gui) {
@@ -231,7 +247,7 @@ void SurfaceView::show_value(const Session& session, const FamilyField& field, g
 void SurfaceView::reload_shaders() {
     surface_.renderer().reload_shaders();
     view_.renderer().reload_shaders();
-    picture_.forget();
+    picture_.reload_shaders();
 }
 
 }  // namespace interleaf

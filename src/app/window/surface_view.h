@@ -83,6 +83,8 @@ class SurfaceView {
 
   private:
     void want_details(const Session& session);
+    bool needs_whole(const Session& session, const FamilyField* field,
+                     std::span<const FamilyField> fields) const;
     bool wants_view(const Session& session, double now);
     void follow_whole(const Session& session, const FamilyField* field, std::span<const FamilyField> fields);
     void face_plane();
@@ -102,6 +104,7 @@ class SurfaceView {
     Camera camera_;
 
     bool shows_view_ = false;  ///< view_, not surface_
+    bool holds_view_ = false;  ///< shows view_ as it was, until the whole surface has been made and sent
     bool waits_ = false;       ///< shows view_ only until the surface rests and its union is made
     bool is_slow_ = false;     ///< whether the whole surface is too slow to move
     double moved_at_ = -1;     ///< wall time when camera or weights last changed, seconds

@@ -78,7 +78,7 @@ void apply_to_domain_view(const ParameterDomainResult& done, ViewerState& state)
     if (!done.view) return;
     const DomainBox whole = box_of(state.document.family().domain->vertices());
     const bool is_whole = done.view->low == whole.low && done.view->high == whole.high;
-    state.shown_domain = is_whole ? std::nullopt : std::optional(*done.view);
+    state.shown_domain = is_whole ? std::nullopt : done.view;
 }
 
 /// \param held  what the mouse holds in the domain

@@ -96,11 +96,16 @@ void stiffen(MovingMesh& mesh, const MovingMesh::Places& places, double factor) 
     mesh.set_weights(weights);
 }
 
-std::vector<std::array<Index, 2>> split(SphereMesh& body, const MatchOptions& options,
-                                        const Progress& progress) {
+/// Vertices of the even mesh of a body with \p count vertices. Over twice as many would only cost time.
+std::size_t even_vertices(const MatchOptions& options, std::size_t count) {
+    constexpr std::size_t least = 1500;
+    return std::min(options.vertices, std::max(least, 2 * count));
+}
+
+std::vector<std::array<Index, 2>> split(SphereMesh& body, std::size_t vertices, const Progress& progress) {
     ProgressMeter meter(progress);
     meter.enter("making an even mesh", 0);
-    return split_long_edges(body, options.vertices, meter);
+    return split_long_edges(body, vertices, meter);
 }
 
 /// \p mesh with the middles of the halved edges.
@@ -167,7 +172,8 @@ std::unique_ptr<const MatchedBody> model_of(const SurfaceMesh& mesh, std::span<c
                                             const MatchOptions& options, const Progress& progress) {
     SphereMesh body = normalized(mesh, points, turn);
     insert_directions(body, landmarks);
-    return std::make_unique<const MatchedBody>(std::move(body), options.vertices, progress);
+    return std::make_unique<const MatchedBody>(std::move(body), even_vertices(options, points.size()),
+                                               progress);
 }
 
 MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
@@ -178,8 +184,9 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
     SphereMesh body = normalized(mesh, points, turn);
     for (const Index vertex : held) body.landmarks.push_back({vertex, points[vertex]});
     turn_to_landmarks(body, model);
-    const std::vector<std::array<Index, 2>> halved = split(body, options, begin);
-    const MatchedBody other(body, options.vertices, begin);
+    const std::size_t vertices = even_vertices(options, points.size());
+    const std::vector<std::array<Index, 2>> halved = split(body, vertices, begin);
+    const MatchedBody other(body, vertices, begin);
 
     MatchReport report;
     ProgressMeter meter(middle);

@@ -24,7 +24,7 @@
 namespace interleaf {
 
 struct MatchOptions {
-    std::size_t vertices = 8000;  ///< of the even meshes
+    std::size_t vertices = 8000;  ///< at most, of the even meshes; twice those of a small body
     int max_passes = 10;          ///< from coarse to fine; at least 1
     double enough = 1.01;         ///< no further pass once the distortion is below this
 };

@@ -71,9 +71,11 @@ void approximate_closely(const SurfaceMesh& surface, SurfaceMesh& mesh, std::vec
         if (mesh.positions.size() == before) return;
         std::vector<Triangle> triangles;
         triangles.reserve(2 * mesh.triangles.size());
-        for (Index triangle = 0; triangle < mesh.triangles.size(); ++triangle)
-            divide(mesh.triangles[triangle],
-                   {middles[3 * triangle], middles[3 * triangle + 1], middles[3 * triangle + 2]}, triangles);
+        for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+            const std::size_t first = 3 * triangle;
+            divide(mesh.triangles[triangle], {middles[first], middles[first + 1], middles[first + 2]},
+                   triangles);
+        }
         mesh.triangles = std::move(triangles);
     }
 }

@@ -71,6 +71,7 @@ std::vector<Frame> frames_every(const Family& family, TimeSource source, double 
             fmt::format("--every: {} gives no number of files from 1 to {}, expected a larger step", interval,
                         max_files));
     std::vector<double> times;
+    times.reserve(static_cast<std::size_t>(count));
     for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n)
         times.push_back(std::min(range.begin + static_cast<double>(n) * interval, range.end));
     return frames_at(family, source, times);
