@@ -29,7 +29,8 @@ class SurfaceBuffers {
     void begin(const UnionMesh& mesh, std::span<const LeafTexel> texels, const NormalForm& form);
 
     /// The same for a surface that the caller has blended, with one stream of each.
-    void begin_blend(const UnionMesh& mesh, std::span<const LeafTexel> texels, Stream positions, Stream normals);
+    void begin_blend(const UnionMesh& mesh, std::span<const LeafTexel> texels, Stream positions,
+                     Stream normals);
 
     /// Sends at most about \p max_bytes more.
     /// \return whether everything has been sent

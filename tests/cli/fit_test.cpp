@@ -84,7 +84,7 @@ TEST_CASE("a mesh becomes a key over the cube's roots, close to the mesh, with a
 
 TEST_CASE("the same mesh gives the same file, and standard output gets only the file") {
     const ScratchFolder folder;
-    const std::string mesh = shape_obj(folder, "star", 500);
+    const std::string mesh = shape_obj(folder, "star", 2500);
     REQUIRE(run_interleaf({"fit", mesh, "-o", folder / "key.ilh", "--leaves", "1000"}).status == 0);
     const Outcome outcome = run_interleaf({"fit", mesh, "-o", "-", "--leaves", "1000"});
     CHECK(outcome.status == 0);
@@ -93,7 +93,7 @@ TEST_CASE("the same mesh gives the same file, and standard output gets only the 
 
 TEST_CASE("fit keeps a tolerance, and takes roots from a file") {
     const ScratchFolder folder;
-    const std::string mesh = shape_obj(folder, "cushion", 800);
+    const std::string mesh = shape_obj(folder, "cushion", 2500);
     for (const std::string& roots :
          std::vector<std::string>{"icosahedron", "octahedron", folder / "roots.obj"}) {
         CAPTURE(roots);
@@ -112,9 +112,9 @@ TEST_CASE("fit keeps a tolerance, and takes roots from a file") {
 
 TEST_CASE("several meshes become a family over the same roots, and three meshes get a domain") {
     const ScratchFolder folder;
-    const std::string star = shape_obj(folder, "star", 500);
-    const std::string cushion = shape_obj(folder, "cushion", 500);
-    const std::string sphere = shape_obj(folder, "sphere", 300);
+    const std::string star = shape_obj(folder, "star", 2500);
+    const std::string cushion = shape_obj(folder, "cushion", 2500);
+    const std::string sphere = shape_obj(folder, "sphere", 2000);
     Outcome outcome =
         run_interleaf({"fit", star, cushion, sphere, "-o", folder / "three", "--leaves", "500", "--rotate",
                        "x,0", "--rotate", "y,90", "--rotate", "z,-20.5", "--match", "none"});

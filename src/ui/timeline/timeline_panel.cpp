@@ -55,7 +55,8 @@ TimelineResult timeline_panel(const Rect& rect, const Family& family, const Time
     result.transport = show_transport(state.transport, rect.width - 2 * padding);
 
     const float margin = padding + scaled(14);
-    const float top = rect.y + ImGui::GetStyle().WindowPadding.y + ImGui::GetFrameHeight() + scaled(track_gap);
+    const float top =
+        rect.y + ImGui::GetStyle().WindowPadding.y + ImGui::GetFrameHeight() + scaled(track_gap);
     const float width = std::max(rect.width - 2 * margin, 1.0F);
     TrackLayout layout;
     layout.ruler = {rect.x + margin, top, width, scaled(ruler_height)};
