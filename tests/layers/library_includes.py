@@ -90,7 +90,7 @@ GIVES = {
     "glm/vector_relational.hpp": """
         glm::all glm::any glm::equal glm::greaterThan glm::greaterThanEqual glm::lessThan glm::lessThanEqual
         glm::notEqual glm::not_""",
-    "initializer_list": "initializer_list",
+    "initializer_list": "for{} initializer_list",
     "iomanip": "setfill setprecision setw",
     "ios": "dec fixed hex ios ios_base left right streamoff streamsize",
     "iostream": "cerr cin cout",
@@ -167,6 +167,7 @@ GIVES = {
 # Headers that are sure to include other headers of the table: their documentation says so, or their functions
 # take types from these headers.
 INCLUDES = {
+    "algorithm": "initializer_list",
     "array": "initializer_list",
     "charconv": "system_error",
     "chrono": "ratio",
@@ -194,7 +195,7 @@ EVERYWHERE = {"size_t", "ptrdiff_t", "move", "forward", "swap", "pair", "end", "
 
 COMMENT_OR_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"', re.DOTALL)
 NAME = re.compile(r"\b(?:std|glm|fmt)::\w+|(?<![\w>])::\w+(?=\s*\()|(?<![\w:.])(?:assert(?=\()|errno\b|E[A-Z]{4,}\b"
-                  r"|SIG(?:INT|TERM)\b|O_[A-Z]+\b)")
+                  r"|SIG(?:INT|TERM)\b|O_[A-Z]+\b|for \([^;]*? : (?=\{))")
 
 
 def given_by():
@@ -210,6 +211,8 @@ def spelled(name):
     """The spelling of a name in the table."""
     if name.startswith("std::"):
         return name.removeprefix("std::")
+    if name.startswith("for "):
+        return "for{}"  # a loop over values in braces
     return name + "()" if name.startswith("::") or name == "assert" else name
 
 

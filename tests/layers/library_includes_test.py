@@ -38,6 +38,11 @@ class LibraryIncludes(unittest.TestCase):
             with self.subTest(name=name):
                 self.assert_only_violation({"io/a.cpp": f"#include <vector>\n{name}\n"}, f"takes <{header}>")
 
+    def test_a_loop_over_values_in_braces_takes_an_include(self):
+        loop = "int a() { for (const std::byte b : {c, d}) return int(b); }\n"
+        self.assert_only_violation({"io/a.cpp": f"#include <cstddef>\n{loop}"}, "takes <initializer_list>")
+        self.assertEqual(violations_in({"io/a.cpp": f"#include <cstddef>\n#include <array>\n{loop}"}), [])
+
     def test_an_include_in_a_file_that_is_not_included_does_not_count(self):
         self.assert_only_violation({"io/a.h": "#include <map>\n", "io/b.cpp": "std::map<int, int> b;\n"}, "takes <map>")
 

@@ -1,5 +1,7 @@
 #include "app/cli/held_interrupts.h"
 
+#include <initializer_list>
+
 namespace interleaf {
 
 namespace {
