@@ -9,11 +9,11 @@
 #include <glm/vec3.hpp>
 
 #include "fit/fit_quality.h"
-#include "fit/mesh/progress.h"
 #include "fit/mesh/surface_mesh.h"
 #include "fit/sampling/mapped_surface.h"
 #include "fit/sampling/surface_sampling.h"
 #include "fit/sphere_map/sphere_roots.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 

@@ -15,13 +15,13 @@
 #include "fit/correspondence/match.h"
 #include "fit/fit_quality.h"
 #include "fit/landmarks/landmark_report.h"
-#include "fit/mesh/progress.h"
 #include "fit/mesh/stopwatch.h"
 #include "fit/mesh/surface_mesh.h"
 #include "fit/sphere_map/sphere_roots.h"
 #include "fit/sphere_map/spherical_map.h"
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/landmark.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
-#include "fit/mesh/progress.h"
 #include "fit/mesh/surface_mesh.h"
 #include "fit/sampling/surface_sampling.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 

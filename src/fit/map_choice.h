@@ -14,12 +14,12 @@
 #include "fit/aligned_map.h"
 #include "fit/fit_quality.h"
 #include "fit/landmarks/landmark_agreement.h"
-#include "fit/mesh/progress.h"
 #include "fit/mesh/stopwatch.h"
 #include "fit/mesh/surface_mesh.h"
 #include "fit/sampling/surface_sampling.h"
 #include "fit/sphere_map/sphere_roots.h"
 #include "fit/sphere_map/spherical_map.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 

@@ -11,11 +11,11 @@
 #include <glm/vec3.hpp>
 
 #include "fit/landmarks/landmark_agreement.h"
-#include "fit/mesh/progress.h"
 #include "fit/mesh/surface_mesh.h"
 #include "fit/sphere_map/sphere_roots.h"
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/landmark.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 

@@ -10,9 +10,9 @@
 
 #include "app/cli/held_interrupts.h"
 #include "app/cli/progress_line.h"
-#include "fit/mesh/progress.h"
 #include "hierarchy/error.h"
 #include "hierarchy/measure.h"
+#include "hierarchy/progress.h"
 #include "io/family/family_file.h"
 #include "sequence/adaptive_domain.h"
 #include "sequence/deformation_flow.h"

@@ -8,8 +8,8 @@
 #include "app/cli/output.h"
 #include "app/cli/progress_line.h"
 #include "family/origin.h"
-#include "fit/mesh/progress.h"
 #include "hierarchy/error.h"
+#include "hierarchy/progress.h"
 #include "io/family/family_file.h"
 
 namespace interleaf {

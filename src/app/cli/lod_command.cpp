@@ -15,11 +15,11 @@
 #include "app/cli/progress_line.h"
 #include "app/document/opening.h"
 #include "family/origin.h"
-#include "fit/mesh/progress.h"
 #include "hierarchy/detail/cut.h"
 #include "hierarchy/detail/vertex_errors.h"
 #include "hierarchy/error.h"
 #include "hierarchy/measure.h"
+#include "hierarchy/progress.h"
 #include "io/family/family_file.h"
 #include "ui/widgets/number_text.h"
 

@@ -10,7 +10,7 @@
 
 #include "family/family.h"
 #include "fit/fit.h"
-#include "fit/mesh/progress.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "fit/mesh/progress.h"
+#include "hierarchy/progress.h"
 #include "io/series_files.h"
 
 namespace interleaf {

@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "app/document/message.h"
-#include "fit/mesh/progress.h"
+#include "hierarchy/progress.h"
 #include "io/text/words.h"
 #include "ui/dialogs/progress_dialog.h"
 

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "fit/clean_up/clean_up_report.h"
-#include "fit/mesh/progress.h"
 #include "fit/mesh/surface_mesh.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 

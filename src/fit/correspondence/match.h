@@ -18,8 +18,8 @@
 
 #include "fit/correspondence/matched_body.h"
 #include "fit/correspondence/moving_mesh.h"
-#include "fit/mesh/progress.h"
 #include "fit/mesh/surface_mesh.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 

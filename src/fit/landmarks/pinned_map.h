@@ -12,10 +12,10 @@
 #include <glm/vec3.hpp>
 
 #include "fit/landmarks/landmark_agreement.h"
-#include "fit/mesh/progress.h"
 #include "fit/mesh/surface_mesh.h"
 #include "fit/sphere_map/spherical_star.h"
 #include "hierarchy/error.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 

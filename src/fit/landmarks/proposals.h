@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "fit/mesh/progress.h"
 #include "fit/mesh/surface_mesh.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "fit/mesh/progress.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 

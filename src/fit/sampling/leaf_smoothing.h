@@ -10,9 +10,9 @@
 #include <cstddef>
 #include <limits>
 
-#include "fit/mesh/progress.h"
 #include "fit/sampling/mapped_surface.h"
 #include "fit/sampling/surface_sampling.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 

@@ -13,10 +13,10 @@
 
 #include <glm/vec3.hpp>
 
-#include "fit/mesh/progress.h"
 #include "fit/sampling/mapped_surface.h"
 #include "fit/sphere_map/sphere_roots.h"
 #include "hierarchy/hierarchy.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "fit/mesh/progress.h"
 #include "fit/mesh/surface_mesh.h"
 #include "fit/sphere_map/spherical_star.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 

@@ -5,9 +5,9 @@
 
 #include <doctest/doctest.h>
 
-#include "fit/mesh/progress.h"
 #include "fit/sphere_map/sphere_roots.h"
 #include "hierarchy/error.h"
+#include "hierarchy/progress.h"
 
 using namespace interleaf;
 

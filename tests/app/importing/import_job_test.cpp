@@ -11,8 +11,8 @@
 #include <fmt/core.h>
 
 #include "app/storage/series_importing.h"
-#include "fit/mesh/progress.h"
 #include "hierarchy/error.h"
+#include "hierarchy/progress.h"
 #include "ui/headless_gui.h"
 
 using namespace interleaf;

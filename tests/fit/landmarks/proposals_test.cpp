@@ -6,9 +6,9 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
-#include "fit/mesh/progress.h"
 #include "fit/mesh/surface_graph.h"
 #include "fit/star_shapes.h"
+#include "hierarchy/progress.h"
 
 using namespace interleaf;
 using namespace interleaf::testing;
