@@ -58,6 +58,8 @@ struct Display {
     /// Whether hollows are darker, as less light of the sky reaches them.
     bool occlusion = true;
 
+    bool light_background = false;  ///< of the picture; else it is dark
+
     /// Level of detail, from 0 for the roots alone to 1 for the whole keys; the renderer draws what it is given.
     float detail = 1;
 

@@ -253,7 +253,7 @@ void Renderer::draw(const OffscreenTarget& target, const Camera& camera, std::sp
     glClearDepth(1);
     glClear(GL_DEPTH_BUFFER_BIT);
 
-    draw_background();
+    draw_background(display);
     if (shown_.key_count > 0) draw_surface(target, camera, weights, display);
 
     // The values in the window are encoded already.
@@ -263,9 +263,10 @@ void Renderer::draw(const OffscreenTarget& target, const Camera& camera, std::sp
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-void Renderer::draw_background() const {
+void Renderer::draw_background(const Display& display) const {
     glDisable(GL_DEPTH_TEST);
     glUseProgram(background_program_.name());
+    glUniform1i(uniform(background_program_, "is_light"), display.light_background ? 1 : 0);
     glBindVertexArray(no_attributes_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }

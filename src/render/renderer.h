@@ -119,7 +119,7 @@ class Renderer {
     void upload_field(std::span<const std::span<const float>> values, std::size_t components);
     void blend_on_processor(ProcessorBlend& blend, std::span<const float> weights);
     void upload_palette(Coloring coloring, ColorMap map);
-    void draw_background() const;
+    void draw_background(const Display& display) const;
     void draw_surface(const OffscreenTarget& target, const Camera& camera, std::span<const float> weights,
                       const Display& display);
 

@@ -14,6 +14,7 @@
 #include "app/document/fit_comparison.h"
 #include "app/document/message.h"
 #include "app/document/session.h"
+#include "ui/widgets/appearance.h"
 
 namespace interleaf {
 
@@ -80,6 +81,7 @@ struct ViewerState {
     std::optional<std::filesystem::path> film_wish;  ///< a film or picture to make
     std::optional<TextQuestion> question;
     bool help_shown = false;
+    Appearance appearance{};
     ViewTarget view_target = ViewTarget::all_keys;
     bool reload_wanted = false;
     bool quit_wanted = false;

@@ -44,6 +44,12 @@ void KeyPortraits::update(const Family& family) {
     if (is_changed) extent_ = interleaf::extent(family);
 }
 
+void KeyPortraits::set_background(bool is_light) {
+    if (is_light == is_light_) return;
+    is_light_ = is_light;
+    for (KeyPortrait& portrait : portraits_) portrait.picture = {};
+}
+
 bool KeyPortraits::draw_next(std::size_t begin, std::size_t end, int side) {
     end = std::min(end, portraits_.size());
     const auto missing = std::find_if(portraits_.begin() + static_cast<std::ptrdiff_t>(std::min(begin, end)),
@@ -54,6 +60,7 @@ bool KeyPortraits::draw_next(std::size_t begin, std::size_t end, int side) {
     const std::array<const Hierarchy*, 1> key{&*missing->hierarchy};
     const UnionMesh mesh = unite(key);
     LonePicture picture{.size = {side, side}, .camera = {}, .display = {}};
+    picture.display.light_background = is_light_;
     picture.camera.look_from(30, 20);
     picture.camera.view_all(missing->extent, 1);
     missing->picture = texture_alone(renderer_, mesh, normal_form(mesh), picture);

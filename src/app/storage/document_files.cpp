@@ -191,9 +191,12 @@ void DocumentFiles::keep_unsaved() {
     if (recovery_) recovery_->keep(state_.document);
 }
 
-void DocumentFiles::remember_window(glm::ivec2 size) {
-    if (settings_.window_size != size)
-        change_settings([size](Settings& settings) { settings.window_size = size; });
+void DocumentFiles::remember_window(glm::ivec2 size, const Appearance& appearance) {
+    if (settings_.window_size == size && settings_.appearance == appearance) return;
+    change_settings([&](Settings& settings) {
+        settings.window_size = size;
+        settings.appearance = appearance;
+    });
 }
 
 // ---- questions ----

@@ -85,7 +85,10 @@ class DocumentFiles {
 
     /// The size of the window when the program last ended, in screen coordinates.
     std::optional<glm::ivec2> window_size() const { return settings_.window_size; }
-    void remember_window(glm::ivec2 size);
+    /// How the window looked when the program last ended.
+    const Appearance& appearance() const { return settings_.appearance; }
+
+    void remember_window(glm::ivec2 size, const Appearance& appearance);
 
   private:
     using Action = std::function<void()>;  ///< null for no action

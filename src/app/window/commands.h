@@ -82,6 +82,10 @@ enum class CommandId : std::uint8_t {
     follow_camera,
     compare_with_mesh,
     reload_shaders,
+    light_theme,
+    larger_text,
+    smaller_text,
+    usual_look,
     help,
     dismiss,
 };

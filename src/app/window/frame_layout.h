@@ -12,6 +12,7 @@ namespace interleaf {
 
 struct FrameLayout {
     glm::vec2 window{0};           ///< size
+    float scale = 1;               ///< of the user interface
     Rect content;                  ///< everything below the menu bar
     Layout panels;                 ///< of the document
     Rect view;                     ///< of the surface; or of a comparison, with both surfaces and their panel

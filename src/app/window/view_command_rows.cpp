@@ -1,4 +1,4 @@
-// The commands of the menus View and Help.
+// The commands of the menu View.
 #include "app/window/command_rows.h"
 
 // GLFW must not include OpenGL headers of its own.
@@ -152,30 +152,6 @@ constexpr Command view_table[] = {
      .shortcuts = {{{GLFW_KEY_F5}}},
      .description = "Read the shader files again",
      .run = [](ViewerState& state, double) { state.reload_wanted = true; }},
-
-    {.id = CommandId::help,
-     .menu = "Help",
-     .name = "Keys and mouse",
-     .shortcuts = {{{GLFW_KEY_F1}, {GLFW_KEY_H}}},
-     .description = "Show or hide this help",
-     .run = [](ViewerState& state, double) { state.help_shown = !state.help_shown; },
-     .is_on = [](const ViewerState& state) { return state.help_shown; }},
-    {.id = CommandId::dismiss,
-     .menu = "Help",
-     .name = "Dismiss",
-     .shortcuts = {{{GLFW_KEY_ESCAPE}}},
-     .description = "Close the message, the help or the comparison",
-     .run =
-         [](ViewerState& state, double) {
-             if (!state.message.empty())
-                 state.message.clear();
-             else if (state.help_shown)
-                 state.help_shown = false;
-             else if (state.domain_has_focus)
-                 state.domain_has_focus = false;
-             else
-                 state.is_comparing = false;
-         }},
 };
 
 }  // namespace

@@ -136,6 +136,7 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
     if (options.stats) stats_.emplace(*options.stats);
     if (const auto last = files_.window_size(); last && !options.size)
         glfwSetWindowSize(window_.handle(), last->x, last->y);
+    state_.appearance = files_.appearance();
     state_.session.display = options.display;
     if (options.along) choose_time_source(state_, *options.along, glfwGetTime());
     if (options.time) state_.session.seek(*options.time, glfwGetTime());
@@ -161,7 +162,9 @@ void Viewer::run() {
         files_.grant(FileWish::quit);
         redraw_.settle();
     }
-    files_.remember_window(size_);
+    Appearance appearance = state_.appearance;
+    appearance.closed_sections = gui_.closed_sections();
+    files_.remember_window(size_, appearance);
 }
 
 /// Continues after an unexpected error, and keeps the unsaved changes.
@@ -211,6 +214,7 @@ void Viewer::frame() {
 // ---- input ----
 
 FrameInput Viewer::read_input() {
+    gui_.follow(state_.appearance);
     gui_.begin_frame(std::exchange(input_.keyboard_keys, {}));
     FrameInput input;
     input.pressed = std::exchange(input_.pressed, {});
@@ -272,6 +276,7 @@ void Viewer::update_film(double now) {
 /// Updates everything that is derived from the state.
 void Viewer::follow_state(double now) {
     if (is_over(state_.message, now)) state_.message.clear();
+    state_.session.display.light_background = state_.appearance.theme == Theme::light;
     views_.follow(state_, layout(), gui_, now);
     const bool is_comparing = views_.comparison() != nullptr;
     if (is_comparing && state_.session.is_playing()) state_.session.pause(now);
@@ -331,7 +336,9 @@ FrameLayout Viewer::layout() const {
     FrameLayout frame;
     frame.window = size_;
     frame.content = {0, menu, frame.window.x, frame.window.y - menu};
-    frame.panels = lay_out(frame.window, menu, gui_.scale(), state_.session.has_time());
+    frame.scale = gui_.scale();
+    frame.panels =
+        lay_out(frame.window, menu, frame.scale, state_.session.has_time(), state_.appearance.panels);
     return frame;
 }
 

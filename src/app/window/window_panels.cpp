@@ -8,6 +8,7 @@
 #include "ui/panels/detail_panel.h"
 #include "ui/panels/display_panel.h"
 #include "ui/panels/help_overlay.h"
+#include "ui/panels/splitters.h"
 #include "ui/panels/status_line.h"
 #include "ui/panels/weights_panel.h"
 #include "ui/widgets/style.h"
@@ -187,6 +188,7 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
                  .measured_part = shown.measured_part,
                  .rebuild_milliseconds = shown.figures.rebuild_milliseconds,
                  .frame_milliseconds = shown.frame_milliseconds});
+    result.actions.panel_sizes = splitters(panels, shown.state.appearance.panels, shown.layout.scale);
 }
 
 void show_message(const WindowShown& shown, const Rect& view, WindowActions& actions) {

@@ -12,6 +12,7 @@
 #include "ui/widgets/choice.h"
 #include "ui/widgets/modal.h"
 #include "ui/widgets/scale_legend.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -70,7 +71,7 @@ void choose_pair(const ComparisonShown& shown, float width, std::size_t& chosen)
         // Draw the name by hand: Dear ImGui does not show the part of a label after "##".
         ImGui::PushID(static_cast<int>(pair));
         if (ImGui::Selectable("", pair == shown.chosen)) chosen = pair;
-        draw_text(corner, ImGui::GetItemRectSize().x, colors::text, shown.names[pair]);
+        draw_name(corner, ImGui::GetItemRectSize().x, colors::text, shown.names[pair]);
         ImGui::PopID();
     }
     ImGui::EndCombo();

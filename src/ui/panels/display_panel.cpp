@@ -11,6 +11,8 @@
 
 #include "ui/panels/field_panel.h"
 #include "ui/widgets/choice.h"
+#include "ui/widgets/section.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -89,7 +91,8 @@ void origin_legend(const Legend& legend) {
                                                   to_color(origin_color(origin, legend.active_keys)),
                                                   scaled(2));
         const std::string name = origin_name(origin, legend);
-        draw_text({corner.x + indent, corner.y}, width - indent, colors::text, name);
+        draw_text({corner.x + indent, corner.y}, width - indent, colors::text,
+                  shortened(name, width - indent));
         ImGui::Dummy({width, height});
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Bisected this far in %s", name.c_str());
     }
@@ -99,20 +102,27 @@ void origin_legend(const Legend& legend) {
     ImGui::PopFont();
 }
 
-}  // namespace
+void tooltip(const char* text) {
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+}
 
-Display display_panel(const Display& shown, const Legend& legend) {
-    Display display = shown;
-    heading("Shading");
+void choose_shading(Display& display) {
     choice("shading", display.shading, {{"Smooth", Shading::smooth}, {"Flat", Shading::flat}});
+    tooltip("Shade smoothly, or each triangle flat (S)");
     ImGui::Checkbox("Ambient occlusion", &display.occlusion);
-    section_gap();
-    heading("Lines");
+    tooltip("Darken hollows, where less light arrives (A)");
+}
+
+void choose_lines(Display& display) {
     ImGui::Checkbox("Wireframe", &display.wireframe);
+    tooltip("Show the edges of the leaves (W)");
     ImGui::Checkbox("Refinement edges", &display.refinement_edges);
+    tooltip("Show the edge of each leaf that bisection would split next (R)");
     ImGui::Checkbox("Root edges", &display.root_edges);
-    section_gap();
-    heading("Color");
+    tooltip("Show the edges of the root complex, which all keys share (E)");
+}
+
+void choose_color(Display& display, const Legend& legend) {
     coloring_choice(display.coloring, !legend.fields.empty());
     if (display.coloring == Coloring::level) level_legend(legend.levels);
     if (display.coloring == Coloring::origin) origin_legend(legend);
@@ -120,6 +130,17 @@ Display display_panel(const Display& shown, const Legend& legend) {
         display = field_panel(display, legend.fields, legend.key_without_field.value_or(""), legend.is_flat);
     if (display.coloring == Coloring::field && legend.curves != nullptr)
         field_curves(*legend.curves, legend.time);
+}
+
+}  // namespace
+
+Display display_panel(const Display& shown, const Legend& legend) {
+    Display display = shown;
+    if (section("Shading")) choose_shading(display);
+    section_gap();
+    if (section("Lines")) choose_lines(display);
+    section_gap();
+    if (section("Color")) choose_color(display, legend);
     return display;
 }
 

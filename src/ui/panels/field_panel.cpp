@@ -8,6 +8,7 @@
 
 #include "family/vector_field.h"
 #include "ui/widgets/scale_legend.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -25,7 +26,7 @@ void choose_field(Display& display, std::span<const FamilyField> fields) {
         ImGui::PushID(&field);
         if (ImGui::Selectable("", chosen)) display.field = name;
         if (chosen) ImGui::SetItemDefaultFocus();
-        draw_text(corner, ImGui::GetItemRectSize().x, colors::text, name);
+        draw_name(corner, ImGui::GetItemRectSize().x, colors::text, name);
         ImGui::PopID();
     }
     ImGui::EndCombo();

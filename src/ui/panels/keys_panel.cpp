@@ -10,6 +10,8 @@
 #include "render/palette.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/row_clipper.h"
+#include "ui/widgets/section.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -49,7 +51,7 @@ void draw_row(const KeyRow& row, std::size_t key, glm::vec2 corner, float width,
     list.AddCircleFilled({left + dot, top + line / 2 + 1}, dot,
                          to_color(key_color(key), is_active ? 1.0F : 0.45F));
     const float name_left = left + scaled(15);
-    draw_text({name_left, top}, corner.x + width - name_left - scaled(6),
+    draw_name({name_left, top}, corner.x + width - name_left - scaled(6),
               is_active || is_selected ? colors::text : colors::dim_text, row.name);
     ImGui::PushFont(small_font());
     draw_text({left, top + line + scaled(2)}, corner.x + width - left - scaled(6),
@@ -152,7 +154,7 @@ std::optional<std::size_t> dropped_key(std::size_t key_count) {
 
 KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
     KeysPanelResult result;
-    heading("Keys", fmt::format("{}", panel.keys.size()));
+    if (!section("Keys", fmt::format("{}", panel.keys.size()))) return result;
     const float wanted = key_row_height() * static_cast<float>(panel.keys.size());
     const float shown = std::min(wanted, std::max(height, key_row_height()));
     const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());

@@ -5,13 +5,19 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "ui/widgets/glyphs.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
 
 namespace {
 
+/// Of an entry that is a name, at scale 1.
+constexpr float max_item_width = 460;
+
 bool menu_item(const MenuEntry& entry) {
+    need_glyphs(entry.name);
     return ImGui::MenuItem(entry.name.c_str(), entry.shortcut.c_str(), entry.on, entry.enabled);
 }
 
@@ -20,7 +26,7 @@ std::optional<std::size_t> show_submenu(const Submenu& submenu) {
     if (!ImGui::BeginMenu(submenu.name.c_str(), !submenu.items.empty())) return chosen;
     for (std::size_t item = 0; item < submenu.items.size(); ++item) {
         ImGui::PushID(static_cast<int>(item));
-        if (ImGui::MenuItem(submenu.items[item].c_str())) chosen = item;
+        if (name_item(submenu.items[item], scaled(max_item_width))) chosen = item;
         ImGui::PopID();
     }
     ImGui::EndMenu();
@@ -79,7 +85,7 @@ MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submen
     const float width = std::min(text_size(title).x, right - left);
     if (width > 0) {
         const float top = ImGui::GetWindowPos().y + ImGui::GetStyle().FramePadding.y;
-        draw_text({right - width, top}, width + 1, colors::dim_text, title);
+        draw_name({right - width, top}, width, colors::dim_text, title);
     }
     ImGui::EndMainMenuBar();
     return result;

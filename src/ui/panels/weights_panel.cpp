@@ -9,6 +9,8 @@
 #include <imgui.h>
 
 #include "render/palette.h"
+#include "ui/widgets/section.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -27,7 +29,8 @@ std::string weight_text(double weight) {
 
 void weights_panel(const Family& family, const Weights& weights) {
     const bool is_long = family.keys.size() > max_rows;
-    heading("Weights", is_long ? fmt::format("{} of {}", weights.size(), family.keys.size()) : std::string());
+    if (!section("Weights", is_long ? fmt::format("{} of {}", weights.size(), family.keys.size()) : std::string()))
+        return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float width = ImGui::GetContentRegionAvail().x;
     const float name_width = std::round(width * 0.38F);
@@ -40,7 +43,7 @@ void weights_panel(const Family& family, const Weights& weights) {
         const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
         const float height = ImGui::GetTextLineHeight();
 
-        draw_text(corner, name_width - scaled(8), text, family.keys[key].name);
+        draw_name(corner, name_width - scaled(8), text, family.keys[key].name);
         const Rect bar{corner.x + name_width, corner.y + std::round(height * 0.3F),
                        width - name_width - number_width - scaled(8), std::round(height * 0.5F)};
         list.AddRectFilled({bar.x, bar.y}, {bar.right(), bar.bottom()}, colors::well, scaled(2));

@@ -6,12 +6,6 @@
 
 namespace interleaf {
 
-namespace {
-
-constexpr ImU32 chosen_hovered = IM_COL32(66, 118, 184, 255);
-
-}  // namespace
-
 std::size_t choice(const char* name, std::span<const char* const> labels, std::size_t chosen, float width) {
     ImGui::PushID(name);
     ImGui::BeginGroup();
@@ -24,7 +18,7 @@ std::size_t choice(const char* name, std::span<const char* const> labels, std::s
         if (i == chosen) {
             // Also under the pointer: a chosen button must not look like a button that is not chosen.
             ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-            ImGui::PushStyleColor(ImGuiCol_ButtonHovered, chosen_hovered);
+            ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colors::chosen_hovered);
         }
         if (ImGui::Button(labels[i], {button, 0})) now = i;
         if (i == chosen) ImGui::PopStyleColor(2);
