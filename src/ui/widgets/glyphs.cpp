@@ -26,6 +26,7 @@ constexpr std::size_t max_glyphs = 2000;
 /// installed are left out.
 constexpr std::array fallback_files{
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+    "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc",
     "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf",
     "/usr/share/fonts/truetype/freefont/FreeSans.ttf",
     "/usr/share/fonts/opentype/unifont/unifont.otf",
