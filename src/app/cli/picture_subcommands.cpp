@@ -65,6 +65,8 @@ void add_view(CLI::App& program) {
         ->excludes(at);
     add_along(*command, options->viewer.along)->excludes(at);
     add_display(*command, options->viewer.display);
+    add_theme(*command, "Colors of the window: dark or light; by default, as it was last",
+              [options](Theme theme) { options->viewer.theme = theme; });
     command
         ->add_option_function<std::string>(
             "--picture", [options](const std::string& path) { options->viewer.picture = path; },
@@ -97,6 +99,9 @@ void add_render(CLI::App& program) {
         ->type_name("WxH")
         ->default_str(fmt::format("{}x{}", options->size.width, options->size.height));
     add_display(*command, options->display);
+    add_theme(*command, "Background of the picture: dark or light", [options](Theme theme) {
+        options->display.light_background = theme == Theme::light;
+    });
     const Viewpoint& viewpoint = options->viewpoint;
     add_text_option(*command, "--camera",
                     "Direction of view in degrees; at zoom 1 all keys fit into the picture",

@@ -73,6 +73,8 @@ enum class CommandId : std::uint8_t {
     show_whole_domain,
     smooth_shading,
     ambient_occlusion,
+    ground,
+    next_material,
     wireframe,
     refinement_edges,
     root_edges,

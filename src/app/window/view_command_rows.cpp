@@ -23,6 +23,13 @@ void cycle_coloring(ViewerState& state, double) {
     display.coloring = next_coloring(display.coloring, !display.field.empty());
 }
 
+/// A material is seen only on a plain surface, so the first step shows it plainly.
+void cycle_material(ViewerState& state, double) {
+    Display& display = state.session.display;
+    if (display.coloring == Coloring::plain) display.material = next_material(display.material);
+    display.coloring = Coloring::plain;
+}
+
 /// Step of the commands that change the detail.
 constexpr float detail_step = 0.02F;
 
@@ -90,6 +97,19 @@ constexpr Command view_table[] = {
      .description = "Darken hollows, where less light arrives",
      .run = toggle<&Display::occlusion>,
      .is_on = is_on<&Display::occlusion>},
+    {.id = CommandId::ground,
+     .menu = "View",
+     .name = "Ground",
+     .shortcuts = {{{GLFW_KEY_G, GLFW_MOD_CONTROL}}},
+     .description = "Show a ground below the surface, with its soft shadow",
+     .run = toggle<&Display::ground>,
+     .is_on = is_on<&Display::ground>},
+    {.id = CommandId::next_material,
+     .menu = "View",
+     .name = "Next material",
+     .shortcuts = {{{GLFW_KEY_M, GLFW_MOD_CONTROL}}},
+     .description = "Show a plain surface as clay, porcelain, steel, jade, or by its normals",
+     .run = cycle_material},
     {.id = CommandId::wireframe,
      .menu = "View",
      .name = "Wireframe",

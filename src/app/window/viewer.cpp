@@ -137,6 +137,7 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
     if (const auto last = files_.window_size(); last && !options.size)
         glfwSetWindowSize(window_.handle(), last->x, last->y);
     state_.appearance = files_.appearance();
+    if (options.theme) state_.appearance.theme = *options.theme;
     state_.session.display = options.display;
     if (options.along) choose_time_source(state_, *options.along, glfwGetTime());
     if (options.time) state_.session.seek(*options.time, glfwGetTime());

@@ -23,7 +23,8 @@ std::string part_in_words(const DetailChoice& choice, bool is_coarse) {
 }  // namespace
 
 DetailChoice detail_panel(DetailChoice choice, std::size_t leaves, bool is_coarse) {
-    if (!section("Detail", fmt::format("{}, {} leaves", part_in_words(choice, is_coarse), grouped(leaves))))
+    if (!section("Detail", fmt::format("{}, {} leaves", part_in_words(choice, is_coarse), grouped(leaves)),
+                 "How fine the keys are shown, from their roots to all of their leaves."))
         return choice;
     ImGui::BeginDisabled(choice.follows_camera);
     ImGui::SetNextItemWidth(-1);

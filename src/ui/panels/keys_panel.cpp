@@ -13,11 +13,15 @@
 #include "ui/widgets/section.h"
 #include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 
 namespace {
 
+constexpr const char* keys_meaning =
+    "The surfaces that are blended. Click a key to show it alone, double-click to rename it,\n"
+    "drag it in the list, to the timeline or into the domain. Active keys are bright.";
 constexpr const char* payload_type = "key";
 constexpr const char* menu_name = "key menu";
 
@@ -137,7 +141,7 @@ void show_rows(const KeysPanel& panel, KeysPanelResult& result) {
 }  // namespace
 
 float key_picture_side() {
-    return scaled(40);
+    return scaled(36);
 }
 
 std::optional<std::size_t> dropped_key(std::size_t key_count) {
@@ -154,7 +158,7 @@ std::optional<std::size_t> dropped_key(std::size_t key_count) {
 
 KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
     KeysPanelResult result;
-    if (!section("Keys", fmt::format("{}", panel.keys.size()))) return result;
+    if (!section("Keys", fmt::format("{}", panel.keys.size()), keys_meaning)) return result;
     const float wanted = key_row_height() * static_cast<float>(panel.keys.size());
     const float shown = std::min(wanted, std::max(height, key_row_height()));
     const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
@@ -171,9 +175,10 @@ KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
     const float gap = scaled(2);
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
     result.add = ImGui::Button("Add...", {width, 0});
+    tooltip("Add keys or meshes from files (Ctrl+I)");
     ImGui::SameLine(0, gap);
     result.keep_blend = ImGui::Button("Keep blend", {width, 0});
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Add the shown surface as a key (Ctrl+K)");
+    tooltip("Add the shown surface as a key (Ctrl+K)");
     return result;
 }
 

@@ -16,9 +16,24 @@ namespace {
 /// Of an entry that is a name, at scale 1.
 constexpr float max_item_width = 460;
 
+/// Shows \p text beside the menu while the pointer is at its last entry; the entries stay visible.
+void describe(std::string_view text) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const float right = corner.x + ImGui::GetWindowWidth() + scaled(4);
+    const float width = text_size(text).x + 2 * ImGui::GetStyle().WindowPadding.x;
+    const bool has_room = right + width <= ImGui::GetIO().DisplaySize.x;
+    ImGui::SetNextWindowPos({has_room ? right : corner.x - scaled(4), ImGui::GetItemRectMin().y}, ImGuiCond_Always,
+                            {has_room ? 0.0F : 1.0F, 0.25F});
+    ImGui::SetTooltip("%.*s", static_cast<int>(text.size()), text.data());
+}
+
 bool menu_item(const MenuEntry& entry) {
     need_glyphs(entry.name);
-    return ImGui::MenuItem(entry.name.c_str(), entry.shortcut.c_str(), entry.on, entry.enabled);
+    const bool is_chosen =
+        ImGui::MenuItem(entry.name.c_str(), entry.shortcut.c_str(), entry.on, entry.enabled);
+    describe(entry.description);
+    return is_chosen;
 }
 
 std::optional<std::size_t> show_submenu(const Submenu& submenu) {

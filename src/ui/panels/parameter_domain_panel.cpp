@@ -231,7 +231,10 @@ bool show_heading(const Family& family, const DomainPanel& panel, ParameterDomai
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float right = corner.x + ImGui::GetContentRegionAvail().x;
     const std::string remark = remark_of(family, panel);
-    const bool is_open = section("Parameter domain", remark);
+    const bool is_open = section(
+        "Parameter domain", remark,
+        "Each vertex is a key. The point blends the keys of its triangle: drag it, or click to place it.\n"
+        "The wheel zooms. Right-click to add, move or remove vertices.");
     if (panel.edits || panel.is_recording || remark.empty()) return is_open;
     const ImVec2 after = ImGui::GetCursorScreenPos();
     ImGui::PushFont(small_font());

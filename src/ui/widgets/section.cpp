@@ -1,5 +1,6 @@
 #include "ui/widgets/section.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -26,7 +27,7 @@ void draw_mark(glm::vec2 middle, bool is_open, ImU32 color) {
 
 }  // namespace
 
-bool section(std::string_view title, std::string_view remark) {
+bool section(std::string_view title, std::string_view remark, const char* meaning) {
     GuiState* const state = gui_state();
     bool is_open = state == nullptr || !state->closed_sections.contains(title);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -45,7 +46,9 @@ bool section(std::string_view title, std::string_view remark) {
         if (is_clicked && is_open) state->closed_sections.emplace(title);
         if (is_clicked && !is_open) state->closed_sections.erase(id);
         if (is_clicked) is_open = !is_open;
-        if (is_hovered) ImGui::SetTooltip("%s", is_open ? "Close this part" : "Open this part");
+        if (is_hovered)
+            ImGui::SetTooltip("%s%sClick to %s this part.", meaning != nullptr ? meaning : "",
+                              meaning != nullptr ? "\n" : "", is_open ? "close" : "open");
         ImGui::PopID();
         draw_mark({corner.x + width + scaled(11), corner.y + std::round(line / 2)}, is_open,
                   is_hovered ? colors::text : colors::dim_text);

@@ -7,7 +7,8 @@ namespace interleaf {
 
 /// Shows the heading \p title with \p remark at its right end. A click closes the section, and opens it again.
 /// \param title  unique in the window; the section stays closed under this name (gui_state.h)
+/// \param meaning  explains the section where the pointer is at its heading
 /// \return whether the section is open, so that its content is to be shown
-bool section(std::string_view title, std::string_view remark = {});
+bool section(std::string_view title, std::string_view remark = {}, const char* meaning = nullptr);
 
 }  // namespace interleaf

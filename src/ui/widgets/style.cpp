@@ -83,7 +83,7 @@ void end_panel() {
 }
 
 void section_gap() {
-    ImGui::Dummy({0, scaled(6)});
+    ImGui::Dummy({0, scaled(3)});
 }
 
 void heading(std::string_view title, std::string_view remark) {
