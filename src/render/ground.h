@@ -36,8 +36,8 @@ class Ground {
     GlVertexArray no_attributes_;
     TextureLayer depths_;  ///< the surface from below
     TextureLayer shadow_;
-    glm::vec3 center_{0};   ///< of the disc
-    float radius_ = 1;      ///< of the disc
+    glm::vec3 center_{0};  ///< of the disc
+    float radius_ = 1;     ///< of the disc
 };
 
 }  // namespace interleaf

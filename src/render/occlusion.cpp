@@ -51,7 +51,8 @@ const Occlusion::Layers& Occlusion::layers_for(const OffscreenTarget& target) {
         layers_.reset();  // two sets at a time may exceed the memory
         const int half_width = (width + 1) / 2;
         const int half_height = (height + 1) / 2;
-        layers_ = Layers{width, height, make_texture_layer(GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, width, height),
+        layers_ = Layers{width, height,
+                         make_texture_layer(GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, width, height),
                          make_texture_layer(GL_RG32F, GL_COLOR_ATTACHMENT0, half_width, half_height),
                          make_texture_layer(GL_RG32F, GL_COLOR_ATTACHMENT0, half_width, half_height)};
     }

@@ -43,7 +43,8 @@ Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline
     const auto column_of = [&](const std::optional<float>& chosen, float growth, float max_width) {
         // In a wide window, a column gets part of the width.
         const float width = column_width + growth * (usual.x - first_wide);
-        const float length = chosen ? std::max(*chosen, min_column_width) : std::clamp(width, column_width, max_width);
+        const float length =
+            chosen ? std::max(*chosen, min_column_width) : std::clamp(width, column_width, max_width);
         return std::min(pixels(length), most);
     };
     const float left = column_of(wanted.left, 0.05F, max_left_width);

@@ -24,6 +24,7 @@ struct Layout {
 /// \param scale  scale of the user interface; 1 for an ordinary display
 /// \param has_timeline  whether there is a timeline to show
 /// \param wanted  sizes that the user has chosen; the surface keeps its part of the window all the same
-Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline, const PanelSizes& wanted = {});
+Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline,
+               const PanelSizes& wanted = {});
 
 }  // namespace interleaf

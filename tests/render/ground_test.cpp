@@ -41,8 +41,7 @@ struct Grounded {
 
     /// The light of the ground at the distance \p aside from its center, towards +x.
     float light_at(float aside) const {
-        const glm::vec2 pixel =
-            pixel_of(camera, above, {box.center().x + aside, box.min.y, box.center().z});
+        const glm::vec2 pixel = pixel_of(camera, above, {box.center().x + aside, box.min.y, box.center().z});
         return brightness(above.light(static_cast<int>(pixel.x), static_cast<int>(pixel.y)));
     }
 };
@@ -84,7 +83,8 @@ TEST_CASE("each material looks different, but only on a plain surface") {
             CHECK(count_differences(pictures.back(), pictures[other], 20) > 1000);
     }
     const auto by_level = [&](Material material) {
-        return take_picture(renderer, target, camera, one, {.coloring = Coloring::level, .material = material});
+        return take_picture(renderer, target, camera, one,
+                            {.coloring = Coloring::level, .material = material});
     };
     CHECK(by_level(Material::steel) == by_level(Material::clay));
 }

@@ -99,9 +99,8 @@ void add_render(CLI::App& program) {
         ->type_name("WxH")
         ->default_str(fmt::format("{}x{}", options->size.width, options->size.height));
     add_display(*command, options->display);
-    add_theme(*command, "Background of the picture: dark or light", [options](Theme theme) {
-        options->display.light_background = theme == Theme::light;
-    });
+    add_theme(*command, "Background of the picture: dark or light",
+              [options](Theme theme) { options->display.light_background = theme == Theme::light; });
     const Viewpoint& viewpoint = options->viewpoint;
     add_text_option(*command, "--camera",
                     "Direction of view in degrees; at zoom 1 all keys fit into the picture",

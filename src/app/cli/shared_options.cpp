@@ -144,9 +144,9 @@ void add_display(CLI::App& command, Display& display) {
 }
 
 void add_theme(CLI::App& command, const std::string& meaning, std::function<void(Theme)> choose) {
-    add_text_option(command, "--theme", meaning,
-                    [choose = std::move(choose)](const std::string& text) { choose(parse_theme(text)); })
-        ->type_name("NAME");
+    add_text_option(command, "--theme", meaning, [choose = std::move(choose)](const std::string& text) {
+        choose(parse_theme(text));
+    })->type_name("NAME");
 }
 
 }  // namespace interleaf

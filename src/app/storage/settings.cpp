@@ -22,8 +22,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr std::uint64_t max_file_size = 1 << 20;
-constexpr int max_window_size =
-    32'768;  // what GLFW and X11 can express, and more than any screen has
+constexpr int max_window_size = 32'768;  // what GLFW and X11 can express, and more than any screen has
 
 fs::path path_at(const JsonPlace& place) {
     const std::string text = place.string();
@@ -70,7 +69,8 @@ Appearance appearance_at(const JsonPlace& place) {
             const auto size = panels->optional_member(name);
             return size ? std::optional(number_at(*size, 0, max_window_size)) : std::nullopt;
         };
-        appearance.panels = {.left = size_of("left"), .right = size_of("right"), .timeline = size_of("timeline")};
+        appearance.panels = {
+            .left = size_of("left"), .right = size_of("right"), .timeline = size_of("timeline")};
     }
     if (const auto closed = place.optional_member("closed"))
         for (std::size_t i = 0; i < closed->size(); ++i)

@@ -8,9 +8,9 @@
 #include "ui/panels/detail_panel.h"
 #include "ui/panels/display_panel.h"
 #include "ui/panels/help_overlay.h"
-#include "ui/panels/splitters.h"
 #include "ui/panels/status_line.h"
 #include "ui/panels/weights_panel.h"
+#include "ui/splitters.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* mesh_colorings[] = {"Distance", "Plain"};
 constexpr const char* mesh_coloring_tips[] = {"Color each surface by its distance to the other one (C)",
-                                               "Show both surfaces in one color (C)"};
+                                              "Show both surfaces in one color (C)"};
 constexpr const char* back = "Back to document";
 
 /// From this width on, the legend stands beside the figures.
@@ -112,7 +112,8 @@ ComparisonResult comparison_panel(const Rect& rect, const ComparisonShown& shown
         choose_pair(shown, std::min(scaled(200), room * 0.34F), result.chosen);
         ImGui::SameLine();
     }
-    result.has_colors = choice("coloring", mesh_colorings, shown.has_colors ? 0 : 1, scaled(170), mesh_coloring_tips) == 0;
+    result.has_colors =
+        choice("coloring", mesh_colorings, shown.has_colors ? 0 : 1, scaled(170), mesh_coloring_tips) == 0;
     const float button = modal_button_width(back);
     ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - button);
     result.is_over = modal_button({.label = back, .width = button, .is_main = true});

@@ -156,8 +156,7 @@ std::vector<std::size_t> draw_vertices(const DomainDrawing& drawing) {
         const Rect place = name_place(vertices[i], radii[i], size, drawing.area, middle);
         if (std::ranges::any_of(taken, [&](const Rect& other) { return overlap(place, other); })) continue;
         taken.push_back(place);
-        list.AddRectFilled({place.x, place.y}, {place.right(), place.bottom()}, colors::label,
-                           scaled(4));
+        list.AddRectFilled({place.x, place.y}, {place.right(), place.bottom()}, colors::label, scaled(4));
         draw_name({place.x + scaled(4), place.y}, size.x, colors::text, name);
     }
     ImGui::PopFont();

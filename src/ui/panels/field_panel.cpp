@@ -18,7 +18,8 @@ namespace {
 
 void choose_field(Display& display, std::span<const FamilyField> fields) {
     ImGui::SetNextItemWidth(-1);
-    if (!ImGui::BeginCombo("##field", display.field.c_str())) return tooltip("The field that colors the surface");
+    if (!ImGui::BeginCombo("##field", display.field.c_str()))
+        return tooltip("The field that colors the surface");
     for (const FamilyField& field : fields) {
         const std::string& name = field.label.name;
         const bool chosen = name == display.field;

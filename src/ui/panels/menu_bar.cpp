@@ -23,8 +23,8 @@ void describe(std::string_view text) {
     const float right = corner.x + ImGui::GetWindowWidth() + scaled(4);
     const float width = text_size(text).x + 2 * ImGui::GetStyle().WindowPadding.x;
     const bool has_room = right + width <= ImGui::GetIO().DisplaySize.x;
-    ImGui::SetNextWindowPos({has_room ? right : corner.x - scaled(4), ImGui::GetItemRectMin().y}, ImGuiCond_Always,
-                            {has_room ? 0.0F : 1.0F, 0.25F});
+    ImGui::SetNextWindowPos({has_room ? right : corner.x - scaled(4), ImGui::GetItemRectMin().y},
+                            ImGuiCond_Always, {has_room ? 0.0F : 1.0F, 0.25F});
     ImGui::SetTooltip("%.*s", static_cast<int>(text.size()), text.data());
 }
 

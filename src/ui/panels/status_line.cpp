@@ -28,10 +28,12 @@ void status_line(const Rect& rect, const StatusFigures& figures) {
                            rect.y + std::round((rect.height - ImGui::GetTextLineHeight()) / 2)};
     draw_text(corner, rect.width - 2 * scaled(12), colors::dim_text, text);
     ImGui::SetCursorScreenPos({rect.x, rect.y});
-    ImGui::Dummy({std::max(std::min(text_size(text).x + scaled(24), rect.width), 1.0F), std::max(rect.height, 1.0F)});
+    ImGui::Dummy(
+        {std::max(std::min(text_size(text).x + scaled(24), rect.width), 1.0F), std::max(rect.height, 1.0F)});
     ImGui::PopFont();
-    tooltip("Keys that have a part in the blend, the leaves and vertices of their union,\n"
-            "and the time that the last union and the last frame took");
+    tooltip(
+        "Keys that have a part in the blend, the leaves and vertices of their union,\n"
+        "and the time that the last union and the last frame took");
     end_panel();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();

@@ -29,8 +29,10 @@ std::string weight_text(double weight) {
 
 void weights_panel(const Family& family, const Weights& weights) {
     const bool is_long = family.keys.size() > max_rows;
-    const std::string count = is_long ? fmt::format("{} of {}", weights.size(), family.keys.size()) : std::string();
-    if (!section("Weights", count, "The part of each key in the blend. A dash marks a key that is not active."))
+    const std::string count =
+        is_long ? fmt::format("{} of {}", weights.size(), family.keys.size()) : std::string();
+    if (!section("Weights", count,
+                 "The part of each key in the blend. A dash marks a key that is not active."))
         return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float width = ImGui::GetContentRegionAvail().x;

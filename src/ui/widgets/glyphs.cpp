@@ -79,7 +79,8 @@ void need_glyphs(std::string_view text) {
     while (!text.empty()) {
         const auto character = first_character(text);
         text.remove_prefix(character ? character->size : 1);
-        if (!character || character->code < 0x80 || character->code > 0xffff || is_usual(character->code)) continue;
+        if (!character || character->code < 0x80 || character->code > 0xffff || is_usual(character->code))
+            continue;
         if (is_control(character->code) || state->glyphs.size() >= max_glyphs) continue;
         if (state->glyphs.insert(static_cast<ImWchar>(character->code)).second) state->lacks_glyphs = true;
     }

@@ -15,8 +15,8 @@ namespace interleaf {
 struct GuiState {
     Theme theme = Theme::dark;
     std::set<std::string, std::less<>> closed_sections{};  ///< titles
-    std::set<ImWchar> glyphs{};                            ///< characters beyond those that the typeface always has
-    bool lacks_glyphs = false;                             ///< whether some of them are not in the typeface yet
+    std::set<ImWchar> glyphs{};  ///< characters beyond those that the typeface always has
+    bool lacks_glyphs = false;   ///< whether some of them are not in the typeface yet
 };
 
 /// The state of the present context; null for none, as in a test of one widget.

@@ -129,7 +129,8 @@ TEST_CASE("damage is named with its place") {
           "FILE: appearance.theme: is \"pink\", expected \"dark\" or \"light\"");
     CHECK(error_of(R"({"appearance": {"text size": 40}})") ==
           "FILE: appearance.text size: is 40, expected a number from 0.75 to 2");
-    CHECK(error_of(R"({"appearance": {"panels": {"left": -1}}})").ends_with("expected a number from 0 to 32768"));
+    CHECK(error_of(R"({"appearance": {"panels": {"left": -1}}})")
+              .ends_with("expected a number from 0 to 32768"));
     CHECK(error_of(R"({"appearance": {"closed": [1]}})").ends_with("expected a text"));
     CHECK(error_of(R"({"window": {"width": 640}})") == "FILE: window: has no \"height\"");
     for (const char* size : {"0", "-1", "1e9", "40000", "1.5", "\"640\"", "null"}) {

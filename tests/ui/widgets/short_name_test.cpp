@@ -1,9 +1,9 @@
 // Tests of long names: they are cut in the middle, between characters, and no more than they must.
 #include "ui/widgets/short_name.h"
 
+#include "text/characters.h"
 #include <doctest/doctest.h>
 
-#include "text/characters.h"
 #include "ui/headless_gui.h"
 #include "ui/widgets/style.h"
 
@@ -47,7 +47,8 @@ TEST_CASE("a long name keeps its begin and its end") {
 
 TEST_CASE("no character of a name is cut into bytes, however little room there is") {
     const Frame frame;
-    for (const std::string& name : {std::string("ääääääääääääääääääää"), std::string("名前が長い曲面の名前が長い曲面の名前")})
+    for (const std::string& name :
+         {std::string("ääääääääääääääääääää"), std::string("名前が長い曲面の名前が長い曲面の名前")})
         for (float width = 0; width < 200; width += 7) CHECK(is_utf8(shortened(name, width)));
 }
 

@@ -44,9 +44,9 @@ TEST_CASE("text has enough contrast in both themes, on everything that it stands
     for (const Theme theme : {Theme::dark, Theme::light}) {
         CAPTURE(std::string(name_of(theme)));
         const Palette& palette = palette_of(theme);
-        for (const ImU32 ground :
-             {palette.window, palette.popup, palette.menu_bar, palette.well, palette.frame, palette.frame_hovered,
-              palette.chosen, palette.chosen_hovered, palette.selected, palette.selected_hovered}) {
+        for (const ImU32 ground : {palette.window, palette.popup, palette.menu_bar, palette.well,
+                                   palette.frame, palette.frame_hovered, palette.chosen,
+                                   palette.chosen_hovered, palette.selected, palette.selected_hovered}) {
             CAPTURE(ground);
             CHECK(contrast(palette.text, ground) >= legible);
         }

@@ -1,5 +1,5 @@
 // Tests of the edges between panels, with a hand at the mouse.
-#include "ui/panels/splitters.h"
+#include "ui/splitters.h"
 
 #include <doctest/doctest.h>
 
@@ -71,7 +71,8 @@ TEST_CASE("a double click on an edge gives the panel its usual size") {
     const float usual = hand.layout().left->width;
     hand.drag({usual, 300}, {300, 300});
     REQUIRE(hand.sizes().left.has_value());
-    for (int frame = 0; frame < 60; ++frame) hand.at({300, 300}, false);  // no double click with the drag before
+    for (int frame = 0; frame < 60; ++frame)
+        hand.at({300, 300}, false);  // no double click with the drag before
     for (const bool is_down : {true, false, true, false}) hand.at({300, 300}, is_down);
     CHECK_FALSE(hand.sizes().left.has_value());
     CHECK(hand.layout().left->width == usual);

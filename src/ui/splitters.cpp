@@ -1,4 +1,4 @@
-#include "ui/panels/splitters.h"
+#include "ui/splitters.h"
 
 #include <algorithm>
 
@@ -41,7 +41,8 @@ EdgeUse use_edge(const Edge& edge) {
             {line.x - (edge.is_upright ? thick : 0), line.y - (edge.is_upright ? 0 : thick)},
             {line.right() + (edge.is_upright ? thick : 0), line.bottom() + (edge.is_upright ? 0 : thick)},
             colors::accent);
-        if (!is_held) ImGui::SetTooltip("Drag to change the size of the panel; double-click for the usual size");
+        if (!is_held)
+            ImGui::SetTooltip("Drag to change the size of the panel; double-click for the usual size");
     }
     EdgeUse use = is_held ? EdgeUse::drag : EdgeUse::none;
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) use = EdgeUse::reset;
