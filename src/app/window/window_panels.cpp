@@ -160,6 +160,7 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
     const Layout& panels = shown.layout.panels;
     result.weights = weights;
     result.actions.view = view_area(panels.view);
+    if (shown.state.camera.shows_axes) result.actions.axes = axes_widget(panels.view, shown.camera_axes);
     if (panels.left) {
         begin_panel("left", *panels.left);
         show_keys_and_display(shown, result);
