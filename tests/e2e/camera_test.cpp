@@ -68,12 +68,14 @@ TEST_CASE("a copied command draws what the window shows, and its view can be pas
     viewer.press(XK_o, XK_Shift_L);
     viewer.press(XK_Left, XK_Alt_L);
     viewer.drag(view_middle(start), view_middle(start) + glm::vec2(90, 30));
-    viewer.turn_wheel(true);
-    const State turned = viewer.wait_for("a rolled, orthographic view", [&](const State& s) {
+    const State dragged = viewer.wait_for("a rolled, orthographic view", [&](const State& s) {
         const std::string view = s["view"];
         return view.find("roll=5") != std::string::npos && view.ends_with(",orthographic") &&
-               s["eye"] != start["eye"];
+               s["button_down"] == false && s["eye"] != start["eye"];
     });
+    viewer.turn_wheel(true);
+    const State turned =
+        viewer.wait_for("a nearer view", [&](const State& s) { return s["view"] != dragged["view"]; });
     const Picture picture = viewer.settled_picture();
 
     viewer.press(XK_c, XK_Control_L, XK_Alt_L);

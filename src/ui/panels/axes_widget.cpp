@@ -39,16 +39,16 @@ const std::array<AxisEnd, 6> axis_ends = {
       "X",
       x_color,
       {90, 0},
-      "Look along X, from its positive end. A second click: from its negative end"},
-     {{-1, 0, 0}, nullptr, x_color, {-90, 0}, "Look along X, from its negative end"},
-     {{0, 1, 0}, "Y", y_color, {0, 90}, "Look down along Y. A second click: up along Y"},
-     {{0, -1, 0}, nullptr, y_color, {0, -90}, "Look up along Y"},
+      "Look along X, from its positive end.\nClick again to look from its negative end."},
+     {{-1, 0, 0}, nullptr, x_color, {-90, 0}, "Look along X, from its negative end."},
+     {{0, 1, 0}, "Y", y_color, {0, 90}, "Look down along Y.\nClick again to look up."},
+     {{0, -1, 0}, nullptr, y_color, {0, -90}, "Look up along Y."},
      {{0, 0, 1},
       "Z",
       z_color,
       {0, 0},
-      "Look along Z, from its positive end. A second click: from its negative end"},
-     {{0, 0, -1}, nullptr, z_color, {180, 0}, "Look along Z, from its negative end"}}};
+      "Look along Z, from its positive end.\nClick again to look from its negative end."},
+     {{0, 0, -1}, nullptr, z_color, {180, 0}, "Look along Z, from its negative end."}}};
 
 /// The end and where it is drawn.
 struct PlacedEnd {
@@ -103,7 +103,7 @@ std::optional<Rect> axes_place(const Rect& view) {
     return Rect{view.right() - size - gap, view.y + gap, size, size};
 }
 
-AxesResult axes_widget(const Rect& view, const glm::mat3& axes) {
+AxesResult axes_widget(const Rect& view, const glm::mat3& axes, const char* window) {
     AxesResult result;
     const std::optional<Rect> place = axes_place(view);
     if (!place) return result;
@@ -112,7 +112,8 @@ AxesResult axes_widget(const Rect& view, const glm::mat3& axes) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
     ImGui::SetNextWindowBgAlpha(0);
-    begin_panel("axes", *place);
+    begin_panel(window, view);
+    ImGui::SetCursorScreenPos({place->x, place->y});
     ImGui::InvisibleButton("axes", {place->width, place->height});
     const ImGuiIO& io = ImGui::GetIO();
     const PlacedEnd* const pointed = ImGui::IsItemHovered() && !ImGui::IsMouseDragging(ImGuiMouseButton_Left)
@@ -130,13 +131,13 @@ AxesResult axes_widget(const Rect& view, const glm::mat3& axes) {
                     : glm::vec2(
                           result.look_from->x > 0 ? result.look_from->x - 180 : result.look_from->x + 180, 0);
     }
-    if (pointed != nullptr) ImGui::SetTooltip("%s", pointed->end->tip);
     if (ImGui::IsItemHovered())
         ImGui::GetWindowDrawList()->AddCircleFilled(to_imgui(center), place->width / 2,
                                                     to_color(glm::vec3(1), 0.07F));
     for (const PlacedEnd& end : placed) draw_axis_end(end, center, &end == pointed);
     end_panel();
     ImGui::PopStyleVar(2);
+    if (pointed != nullptr) ImGui::SetTooltip("%s", pointed->end->tip);
     return result;
 }
 

@@ -21,7 +21,9 @@ struct AxesResult {
 std::optional<Rect> axes_place(const Rect& view);
 
 /// Shows the axes in the upper right corner of \p view, if it is large enough.
-/// \param axes  of the camera: right, up and backward, as columns
-AxesResult axes_widget(const Rect& view, const glm::mat3& axes);
+/// Call it before view_area(), so that the pointer finds the axes first.
+/// \param axes    of the camera: right, up and backward, as columns
+/// \param window  the name of the view area
+AxesResult axes_widget(const Rect& view, const glm::mat3& axes, const char* window = "view");
 
 }  // namespace interleaf

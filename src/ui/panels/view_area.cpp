@@ -27,6 +27,7 @@ ViewInput view_area(const Rect& rect, const char* name) {
     ImGui::SetNextWindowBgAlpha(0);
     begin_panel(name, rect);
     if (rect.width >= 1 && rect.height >= 1) {
+        ImGui::SetCursorScreenPos({rect.x, rect.y});
         ImGui::InvisibleButton("surface", {rect.width, rect.height},
                                ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                    ImGuiButtonFlags_MouseButtonMiddle);

@@ -6,6 +6,7 @@
 
 #include "render/camera.h"
 #include "ui/headless_gui.h"
+#include "ui/panels/view_area.h"
 
 using namespace interleaf;
 
@@ -16,6 +17,8 @@ constexpr Rect view{100, 50, 800, 600};
 AxesResult frame(HeadlessGui& gui, const Camera& camera, glm::vec2 pointer, bool is_down) {
     gui.begin_frame(pointer, is_down);
     const AxesResult result = axes_widget(view, camera.axes());
+    const ViewInput input = view_area(view);
+    CHECK(input.orbit == glm::vec2(0));  // the pointer over the axes is theirs
     gui.end_frame();
     return result;
 }
