@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/document/camera_choices.h"
 #include "app/document/document.h"
 #include "app/document/fit_comparison.h"
 #include "app/document/message.h"
@@ -82,6 +83,8 @@ struct ViewerState {
     std::optional<TextQuestion> question;
     bool help_shown = false;
     Appearance appearance{};
+    CameraChoices camera;
+    CameraWishes camera_wishes{};
     ViewTarget view_target = ViewTarget::all_keys;
     bool reload_wanted = false;
     bool quit_wanted = false;

@@ -111,6 +111,7 @@ std::string settings_text(const Settings& settings) {
     if (settings.window_size)
         document["window"] = {{"width", settings.window_size->x}, {"height", settings.window_size->y}};
     if (settings.appearance != Appearance{}) document["appearance"] = appearance_json(settings.appearance);
+    document["camera"] = {{"trackball", settings.trackball}, {"axes", settings.axes}};
     return document.dump(2) + "\n";
 }
 
@@ -177,6 +178,11 @@ Settings parse_settings(std::string_view json, std::string_view name) {
         settings.window_size = {length_at(window->member("width")), length_at(window->member("height"))};
     if (const auto appearance = root.optional_member("appearance"))
         settings.appearance = appearance_at(*appearance);
+    if (const auto camera = root.optional_member("camera")) {
+        if (const auto trackball = camera->optional_member("trackball"))
+            settings.trackball = trackball->boolean();
+        if (const auto axes = camera->optional_member("axes")) settings.axes = axes->boolean();
+    }
     return settings;
 }
 

@@ -22,6 +22,8 @@ struct Settings {
     std::filesystem::path last_folder;                  ///< where the file browser starts; may be empty
     std::optional<glm::ivec2> window_size;              ///< screen coordinates
     Appearance appearance{};
+    bool trackball = false;  ///< whether drags turn the camera as a trackball
+    bool axes = true;        ///< whether the view shows its axes
 
     bool operator==(const Settings&) const = default;
 };

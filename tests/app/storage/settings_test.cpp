@@ -25,7 +25,9 @@ Settings sample_settings() {
             .appearance = {.theme = Theme::light,
                            .text_scale = 1.25F,
                            .panels = {.left = 300, .right = std::nullopt, .timeline = 200},
-                           .closed_sections = {"Lines", "Weights"}}};
+                           .closed_sections = {"Lines", "Weights"}},
+            .trackball = true,
+            .axes = false};
 }
 
 std::string error_of(std::string_view json) {
