@@ -101,7 +101,7 @@ void Ground::draw(const OffscreenTarget& target, const Camera& camera, bool is_l
     glEnable(GL_DEPTH_CLAMP);  // the clipping planes lie close about the surface
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glBindVertexArray(no_attributes_.name());
     bind_layer(shadow_);
     glUseProgram(ground_program_.name());
