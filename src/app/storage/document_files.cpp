@@ -249,6 +249,7 @@ void DocumentFiles::replace_document(Family family, std::vector<fs::path> source
     opened.session.display = state_.session.display;
     opened.help_shown = state_.help_shown;
     opened.camera = state_.camera;
+    opened.appearance = state_.appearance;
     state_ = std::move(opened);
     set_sources(std::move(sources));
 }
