@@ -19,6 +19,7 @@
 #include "app/document/path_commands.h"
 #include "app/document/shown_field.h"
 #include "app/storage/document_files.h"
+#include "app/window/command_search.h"
 #include "app/window/commands.h"
 #include "app/window/document_views.h"
 #include "app/window/film_export.h"
@@ -81,7 +82,7 @@ class Viewer {
 
     FrameInput read_input();
     bool has_keyboard() const;
-    bool is_asking() const { return files_.is_asking() || film_.is_open(); }
+    bool is_asking() const { return files_.is_asking() || film_.is_open() || search_.is_open(); }
 
     void update(const FrameInput& input, double now);
     void apply_actions(const WindowActions& actions, double now);
@@ -101,6 +102,7 @@ class Viewer {
     ViewerState state_;
     DocumentFiles files_;
     FilmExport film_;
+    CommandSearch search_;
     std::vector<std::filesystem::path> meshes_;  ///< not opened yet
     Gui gui_;
     MouseHolds holds_;
@@ -241,6 +243,7 @@ void Viewer::update(const FrameInput& input, double now) {
     apply_actions(input.actions, now);
     for (const Shortcut shortcut : input.pressed)
         if (!belongs_to_domain(shortcut, state_)) run_command(*find_command(shortcut), state_, now);
+    if (const auto file = search_.act(state_, now)) files_.open({files_.recent_files()[*file]});
     update_files(input, now);
     follow_state(now);
 }
@@ -322,6 +325,7 @@ ShownWindow Viewer::show_panels() {
                                      .has_keyboard = has_keyboard()});
     files_.show(frame.content, now_);
     film_.show(frame.content, now_);
+    search_.show(frame.content, state_, files_.recent_files());
     return shown;
 }
 

@@ -13,6 +13,7 @@
 #include "app/document/viewer_state.h"
 #include "app/pictures/key_portraits.h"
 #include "app/pictures/morph_surface.h"
+#include "app/window/blend_panel.h"
 #include "app/window/commands.h"
 #include "app/window/comparison_view.h"
 #include "app/window/frame_layout.h"
@@ -61,6 +62,7 @@ struct WindowActions {
     MenuBarResult menu;
     std::optional<ViewInput> view;
     std::optional<KeysPanelResult> keys;
+    std::optional<BlendActions> blend;
     std::optional<Display> display;  ///< the new display, if the user changed it
     std::optional<ParameterDomainResult> domain;
     std::optional<TimelineResult> timeline;
