@@ -139,9 +139,13 @@ void CommandPalette::show_rows(std::span<const PaletteEntry> entries, const std:
         for (auto row = static_cast<std::size_t>(clipper.DisplayStart); row < end; ++row) {
             const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
             ImGui::PushID(static_cast<int>(row));
-            if (ImGui::Selectable("##entry", row == selected_, 0, {width, row_height}))
-                choose(entries, ranked, row);
+            // Under the pointer, a row that is not selected must not look selected.
+            const ImGuiCol hovered = row == selected_ ? ImGuiCol_HeaderHovered : ImGuiCol_FrameBg;
+            ImGui::PushStyleColor(ImGuiCol_HeaderHovered, ImGui::GetStyleColorVec4(hovered));
+            const bool is_clicked = ImGui::Selectable("##entry", row == selected_, 0, {width, row_height});
+            ImGui::PopStyleColor();
             ImGui::PopID();
+            if (is_clicked) choose(entries, ranked, row);
             draw_palette_row(entries[ranked[row]], corner, width);
         }
     }
