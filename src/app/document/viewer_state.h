@@ -83,6 +83,7 @@ struct ViewerState {
     std::optional<TextQuestion> question;
     bool help_shown = false;
     Appearance appearance{};
+    bool search_wanted = false;  ///< the search for commands is to open
     CameraChoices camera;
     CameraWishes camera_wishes{};
     ViewTarget view_target = ViewTarget::all_keys;

@@ -193,11 +193,12 @@ void DocumentFiles::keep_unsaved() {
     if (recovery_) recovery_->keep(state_.document);
 }
 
-void DocumentFiles::remember_window(glm::ivec2 size, const Appearance& appearance) {
+void DocumentFiles::remember_window(glm::ivec2 size, std::vector<std::string> closed_sections) {
+    state_.appearance.closed_sections = std::move(closed_sections);
     Settings now = settings_;
     const auto take = [&](Settings& settings) {
         settings.window_size = size;
-        settings.appearance = appearance;
+        settings.appearance = state_.appearance;
         settings.trackball = state_.camera.orbit == OrbitStyle::trackball;
         settings.axes = state_.camera.shows_axes;
     };

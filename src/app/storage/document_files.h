@@ -93,7 +93,7 @@ class DocumentFiles {
     const Appearance& appearance() const { return settings_.appearance; }
 
     /// Keeps the size and the look of the window and the choices of the camera for the next run.
-    void remember_window(glm::ivec2 size, const Appearance& appearance);
+    void remember_window(glm::ivec2 size, std::vector<std::string> closed_sections);
 
   private:
     using Action = std::function<void()>;  ///< null for no action

@@ -11,6 +11,12 @@ namespace interleaf {
 namespace {
 
 constexpr Command help_table[] = {
+    {.id = CommandId::search_commands,
+     .menu = "Help",
+     .name = "Find command...",
+     .shortcuts = {{{GLFW_KEY_P, GLFW_MOD_CONTROL}}},
+     .description = "Search commands, keys and recent files by name, and run what is found",
+     .run = [](ViewerState& state, double) { state.search_wanted = true; }},
     {.id = CommandId::help,
      .menu = "Help",
      .name = "Keys and mouse",
