@@ -51,12 +51,16 @@ void Session::drive_with_what_there_is() {
 
 void Session::replace_family(std::shared_ptr<const Family> family, double now) {
     advance(now);
-    const SharedHierarchy single = family_->keys[key_].hierarchy;
+    const Key single = family_->keys[key_];
     family_ = std::move(family);
 
+    const auto& keys = family_->keys;
     const auto same =
-        std::ranges::find_if(family_->keys, [&](const Key& key) { return key.hierarchy.is_same(single); });
-    key_ = same == family_->keys.end() ? 0 : static_cast<std::size_t>(same - family_->keys.begin());
+        std::ranges::find_if(keys, [&](const Key& key) { return key.hierarchy.is_same(single.hierarchy); });
+    if (same != keys.end())
+        key_ = static_cast<std::size_t>(same - keys.begin());
+    else if (key_ >= keys.size() || keys[key_].name != single.name)
+        key_ = 0;
 
     follow_interval(now);
     if (point_ && family_->domain) point_ = family_->domain->locate(point_->at, point_->triangle);
