@@ -95,16 +95,18 @@ class LiteralBrush {
         return positions;
     }
 
-    glm::vec3 position(const Triangle& parent, Index midpoint) {
-        const auto known = positions_.find(midpoint);
-        if (known != positions_.end()) return known->second;
-        return positions_[midpoint] = (positions_.at(parent[1]) + positions_.at(parent[2])) * 0.5F;
+    /// Finds the positions of the corners of \p node.
+    void place_corners(const Node& node) {
+        const Triangle triangle = complex_.triangle(node);
+        if (std::ranges::all_of(triangle, [&](Index vertex) { return positions_.contains(vertex); })) return;
+        place_corners(node.parent());
+        const Triangle parent = complex_.triangle(node.parent());
+        positions_.try_emplace(triangle[0], (positions_.at(parent[1]) + positions_.at(parent[2])) * 0.5F);
     }
 
     std::array<glm::dvec3, 3> corners(const Node& node) {
+        place_corners(node);
         const Triangle triangle = complex_.triangle(node);
-        if (node.level > 0 && !positions_.contains(triangle[0]))
-            position(complex_.triangle(node.parent()), triangle[0]);
         return {positions_.at(triangle[0]), positions_.at(triangle[1]), positions_.at(triangle[2])};
     }
 

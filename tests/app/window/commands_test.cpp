@@ -177,7 +177,8 @@ TEST_CASE("no command fails without timeline and domain") {
     family.domain.reset();
     ViewerState state(std::move(family));
     for (const Command& command : commands()) run_command(command, state, 0);
-    CHECK(state.session.weights() == Weights{{0, 1}});
+    REQUIRE(state.session.weights().size() == 1);
+    CHECK(state.session.weights().front().value == 1);
     CHECK(state.session.time() == 0);
 }
 

@@ -1,8 +1,11 @@
 // Tests of the refine brush in the view, with the test as the mouse: what the brush takes, and what moves the camera.
 #include "ui/panels/brush_bar.h"
 
+#define GLFW_INCLUDE_NONE
+
 #include <optional>
 
+#include <GLFW/glfw3.h>
 #include <doctest/doctest.h>
 #include <imgui.h>
 
@@ -13,7 +16,7 @@ using namespace interleaf;
 
 namespace {
 
-constexpr Rect view{0, 0, 800, 600};
+constexpr Rect brushed_area{0, 0, 800, 600};
 
 /// The view with the brush, frame by frame.
 class BrushedView {
@@ -31,8 +34,8 @@ class BrushedView {
 
     void frame(glm::vec2 pointer, bool is_down) {
         gui_.begin_frame(pointer, is_down);
-        input = view_area(view);
-        result = brush_bar(view, shown, result.hold, input);
+        input = view_area(brushed_area);
+        result = brush_bar(brushed_area, shown, result.hold, input);
         gui_.end_frame();
     }
 
@@ -46,29 +49,29 @@ class BrushedView {
     HeadlessGui gui_{{800, 600}};
 };
 
-constexpr glm::vec2 here{400, 300};
-constexpr glm::vec2 there{460, 330};
+constexpr glm::vec2 stroke_begin{400, 300};
+constexpr glm::vec2 stroke_end{460, 330};
 
 }  // namespace
 
 TEST_CASE("a drag that begins on the surface is a stroke, and moves no camera") {
     BrushedView brushed;
-    brushed.rest(here);
+    brushed.rest(stroke_begin);
     CHECK_FALSE(brushed.result.hold);
-    brushed.frame(here, true);
+    brushed.frame(stroke_begin, true);
     CHECK(brushed.result.begins);
     REQUIRE(brushed.result.hold);
     CHECK_FALSE(brushed.result.hold->coarsens);
-    CHECK(brushed.result.from == here);
+    CHECK(brushed.result.from == stroke_begin);
     brushed.shown.is_over_surface = false;  // the stroke may leave the surface
-    brushed.frame(there, true);
+    brushed.frame(stroke_end, true);
     CHECK_FALSE(brushed.result.begins);
     REQUIRE(brushed.result.hold);
-    CHECK(brushed.result.from == here);
-    CHECK(brushed.result.hold->pointer == there);
+    CHECK(brushed.result.from == stroke_begin);
+    CHECK(brushed.result.hold->pointer == stroke_end);
     CHECK(brushed.input.orbit == glm::vec2(0));
     CHECK(brushed.input.pan == glm::vec2(0));
-    brushed.frame(there, false);
+    brushed.frame(stroke_end, false);
     CHECK_FALSE(brushed.result.hold);
 }
 
@@ -84,27 +87,26 @@ TEST_CASE("a drag beside the surface, with Ctrl, or without the brush orbits") {
         brushed.shown.hint = "Click a key";
     }
     SUBCASE("with Ctrl") {
-        ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, true);
+        ImGui::GetIO().KeyCtrl = true;
     }
-    brushed.rest(here);
-    brushed.frame(here, true);
+    brushed.rest(stroke_begin);
+    brushed.frame(stroke_begin, true);
     CHECK_FALSE(brushed.result.hold);
-    brushed.frame(there, true);
+    brushed.frame(stroke_end, true);
     CHECK_FALSE(brushed.result.hold);
     CHECK(brushed.input.orbit != glm::vec2(0));
 }
 
 TEST_CASE("Shift and Alt at the begin of a stroke coarsen, also when they are released before its end") {
-    for (const ImGuiKey modifier : {ImGuiMod_Shift, ImGuiMod_Alt}) {
+    for (bool ImGuiIO::*const modifier : {&ImGuiIO::KeyShift, &ImGuiIO::KeyAlt}) {
         BrushedView brushed;
-        brushed.rest(here);
-        ImGui::GetIO().AddKeyEvent(modifier, true);
-        brushed.rest(here);
-        brushed.frame(here, true);
+        ImGui::GetIO().*modifier = true;
+        brushed.rest(stroke_begin);
+        brushed.frame(stroke_begin, true);
         REQUIRE(brushed.result.hold);
         CHECK(brushed.result.hold->coarsens);
-        ImGui::GetIO().AddKeyEvent(modifier, false);
-        brushed.frame(there, true);
+        ImGui::GetIO().*modifier = false;
+        brushed.frame(stroke_end, true);
         REQUIRE(brushed.result.hold);
         CHECK(brushed.result.hold->coarsens);
         CHECK(brushed.input.pan == glm::vec2(0));
@@ -113,35 +115,35 @@ TEST_CASE("Shift and Alt at the begin of a stroke coarsen, also when they are re
 
 TEST_CASE("the wheel changes the radius with a modifier, within its limits, and zooms without") {
     BrushedView brushed;
-    brushed.rest(here);
-    ImGui::GetIO().AddMouseWheelEvent(0, 1);
-    brushed.frame(here, false);
+    brushed.rest(stroke_begin);
+    ImGui::GetIO().MouseWheel = 1;
+    brushed.frame(stroke_begin, false);
     CHECK_FALSE(brushed.result.settings);
     CHECK(brushed.input.zoom > 1);
-    ImGui::GetIO().AddKeyEvent(ImGuiMod_Alt, true);
-    ImGui::GetIO().AddMouseWheelEvent(0, 1);
-    brushed.frame(here, false);
+    ImGui::GetIO().KeyAlt = true;
+    ImGui::GetIO().MouseWheel = 1;
+    brushed.frame(stroke_begin, false);
     REQUIRE(brushed.result.settings);
     CHECK(brushed.result.settings->radius > 0.1F);
     CHECK(brushed.input.zoom == 1);
-    ImGui::GetIO().AddMouseWheelEvent(0, -100);
-    brushed.frame(here, false);
+    ImGui::GetIO().MouseWheel = -100;
+    brushed.frame(stroke_begin, false);
     REQUIRE(brushed.result.settings);
     CHECK(brushed.result.settings->radius == 0.01F);
 }
 
 TEST_CASE("the bracket keys change the radius, and with Shift the level") {
     BrushedView brushed;
-    brushed.rest(here);
-    ImGui::GetIO().AddKeyEvent(ImGuiKey_RightBracket, true);
-    brushed.frame(here, false);
+    brushed.rest(stroke_begin);
+    ImGui::GetIO().KeysDown[GLFW_KEY_RIGHT_BRACKET] = true;
+    brushed.frame(stroke_begin, false);
     REQUIRE(brushed.result.settings);
     CHECK(brushed.result.settings->radius == doctest::Approx(0.125));
     CHECK(brushed.result.settings->refined_level == 12);
-    ImGui::GetIO().AddKeyEvent(ImGuiKey_RightBracket, false);
-    ImGui::GetIO().AddKeyEvent(ImGuiMod_Shift, true);
-    ImGui::GetIO().AddKeyEvent(ImGuiKey_LeftBracket, true);
-    brushed.frame(here, false);
+    ImGui::GetIO().KeysDown[GLFW_KEY_RIGHT_BRACKET] = false;
+    ImGui::GetIO().KeyShift = true;
+    ImGui::GetIO().KeysDown[GLFW_KEY_LEFT_BRACKET] = true;
+    brushed.frame(stroke_begin, false);
     REQUIRE(brushed.result.settings);
     CHECK(brushed.result.settings->radius == 0.1F);
     CHECK(brushed.result.settings->refined_level == 11);
