@@ -24,15 +24,18 @@ float usual_timeline_height(float height) {
 
 }  // namespace
 
-Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline, const PanelSizes& wanted) {
+Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline, float plots_height,
+               const PanelSizes& wanted) {
     const auto pixels = [scale](float length) { return std::round(length * scale); };
     const glm::vec2 usual = size / scale;
 
     const float status_top = std::max(size.y - pixels(status_height), menu_height);
     float timeline_height = 0;
     if (has_timeline) {
-        const float height = wanted.timeline.value_or(usual_timeline_height(usual.y));
-        timeline_height = std::min(pixels(std::max(height, min_timeline_height)), std::floor(size.y * 0.4F));
+        timeline_height = pixels(usual_timeline_height(usual.y) + plots_height);
+        if (wanted.timeline)
+            timeline_height = std::min(pixels(std::max(*wanted.timeline, min_timeline_height + plots_height)),
+                                       std::floor(size.y * 0.45F));
     }
     const float timeline_top = std::max(status_top - timeline_height, menu_height);
     const float middle_height = timeline_top - menu_height;

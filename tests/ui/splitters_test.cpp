@@ -31,7 +31,7 @@ class Hand {
         at(to, false);
     }
 
-    Layout layout() const { return lay_out(window, 24, 1, true, sizes_); }
+    Layout layout() const { return lay_out(window, 24, 1, true, 0, sizes_); }
     const PanelSizes& sizes() const { return sizes_; }
 
   private:

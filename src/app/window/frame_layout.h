@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/document/viewer_state.h"
 #include "ui/layout.h"
 #include "ui/widgets/rect.h"
 
@@ -20,5 +21,10 @@ struct FrameLayout {
     std::optional<Rect> domain;    ///< the bounding box of the domain's vertices
     std::optional<Rect> timeline;  ///< the track from begin to end
 };
+
+/// The layout of \p state in a window of the size \p window.
+/// \param menu_height  height of the menu bar
+/// \param scale        scale of the user interface
+FrameLayout lay_out_frame(glm::vec2 window, float menu_height, float scale, const ViewerState& state);
 
 }  // namespace interleaf

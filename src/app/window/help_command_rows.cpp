@@ -28,17 +28,21 @@ constexpr Command help_table[] = {
      .menu = "Help",
      .name = "Dismiss",
      .shortcuts = {{{GLFW_KEY_ESCAPE}}},
-     .description = "Close the message, the help or the comparison",
+     .description = "Take back the brush stroke; close the message, the help or the comparison",
      .run =
          [](ViewerState& state, double) {
-             if (!state.message.empty())
+             if (state.brush.is_stroking)
+                 state.brush.wants_to_cancel = true;
+             else if (!state.message.empty())
                  state.message.clear();
              else if (state.help_shown)
                  state.help_shown = false;
              else if (state.domain_has_focus)
                  state.domain_has_focus = false;
-             else
+             else if (state.is_comparing)
                  state.is_comparing = false;
+             else
+                 state.brush.is_on = false;
          }},
 };
 
