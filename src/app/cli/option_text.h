@@ -17,6 +17,7 @@
 #include "family/interpolation.h"
 #include "hierarchy/triangle.h"
 #include "render/display.h"
+#include "ui/widgets/theme.h"
 
 namespace interleaf {
 
@@ -28,6 +29,9 @@ Index parse_count(std::string_view text);
 
 /// The corner of a triangle, 0 to 2: "first", "second" or "last".
 unsigned parse_corner(std::string_view text);
+
+/// The width of lines in pixels, above 0 and at most 100.
+float parse_line_width(std::string_view text);
 
 /// A warp, "FIELD" or "FIELD,FACTOR".
 ChosenWarp parse_warp(std::string_view text);
@@ -50,9 +54,6 @@ FrameRange parse_frames(std::string_view text);
 /// The range of a constant, "NAME=A:B".
 ConstantRange parse_constant_range(std::string_view text);
 
-/// A viewpoint, "AZIMUTH,ELEVATION" or "AZIMUTH,ELEVATION,ZOOM".
-Viewpoint parse_viewpoint(std::string_view text);
-
 /// A turn "AXIS,DEGREES" about the axis x, y or z.
 AxisTurn parse_axis_turn(std::string_view text);
 
@@ -63,6 +64,10 @@ UpAxis parse_up(std::string_view text);
 LandmarkPlacing parse_placing(std::string_view text);
 
 Shading parse_shading(std::string_view text);
+
+Material parse_material(std::string_view text);
+
+Theme parse_theme(std::string_view text);
 
 /// A coloring: "plain", "level", "origin", "checker", or the name of a field. "field:NAME" means a field with
 /// one of the first four names.

@@ -17,7 +17,8 @@ struct KeyPortrait {
     std::size_t leaves;
     unsigned deepest;  ///< the deepest level
     Extent extent;
-    GlTexture picture;  ///< none until drawn
+    GlTexture picture;    ///< none until drawn
+    bool is_old = false;  ///< the picture shows the key in this place before an edit
 };
 
 class KeyPortraits {
@@ -28,6 +29,9 @@ class KeyPortraits {
     /// Updates the portraits to the keys of \p family. draw_next() draws the new pictures. Textures of
     /// pictures that are no longer needed are deleted at once.
     void update(const Family& family);
+
+    /// Chooses the background of the pictures. draw_next() draws all of them anew when it changes.
+    void set_background(bool is_light);
 
     /// Draws the first missing picture among the keys from \p begin to \p end - 1.
     /// \param side  width and height of the picture, in pixels
@@ -41,8 +45,11 @@ class KeyPortraits {
     const Extent& extent() const { return extent_; }
 
   private:
+    void keep_old_pictures(std::vector<KeyPortrait>& portraits);
+
     std::vector<KeyPortrait> portraits_;
     Extent extent_;
+    bool is_light_ = false;
     Renderer renderer_;
 };
 

@@ -92,6 +92,8 @@ DocumentFiles::DocumentFiles(ViewerState& state, std::vector<fs::path> sources, 
         if (settings_file_) {
             LoadedSettings loaded = load_settings(*settings_file_);
             settings_ = std::move(loaded.settings);
+            if (settings_.trackball) state_.camera.orbit = OrbitStyle::trackball;
+            state_.camera.shows_axes = settings_.axes;
             if (!loaded.message.empty()) complain(loaded.message);
         }
         if (const auto folder = state_folder()) recovery_.emplace(*folder, state_.document);
@@ -191,9 +193,18 @@ void DocumentFiles::keep_unsaved() {
     if (recovery_) recovery_->keep(state_.document);
 }
 
-void DocumentFiles::remember_window(glm::ivec2 size) {
-    if (settings_.window_size != size)
-        change_settings([size](Settings& settings) { settings.window_size = size; });
+void DocumentFiles::remember_window(glm::ivec2 size, std::vector<std::string> closed_sections) {
+    state_.appearance.closed_sections = std::move(closed_sections);
+    Settings now = settings_;
+    const auto take = [&](Settings& settings) {
+        settings.window_size = size;
+        settings.appearance = state_.appearance;
+        settings.trackball = state_.camera.orbit == OrbitStyle::trackball;
+        settings.axes = state_.camera.shows_axes;
+    };
+    take(now);
+    if (now == settings_) return;
+    change_settings([&](Settings& settings) { take(settings); });
 }
 
 // ---- questions ----
@@ -238,6 +249,8 @@ void DocumentFiles::replace_document(Family family, std::vector<fs::path> source
     ViewerState opened(std::move(family), family_folder(sources));
     opened.session.display = state_.session.display;
     opened.help_shown = state_.help_shown;
+    opened.camera = state_.camera;
+    opened.appearance = state_.appearance;
     state_ = std::move(opened);
     set_sources(std::move(sources));
 }

@@ -34,6 +34,7 @@ enum class CommandId : std::uint8_t {
     add_keys,
     set_landmarks,
     keep_blend,
+    refine_brush,
     rename_key,
     duplicate_key,
     put_on_timeline,
@@ -69,10 +70,40 @@ enum class CommandId : std::uint8_t {
     show_all_times,
     go_to_place,
     use_arrows_in_domain,
+    drive_by_timeline,
+    drive_by_domain,
+    show_one_key,
+    drive_by_weights,
+    sum_to_one,
+    reset_weights,
     frame_model,
+    view_front,
+    view_back,
+    view_left,
+    view_right,
+    view_top,
+    view_bottom,
+    usual_view,
+    orthographic,
+    trackball,
+    spin,
+    turn_left,
+    turn_right,
+    turn_up,
+    turn_down,
+    roll_left,
+    roll_right,
+    zoom_in,
+    zoom_out,
+    show_axes,
+    copy_view,
+    paste_view,
+    copy_command,
     show_whole_domain,
     smooth_shading,
     ambient_occlusion,
+    ground,
+    next_material,
     wireframe,
     refinement_edges,
     root_edges,
@@ -80,8 +111,14 @@ enum class CommandId : std::uint8_t {
     less_detail,
     more_detail,
     follow_camera,
+    plot_blend,
     compare_with_mesh,
     reload_shaders,
+    light_theme,
+    larger_text,
+    smaller_text,
+    usual_look,
+    search_commands,
     help,
     dismiss,
 };
@@ -122,6 +159,9 @@ void run_command(CommandId id, ViewerState& state, double now);
 /// Whether the scope of \p command and its own condition allow the command now.
 bool is_enabled(const Command& command, const ViewerState& state);
 bool is_enabled(CommandId id, const ViewerState& state);
+
+/// Why \p command is not enabled, "select a key first"; empty if it is enabled.
+std::string_view obstacle_of(const Command& command, const ViewerState& state);
 
 /// The shortcuts of \p command as text, "Ctrl+Q" or "W or 1"; empty if there are none.
 std::string shortcut_text(const Command& command);

@@ -152,7 +152,8 @@ void ComparisonView::apply_to_comparison(const ComparisonActions& actions, Viewe
     pointer_.reset();
     for (std::size_t side = 0; side < sides_->size(); ++side) {
         const ViewInput& input = actions.sides[side];
-        move_camera(camera_, input, (*sides_)[side].view, (*sides_)[side].picture.target());
+        move_camera(camera_, input, state.camera.orbit, (*sides_)[side].view,
+                    (*sides_)[side].picture.target());
         if (input.view_all) view_all_wanted_ = true;
         if (!input.pointed_at) continue;
         pointer_ = input.pointer;
@@ -174,8 +175,10 @@ bool ComparisonView::draw(const Display& display, const Gui& gui, float window_h
                     .weights = {one[0]},
                     .display = display,
                     .surface = surface_,
+                    .box = {},
                     .view = 0};
         scene.display.detail = 1;
+        scene.display.ground = false;
         scene.display.follows_camera = false;
         scene.display.line_width *= gui.scale() * gui.density();
         scene.display.coloring = has_colors_ ? Coloring::field : Coloring::plain;

@@ -8,6 +8,8 @@
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 
 #include "app/document/shown_field.h"
 #include "app/window/camera_control.h"
@@ -48,6 +50,12 @@ constexpr glm::vec2 usual_direction{30, 20};
 constexpr std::array<glm::vec2, 3> front_directions = {{{90, 0}, {0, 90}, {0, 0}}};
 constexpr std::array<glm::vec2, 3> oblique_directions = {{{60, 25}, {30, 35}, {-30, 25}}};
 
+/// The extent of both.
+Extent together(const Extent& a, const Extent& b) {
+    const Box box{glm::min(a.box.min, b.box.min), glm::max(a.box.max, b.box.max)};
+    return box.min == a.box.min && box.max == a.box.max ? a : extent_of(box);
+}
+
 float size_of(const Box& box) {
     const glm::vec3 size = box.max - box.min;
     return std::max({size.x, size.y, size.z});
@@ -61,6 +69,7 @@ SurfaceView::SurfaceView() {
 
 void SurfaceView::set_extent(const Extent& all_keys) {
     all_keys_ = all_keys;
+    camera_.keep_unclipped(all_keys);
     const std::optional<unsigned> axis = flat_axis(all_keys.box);
     if (axis == axis_) return;
     axis_ = axis;
@@ -76,10 +85,10 @@ void SurfaceView::face_plane() {
     camera_.look_from(direction.x, direction.y);
 }
 
-void SurfaceView::apply_to_camera(const ViewInput& input, const Rect& view) {
+void SurfaceView::apply_to_camera(const ViewInput& input, OrbitStyle style, const Rect& view) {
     ViewInput applied = input;
     if (axis_ && !warped_.is_warped() && !input.turns_flat) applied.pan += std::exchange(applied.orbit, {});
-    move_camera(camera_, applied, view, picture_.target());
+    move_camera(camera_, applied, style, view, picture_.target());
 }
 
 void SurfaceView::follow(const Session& session, const FamilyField* field,
@@ -177,14 +186,25 @@ Extent SurfaceView::raised_extent() const {
     return extent_of(box);
 }
 
+/// The extent of all keys, at the height at which they are shown.
+Extent SurfaceView::scene() const {
+    return warped_.is_warped() ? raised_extent() : all_keys_;
+}
+
 void SurfaceView::aim(ViewTarget view_target, const Rect& view) {
     if (std::exchange(must_frame_, false) && view_target == ViewTarget::none)
         view_target = ViewTarget::all_keys;
-    if (view_target == ViewTarget::surface || (view_target != ViewTarget::none && warped_.is_warped()))
-        camera_.view_all(shows_view_ && view_.version() > 0 ? view_.extent() : surface_.extent(),
-                         aspect_of(view));
-    else if (view_target == ViewTarget::all_keys)
+    if (view_target == ViewTarget::surface || (view_target != ViewTarget::none && warped_.is_warped())) {
+        const Extent shown = shows_view_ && view_.version() > 0 ? view_.extent() : surface_.extent();
+        camera_.keep_unclipped(together(scene(), shown));
+        camera_.frame(shown, aspect_of(view));
+    } else if (view_target == ViewTarget::all_keys)
         camera_.view_all(all_keys_, aspect_of(view));
+    last_camera_ = camera_;
+}
+
+void SurfaceView::look(const Viewpoint& viewpoint, const Rect& view) {
+    camera_ = camera_at(scene(), viewpoint, aspect_of(view));
     last_camera_ = camera_;
 }
 
@@ -205,6 +225,7 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
                 .weights = shows_view_ ? std::vector{1.0F} : surface_.weights(),
                 .display = session.display,
                 .surface = surface_.figures().rebuilds,
+                .box = all_keys_.box,
                 .view = shows_view_ ? view_.version() : 0};
     // What the renderer is given has its detail already.
     scene.display.detail = 1;
@@ -229,9 +250,7 @@ void SurfaceView::draw_arrows(const Rect& view, const Gui& gui) {
 
 void SurfaceView::show_value(const Session& session, const FamilyField& field, glm::vec2 pointer,
                              const Rect& view) {
-    const glm::vec2 at = device_coordinates(view, pointer);
-    const float aspect = aspect_of(view);
-    const Ray ray{camera_.point_at(at, 0, aspect), camera_.point_at(at, 1, aspect)};
+    const Ray ray = ray_at(pointer, view);
     const std::optional<glm::vec3> value = shows_view_ ? view_.field_at(ray) : surface_.field_at(ray);
     if (!value) return;
     const bool is_scalar = field.label.kind == FieldKind::scalar;
@@ -242,6 +261,31 @@ void SurfaceView::show_value(const Session& session, const FamilyField& field, g
                 is_scalar
                     ? fmt::format("{} {:.4g}", field.label.name, value->x)
                     : fmt::format("{} #{:02x}{:02x}{:02x}", field.label.name, bytes.r, bytes.g, bytes.b));
+}
+
+Ray SurfaceView::ray_at(glm::vec2 pointer, const Rect& view) const {
+    const glm::vec2 at = device_coordinates(view, pointer);
+    const float aspect = aspect_of(view);
+    return {camera_.point_at(at, 0, aspect), camera_.point_at(at, 1, aspect)};
+}
+
+std::optional<glm::vec3> SurfaceView::point_at(glm::vec2 pointer, const Rect& view) {
+    OffscreenTarget& target = *picture_.target();
+    const auto pixel = [](float part, int count) {
+        return std::clamp(static_cast<int>(part * static_cast<float>(count)), 0, count - 1);
+    };
+    const float depth = target.depth_at(pixel((pointer.x - view.x) / view.width, target.width()),
+                                        pixel((pointer.y - view.y) / view.height, target.height()));
+    if (depth >= 1) return std::nullopt;
+    return camera_.point_at(device_coordinates(view, pointer), depth, aspect_of(view));
+}
+
+float SurfaceView::shown_length(float length, const glm::vec3& point, const Rect& view) const {
+    const glm::mat4 projection = camera_.projection(aspect_of(view));
+    const glm::vec4 seen = camera_.view() * glm::vec4(point, 1);
+    const glm::vec4 from = projection * seen;
+    const glm::vec4 to = projection * (seen + glm::vec4(0, length, 0, 0));
+    return std::abs(to.y / to.w - from.y / from.w) * view.height / 2;
 }
 
 void SurfaceView::reload_shaders() {

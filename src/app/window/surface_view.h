@@ -8,6 +8,7 @@
 
 #include "app/document/session.h"
 #include "app/document/viewer_state.h"
+#include "app/document/viewpoint.h"
 #include "app/pictures/detailed_family.h"
 #include "app/pictures/key_details.h"
 #include "app/pictures/morph_surface.h"
@@ -19,6 +20,7 @@
 #include "family/warp.h"
 #include "hierarchy/measure.h"
 #include "render/camera.h"
+#include "render/pick.h"
 #include "ui/gui.h"
 #include "ui/panels/view_area.h"
 #include "ui/widgets/rect.h"
@@ -38,7 +40,7 @@ class SurfaceView {
     bool is_flat() const { return axis_.has_value(); }
 
     /// Moves the camera by \p input, which was read over \p view.
-    void apply_to_camera(const ViewInput& input, const Rect& view);
+    void apply_to_camera(const ViewInput& input, OrbitStyle style, const Rect& view);
 
     /// Updates the surface to \p session.
     /// \param field   the field that the session's display shows; null for none
@@ -50,6 +52,10 @@ class SurfaceView {
     /// Frames \p view_target: points the camera at the target, which then fills \p view.
     /// \pre follow() has been called
     void aim(ViewTarget view_target, const Rect& view);
+
+    /// Takes over \p viewpoint for a picture in \p view.
+    /// \pre follow() has been called
+    void look(const Viewpoint& viewpoint, const Rect& view);
 
     /// Refines the surface for the picture in \p view, if its detail follows the camera.
     /// \pre follow() has been called for \p session and \p field
@@ -66,11 +72,22 @@ class SurfaceView {
     /// Shows the value of \p field under \p pointer, or nothing if the pointer is not over the surface.
     void show_value(const Session& session, const FamilyField& field, glm::vec2 pointer, const Rect& view);
 
+    /// The ray through \p pointer, window coordinates, over \p view.
+    Ray ray_at(glm::vec2 pointer, const Rect& view) const;
+
+    /// The point of the surface under \p pointer in the last picture; none beside the surface.
+    /// \pre draw() has been called
+    std::optional<glm::vec3> point_at(glm::vec2 pointer, const Rect& view);
+
+    /// A length across the direction of view at \p point, in screen coordinates.
+    float shown_length(float length, const glm::vec3& point, const Rect& view) const;
+
     /// Reloads the shaders. The next picture is drawn again even if nothing else has changed.
     void reload_shaders();
 
     const SurfaceFigures& figures() const { return shows_view_ ? view_figures_ : surface_.figures(); }
     const Camera& camera() const { return camera_; }
+    Camera& camera() { return camera_; }
 
     /// Whether the shown surface has the detail that suits the camera.
     bool shows_view() const { return shows_view_; }
@@ -89,6 +106,7 @@ class SurfaceView {
     void follow_whole(const Session& session, const FamilyField* field, std::span<const FamilyField> fields);
     void face_plane();
     Extent raised_extent() const;  ///< \pre is_flat()
+    Extent scene() const;
 
     Extent all_keys_;               ///< flat, if the keys are
     std::optional<unsigned> axis_;  ///< across the plane of all keys; none if they are not flat

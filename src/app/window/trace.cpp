@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "app/document/viewpoint.h"
 #include "hierarchy/error.h"
 
 namespace interleaf {
@@ -28,6 +29,8 @@ Json json_of(const Display& display) {
             {"color_map", name_of(display.scale.map)},
             {"range", {display.scale.range.min, display.scale.range.max}},
             {"occlusion", display.occlusion},
+            {"ground", display.ground},
+            {"material", name_of(display.material)},
             {"wireframe", display.wireframe},
             {"refinement_edges", display.refinement_edges},
             {"root_edges", display.root_edges},
@@ -128,8 +131,10 @@ void Trace::record(std::size_t frame, double seconds, const ViewerState& state, 
     json["late"] = figures.is_late;
     json["detail_follows"] = record.follows_camera;
     json["eye"] = {record.eye.x, record.eye.y, record.eye.z};
+    json["view"] = text_of(viewpoint_of(record.camera));
     json["document"] = json_of(state.document);
     json["selected"] = state.selected_key ? Json(*state.selected_key) : Json();
+    json["brush"] = state.brush.is_on;
     json["edits_domain"] = state.edits_domain;
     json["domain_has_focus"] = state.domain_has_focus;
     json["help"] = state.help_shown;

@@ -1,4 +1,4 @@
-// The commands of the menus View and Help.
+// The commands of the menu View.
 #include "app/window/command_rows.h"
 
 // GLFW must not include OpenGL headers of its own.
@@ -21,6 +21,13 @@ void cycle_coloring(ViewerState& state, double) {
     }
     Display& display = state.session.display;
     display.coloring = next_coloring(display.coloring, !display.field.empty());
+}
+
+/// A material is seen only on a plain surface, so the first step shows it plainly.
+void cycle_material(ViewerState& state, double) {
+    Display& display = state.session.display;
+    if (display.coloring == Coloring::plain) display.material = next_material(display.material);
+    display.coloring = Coloring::plain;
 }
 
 /// Step of the commands that change the detail.
@@ -62,12 +69,6 @@ void toggle_comparison(ViewerState& state, double) {
 }
 
 constexpr Command view_table[] = {
-    {.id = CommandId::frame_model,
-     .menu = "View",
-     .name = "Frame model",
-     .shortcuts = {{{GLFW_KEY_F}}},
-     .description = "See the whole surface that is shown (or double-click it)",
-     .run = [](ViewerState& state, double) { state.view_target = ViewTarget::surface; }},
     {.id = CommandId::show_whole_domain,
      .scope = CommandScope::document,
      .menu = "View",
@@ -90,6 +91,19 @@ constexpr Command view_table[] = {
      .description = "Darken hollows, where less light arrives",
      .run = toggle<&Display::occlusion>,
      .is_on = is_on<&Display::occlusion>},
+    {.id = CommandId::ground,
+     .menu = "View",
+     .name = "Ground",
+     .shortcuts = {{{GLFW_KEY_G, GLFW_MOD_CONTROL}}},
+     .description = "Show a ground below the surface, with its soft shadow",
+     .run = toggle<&Display::ground>,
+     .is_on = is_on<&Display::ground>},
+    {.id = CommandId::next_material,
+     .menu = "View",
+     .name = "Next material",
+     .shortcuts = {{{GLFW_KEY_M, GLFW_MOD_CONTROL}}},
+     .description = "Show a plain surface as clay, porcelain, steel, jade, or by its normals",
+     .run = cycle_material},
     {.id = CommandId::wireframe,
      .menu = "View",
      .name = "Wireframe",
@@ -138,6 +152,15 @@ constexpr Command view_table[] = {
      .description = "Show finer levels where the surface is seen large and at its silhouette",
      .run = toggle<&Display::follows_camera>,
      .is_on = is_on<&Display::follows_camera>},
+    {.id = CommandId::plot_blend,
+     .scope = CommandScope::document,
+     .menu = "View",
+     .name = "Plots over time",
+     .shortcuts = {{{GLFW_KEY_A, GLFW_MOD_SHIFT}}},
+     .description = "Plot area, volume and leaves of the blend below the timeline",
+     .run = [](ViewerState& state, double) { state.plots_blend = !state.plots_blend; },
+     .is_on = [](const ViewerState& state) { return state.plots_blend; },
+     .is_possible = [](const ViewerState& state) { return state.session.has_time(); }},
     {.id = CommandId::compare_with_mesh,
      .menu = "View",
      .name = "Compare with mesh",
@@ -152,30 +175,6 @@ constexpr Command view_table[] = {
      .shortcuts = {{{GLFW_KEY_F5}}},
      .description = "Read the shader files again",
      .run = [](ViewerState& state, double) { state.reload_wanted = true; }},
-
-    {.id = CommandId::help,
-     .menu = "Help",
-     .name = "Keys and mouse",
-     .shortcuts = {{{GLFW_KEY_F1}, {GLFW_KEY_H}}},
-     .description = "Show or hide this help",
-     .run = [](ViewerState& state, double) { state.help_shown = !state.help_shown; },
-     .is_on = [](const ViewerState& state) { return state.help_shown; }},
-    {.id = CommandId::dismiss,
-     .menu = "Help",
-     .name = "Dismiss",
-     .shortcuts = {{{GLFW_KEY_ESCAPE}}},
-     .description = "Close the message, the help or the comparison",
-     .run =
-         [](ViewerState& state, double) {
-             if (!state.message.empty())
-                 state.message.clear();
-             else if (state.help_shown)
-                 state.help_shown = false;
-             else if (state.domain_has_focus)
-                 state.domain_has_focus = false;
-             else
-                 state.is_comparing = false;
-         }},
 };
 
 }  // namespace
