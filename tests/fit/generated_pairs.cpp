@@ -115,8 +115,8 @@ GeneratedPair generated_pair(std::uint64_t seed, unsigned divisions) {
     const std::vector<Bump> bumps = drawn_bumps(draw);
     const bool is_first_finer = draw.between(0, 1) < 0.5;
     GeneratedPair pair;
-    pair.first = drawn_mesh(draw, bumps, divisions - (is_first_finer ? 0 : 1));
-    pair.second = drawn_mesh(draw, bumps, divisions - (is_first_finer ? 1 : 0));
+    pair.first = drawn_mesh(draw, bumps, divisions - (is_first_finer ? 0U : 1U));
+    pair.second = drawn_mesh(draw, bumps, divisions - (is_first_finer ? 1U : 0U));
     pair.places = pair.second.mesh.positions;
     const glm::dmat3 pose = draw.between(0.5, 2) * draw.turn(sine_of_20_degrees);
     for (glm::dvec3& position : pair.second.mesh.positions)

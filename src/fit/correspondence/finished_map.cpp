@@ -144,7 +144,7 @@ std::vector<glm::dvec3> finished_map(const SphereMesh& body, CoarsenedMesh& coar
     return std::move(vertices).points();
 }
 
-void restore_shapes(const SphereMesh& body, double worst, std::vector<glm::dvec3>& points,
+bool restore_shapes(const SphereMesh& body, double worst, std::vector<glm::dvec3>& points,
                     ProgressMeter& meter) {
     constexpr int rings = 2;
     constexpr int sweeps = 30;
@@ -160,6 +160,7 @@ void restore_shapes(const SphereMesh& body, double worst, std::vector<glm::dvec3
     for (Index v = 0; v < points.size(); ++v)
         if (!are_bad[v]) relaxation.pin(v);
     relaxation.sweep(sweeps, meter);
+    return std::ranges::find(are_bad, char{1}) != are_bad.end();
 }
 
 }  // namespace interleaf

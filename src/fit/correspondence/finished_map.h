@@ -25,8 +25,9 @@ std::vector<glm::dvec3> finished_map(const SphereMesh& body, CoarsenedMesh& coar
 /// needles or flipped. Landmarks get their directions to the last bit and stay there; if that turns triangles over,
 /// these are untangled. The result may still not be one to one then: see fault_of_map().
 /// \param worst  the conformal distortion (MIPS) from which on a triangle and its surroundings are relaxed; 1 for all
+/// \return whether there are such triangles
 /// \throw Cancelled
-void restore_shapes(const SphereMesh& body, double worst, std::vector<glm::dvec3>& points,
+bool restore_shapes(const SphereMesh& body, double worst, std::vector<glm::dvec3>& points,
                     ProgressMeter& meter);
 
 }  // namespace interleaf

@@ -135,6 +135,7 @@ class Match {
           body_(body),
           compared_(std::move(compared)),
           moved_(compared_.mesh, part_of(progress, moving_begins * measuring_begins, moving_begins)),
+          models_vertices_(options.vertices),
           movement_{.vertices = vertices, .max_passes = options.max_passes, .enough = options.enough},
           progress_(progress),
           meter_(progress),
@@ -179,12 +180,13 @@ class Match {
     ///                    again
     std::optional<Candidate> move_models_mesh(bool tries_hard) {
         const Progress still = part_of(progress_, model_moves_from, model_moves_from);
-        const SphereMesh models_mesh = compared_part(model_.mesh(), movement_.vertices, still).mesh;
+        const SphereMesh models_mesh = compared_part(model_.mesh(), models_vertices_, still).mesh;
         const MatchedBody even_model(models_mesh, still);
         const MatchedBody even_body(compared_part(body_, movement_.vertices, still).mesh, still);
         MovingMesh moving(even_model, even_body, meter_);
         movement_.part_begins = model_moves_from;
         movement_.part_ends = finishing_begins;
+        movement_.vertices = models_mesh.points.size();
         movement_.max_idle_passes = movement_.max_passes;
         const std::optional<int> passes = move_to_best(moving, movement_, meter_);
         if (!passes) return std::nullopt;
@@ -199,11 +201,14 @@ class Match {
         return finished(std::move(candidate));
     }
 
-    void restore(double worst_shape, double part, Candidate& candidate) {
-        meter_.enter("matching", part);
-        restore_shapes(body_, worst_shape, candidate.points, meter_);
+    /// \return false if there is nothing to restore
+    bool restore(double worst_shape, Candidate& candidate) {
+        if (!restore_shapes(body_, worst_shape, candidate.points, meter_)) return false;
         if (is_one_to_one(candidate)) candidate.figures = figures_of(candidate.points);
+        return true;
     }
+
+    void begin_part(double part) { meter_.enter("matching", part); }
 
     bool is_one_to_one(const Candidate& candidate) const {
         return fault_of_map({.positions = body_.positions, .triangles = body_.triangles, .colors = {}},
@@ -224,6 +229,7 @@ class Match {
     const SphereMesh& body_;
     CoarsenedMesh compared_;
     MatchedBody moved_;
+    std::size_t models_vertices_;
     MovementOptions movement_;
     const Progress& progress_;
     ProgressMeter meter_;
@@ -276,14 +282,17 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
             candidates.push_back(std::move(*models));
     if (candidates.empty())
         return unmatched(std::move(report), "there is no room for a vertex, or triangles turn over");
-    std::ranges::stable_sort(candidates, {}, [](const Candidate& each) { return each.figures.energy; });
+    if (candidates.back().figures.energy < candidates.front().figures.energy)
+        std::swap(candidates.front(), candidates.back());
 
     const double attempt = (1 - finishing_begins) / double(candidates.size() * worst_shapes.size());
     double part = finishing_begins;
     std::string fault = "the matched map agrees no better";
     for (Candidate& candidate : candidates) {
         for (const double worst : worst_shapes) {
-            if (worst < worst_shapes.front()) both.restore(worst, part, candidate);
+            both.begin_part(part);
+            part += attempt;
+            if (worst < worst_shapes.front() && !both.restore(worst, candidate)) continue;
             if (!both.is_one_to_one(candidate) || !(candidate.figures.energy < report.before.energy)) break;
             MatchedMap matched{.mesh = with_middles(mesh, halved, body.triangles),
                                .points = candidate.points,
@@ -291,10 +300,12 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
             matched.report.after = candidate.figures;
             matched.report.passes = candidate.passes;
             const std::string fault_of_key =
-                judge ? judge(matched, part_of(progress, part, part + attempt)) : "";
-            if (fault_of_key.empty()) return matched;
+                judge ? judge(matched, part_of(progress, part - attempt, part)) : "";
+            if (fault_of_key.empty()) {
+                both.begin_part(1);
+                return matched;
+            }
             fault = "no good key: " + fault_of_key;
-            part += attempt;
         }
     }
     report.passes = candidates.front().passes;

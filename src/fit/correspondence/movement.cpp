@@ -73,6 +73,7 @@ std::optional<Movement> best_movement(MovingMesh& mesh, const MovementOptions& o
 }  // namespace
 
 std::optional<int> move_to_best(MovingMesh& mesh, const MovementOptions& options, ProgressMeter& meter) {
+    meter.enter("matching", options.part_begins);
     mesh.make_base(options.vertices);
     const std::optional<Movement> movement = best_movement(mesh, options, meter);
     mesh.leave_base();
