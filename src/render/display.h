@@ -18,11 +18,15 @@ std::string_view name_of(Shading shading);
 std::optional<Shading> shading_named(std::string_view name);
 
 enum class Coloring {
-    plain,    ///< one color
-    level,    ///< by the number of bisections above the leaf
-    origin,   ///< by the set of active keys in which the leaf is a node
-    checker,  ///< a checkerboard over the roots, carried along by level maps
-    field,    ///< by a field of the keys
+    plain,      ///< one color
+    level,      ///< by the number of bisections above the leaf
+    origin,     ///< by the set of active keys in which the leaf is a node
+    common,     ///< by how many active keys have the leaf as a node: all, some or one
+    checker,    ///< a checkerboard over the roots, carried along by level maps
+    angle,      ///< by the smallest angle of each leaf
+    curvature,  ///< by the mean curvature of the blend
+    moved,      ///< by the distance of the blend from the first active key
+    field,      ///< by a field of the keys
 };
 
 /// All colorings, in the order in which they are offered; Coloring::field only where there are fields.
@@ -37,6 +41,12 @@ std::optional<Coloring> coloring_named(std::string_view name);
 
 /// "Plain": on a button.
 const char* label_of(Coloring coloring);
+
+/// What the coloring shows, in a sentence.
+const char* explanation_of(Coloring coloring);
+
+/// "plain, level, ... or moved"; without Coloring::field.
+std::string coloring_names_in_words();
 
 /// The names, and what they mean, for the help; without Coloring::field.
 std::string colorings_in_words();
@@ -53,6 +63,8 @@ struct Display {
     bool refinement_edges = false;
 
     bool root_edges = false;  ///< the edges of the root complex
+    bool vertices = false;    ///< a dot at each vertex
+    bool normals = false;     ///< a line along the normal at each vertex
     float line_width = 1.5F;  ///< in pixels
 
     /// Whether hollows are darker, as less light of the sky reaches them.

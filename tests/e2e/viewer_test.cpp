@@ -342,8 +342,9 @@ TEST_CASE("each display key changes the picture, and changes it back") {
     const Picture plain = viewer.settled_picture();
     const State start = viewer.state();
     std::set<Picture> pictures{plain};
-    for (const auto& [key, name] : {Toggle{XK_w, "wireframe"}, Toggle{XK_r, "refinement_edges"},
-                                    Toggle{XK_e, "root_edges"}, Toggle{XK_s, "shading"}}) {
+    for (const auto& [key, name] :
+         {Toggle{XK_w, "wireframe"}, Toggle{XK_r, "refinement_edges"}, Toggle{XK_e, "root_edges"},
+          Toggle{XK_v, "vertices"}, Toggle{XK_n, "normals"}, Toggle{XK_s, "shading"}}) {
         CAPTURE(name);
         viewer.press(key);
         const State on =
@@ -356,7 +357,7 @@ TEST_CASE("each display key changes the picture, and changes it back") {
                         [&](const State& s) { return s["display"] == start["display"]; });
         CHECK(viewer.shows(plain));
     }
-    for (const char* coloring : {"level", "origin", "checker"}) {
+    for (const char* coloring : {"level", "origin", "common", "checker", "angle", "curvature", "moved"}) {
         viewer.press(XK_c);
         viewer.wait_for(coloring, [&](const State& s) { return s["display"]["coloring"] == coloring; });
         CHECK(pictures.insert(viewer.changed_picture(plain)).second);

@@ -47,7 +47,9 @@ struct ShownEdges {
 
 constexpr ShownEdges shown_edges[] = {{"wireframe", &Display::wireframe},
                                       {"refinement-edges", &Display::refinement_edges},
-                                      {"root-edges", &Display::root_edges}};
+                                      {"root-edges", &Display::root_edges},
+                                      {"vertices", &Display::vertices},
+                                      {"normals", &Display::normals}};
 
 [[noreturn]] void expected(std::string_view what, std::string_view text) {
     throw UsageError(fmt::format("expected {}, got '{}'", what, text));

@@ -89,7 +89,7 @@ ValueRange parse_range(std::string_view text);
 /// Shows the edges that \p text names, such as "wireframe,root-edges".
 void parse_shown_edges(std::string_view text, Display& display);
 
-/// The names of all edges that can be shown: "wireframe, refinement-edges or root-edges".
+/// The names of all lines and points that can be shown: "wireframe, ... or normals".
 std::string shown_edges_in_words();
 
 }  // namespace interleaf

@@ -14,9 +14,8 @@ void require_field(const Display& display, std::span<const FamilyField> fields) 
     std::string known;
     for (const FamilyField& field : fields) known += (known.empty() ? "" : ", ") + field.label.name;
     if (known.empty())
-        throw UsageError(fmt::format(
-            "--color: expected plain, level, origin or checker, got '{}'; the keys have no fields",
-            display.field));
+        throw UsageError(fmt::format("--color: expected {}, got '{}'; the keys have no fields",
+                                     coloring_names_in_words(), display.field));
     throw UsageError(fmt::format("--color: no field is called '{}'; there are {}", display.field, known));
 }
 

@@ -14,6 +14,8 @@
 #include "app/document/fit_comparison.h"
 #include "app/document/message.h"
 #include "app/document/session.h"
+#include "hierarchy/nodes/node_path.h"
+#include "hierarchy/nodes/node_steps.h"
 
 namespace interleaf {
 
@@ -74,6 +76,10 @@ struct ViewerState {
     bool is_comparing = false;    ///< the window shows a comparison, not the document
     bool compares_colors = true;  ///< the comparison shows distances as colors
     std::shared_ptr<const FitComparison> compared;  ///< the shown one; the first if not in comparisons
+
+    std::optional<NodePath> inspected;  ///< the node that the inspector shows
+    std::optional<NodeStep> node_step;  ///< from the inspected node
+    bool inspects_middle = false;       ///< inspect the leaf at the middle of the picture
 
     FileWish file_wish = FileWish::none;
     bool can_set_landmarks = false;  ///< the last fitted meshes can be fitted again with landmarks

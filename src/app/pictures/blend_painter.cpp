@@ -5,7 +5,9 @@
 #include "app/document/family_extent.h"
 #include "app/document/shown_field.h"
 #include "hierarchy/error.h"
+#include "hierarchy/morph.h"
 #include "hierarchy/vertex_normals.h"
+#include "render/surface_values.h"
 
 namespace interleaf {
 namespace {
@@ -47,11 +49,18 @@ void BlendPainter::unite_keys(const Weights& weights) {
         const UnionField united = united_field(warped_.family(), warped_.weights(), mesh, field->label);
         renderer_.set_field(&united);
     }
+    if (is_measured(display_.coloring)) {
+        display_.scale = measured_scale(display_.coloring, mesh);
+        measured_mesh_ = mesh;
+    }
     keys_ = std::move(keys);
 }
 
 std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Camera& camera) {
     unite_keys(weights);
+    if (is_measured(display_.coloring))
+        renderer_.set_values(
+            surface_values(display_.coloring, measured_mesh_, morph(measured_mesh_, weight_values(weights))));
     renderer_.draw(target_, camera, weight_values(weights), display_);
     occlusion_.darken(target_, camera, display_.occlusion_strength());
     return target_.read_rgba();

@@ -10,6 +10,7 @@
 #include "family/family.h"
 #include "family/family_fields.h"
 #include "family/warp.h"
+#include "hierarchy/union_mesh.h"
 #include "render/camera.h"
 #include "render/display.h"
 #include "render/occlusion.h"
@@ -47,6 +48,7 @@ class BlendPainter {
     Occlusion occlusion_;
     std::optional<Warp> warp_;
     WarpedFamily warped_;
+    UnionMesh measured_mesh_;        ///< that of the renderer; only for a coloring by values of the blend
     std::vector<std::size_t> keys_;  ///< whose union the renderer has
 };
 

@@ -14,30 +14,6 @@
 #include "hierarchy/morph.h"
 
 namespace interleaf {
-namespace {
-
-/// A vertex counts as visible if it is at most this much behind what is drawn at its pixel.
-constexpr float depth_bias = 2e-4F;
-
-/// The place of \p position in the picture in pixels, and its depth; w is the distance along the view.
-glm::vec4 placed(const glm::mat4& to_clip, const glm::vec3& position, const ArrowPicture& picture) {
-    const glm::vec4 clip = to_clip * glm::vec4(position, 1);
-    if (!(clip.w > 0)) return glm::vec4(0);
-    return {(clip.x / clip.w + 1) / 2 * static_cast<float>(picture.width),
-            (1 - clip.y / clip.w) / 2 * static_cast<float>(picture.height), (clip.z / clip.w + 1) / 2,
-            clip.w};
-}
-
-bool is_visible(const glm::vec4& place, const ArrowPicture& picture) {
-    if (!(place.w > 0) || place.x < 0 || place.y < 0) return false;
-    const auto x = static_cast<std::size_t>(place.x);
-    const auto y = static_cast<std::size_t>(place.y);
-    const auto width = static_cast<std::size_t>(picture.width);
-    if (x >= width || y >= static_cast<std::size_t>(picture.height)) return false;
-    return place.z <= picture.depths[y * width + x] + depth_bias;
-}
-
-}  // namespace
 
 void VectorArrows::follow(const Family& family, const Weights& weights, const UnionMesh& mesh,
                           std::size_t number, const std::optional<VectorField>& vector) {
@@ -55,7 +31,7 @@ void VectorArrows::follow(const Family& family, const Weights& weights, const Un
 }
 
 std::vector<Arrow> VectorArrows::arrows(const UnionMesh& mesh, const Weights& weights, const Camera& camera,
-                                        const ArrowPicture& picture, float cell) const {
+                                        const PictureDepths& picture, float cell) const {
     constexpr float longest = 1.5F;  // cells
     const std::vector<float> factors = weight_values(weights);
     const Buffer<glm::vec3> positions = morph(mesh, factors);
@@ -66,7 +42,7 @@ std::vector<Arrow> VectorArrows::arrows(const UnionMesh& mesh, const Weights& we
     std::set<std::pair<int, int>> taken;
     std::vector<Arrow> arrows;
     for (std::size_t v = 0; v < positions.size(); ++v) {
-        const glm::vec4 from = placed(to_clip, positions[v], picture);
+        const glm::vec4 from = placed_in_picture(to_clip, positions[v], picture);
         if (!is_visible(from, picture)) continue;
         if (!taken.emplace(static_cast<int>(from.x / cell), static_cast<int>(from.y / cell)).second) continue;
         glm::vec3 vector(0);
@@ -74,7 +50,7 @@ std::vector<Arrow> VectorArrows::arrows(const UnionMesh& mesh, const Weights& we
             for (std::size_t key = 0; key < factors.size(); ++key)
                 vector[static_cast<int>(part)] += factors[key] * parts_[part].values[key][v];
         const float stretch = longest * cell * pixel_at_1 * from.w / vector_->largest;
-        const glm::vec4 to = placed(to_clip, positions[v] + stretch * vector, picture);
+        const glm::vec4 to = placed_in_picture(to_clip, positions[v] + stretch * vector, picture);
         if (to.w > 0) arrows.push_back({{from.x, from.y}, {to.x, to.y}});
     }
     return arrows;

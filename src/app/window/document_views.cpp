@@ -16,8 +16,25 @@ namespace interleaf {
 
 void DocumentViews::apply_to_views(const WindowActions& actions, ViewerState& state,
                                    const FrameLayout& layout) {
-    if (actions.view) surface_.apply_to_camera(*actions.view, layout.panels.view);
+    if (actions.view) {
+        surface_.apply_to_camera(*actions.view, layout.panels.view);
+        apply_to_inspection(*actions.view, state, layout.panels.view);
+    }
     if (actions.comparison) comparison_.apply_to_comparison(*actions.comparison, state);
+}
+
+/// A click on a leaf inspects it, a click beside the surface ends the inspection.
+void DocumentViews::apply_to_inspection(const ViewInput& input, ViewerState& state, const Rect& view) {
+    if (input.view_all) state.inspected = inspected_before_click_;
+    if (input.clicked)
+        inspected_before_click_ = std::exchange(state.inspected, surface_.leaf_at(input.pointer, view));
+}
+
+/// \pre the surface follows \p state
+void DocumentViews::follow_inspection(ViewerState& state, const Rect& view) {
+    if (std::exchange(state.inspects_middle, false))
+        state.inspected = surface_.leaf_at({view.x + view.width / 2, view.y + view.height / 2}, view);
+    inspection_.follow(state);
 }
 
 void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const Gui& gui, double now) {
@@ -40,6 +57,7 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
     if (!comparison_.is_shown())
         surface_.aim(std::exchange(state.view_target, ViewTarget::none), layout.panels.view);
     surface_.refine(session, field, layout.panels.view);
+    follow_inspection(state, layout.panels.view);
     const glm::vec2 size = message_picture_size() * gui.density();
     mismatch_pictures_.update(state.message.mismatch, glm::max(glm::ivec2(glm::round(size)), 1));
 }
@@ -82,9 +100,12 @@ bool DocumentViews::draw(const ViewerState& state, const FrameLayout& layout,
     }
     const bool is_good = surface_.draw(session, layout.view, gui, layout.window.y);
     surface_.draw_arrows(layout.view, gui);
+    if (inspected() != nullptr) surface_.draw_outline(inspected()->node, layout.view, gui);
     const FamilyField* const field = shown_field(session.display, fields_);
     if (field != nullptr && view && view->pointed_at && !session.is_playing())
         surface_.show_value(session, *field, gui.pointer(), layout.view);
+    if (view && view->pointed_at && !session.is_playing())
+        surface_.show_measured(session, gui.pointer(), layout.view);
     return is_good;
 }
 

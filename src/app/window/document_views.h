@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/document/inspection.h"
 #include "app/document/viewer_state.h"
 #include "app/pictures/field_history.h"
 #include "app/pictures/key_portraits.h"
@@ -57,6 +58,9 @@ class DocumentViews {
     const FieldCurves& field_curves() { return history_.curves(); }
     bool is_measuring() const { return history_.is_working(); }
 
+    /// The scale of a coloring by values that the blend determines.
+    const ColorScale& measured_scale() const { return surface_.measured_scale(); }
+
     /// Whether all keys lie in one plane.
     bool is_flat() const { return surface_.is_flat(); }
     const SurfaceFigures& figures() const { return surface_.figures(); }
@@ -67,6 +71,9 @@ class DocumentViews {
     bool is_working() const { return surface_.is_working(); }
 
     const std::vector<MessagePicture>& message_pictures() const { return mismatch_pictures_.shown(); }
+
+    /// The inspected node; null for none, and while a comparison is shown.
+    const InspectedNode* inspected() const { return comparison() == nullptr ? inspection_.shown() : nullptr; }
 
     const Camera& camera() const { return surface_.camera(); }
 
@@ -80,6 +87,8 @@ class DocumentViews {
         std::size_t samples;
         bool operator==(const CurvesOf&) const = default;
     };
+    void apply_to_inspection(const ViewInput& input, ViewerState& state, const Rect& view);
+    void follow_inspection(ViewerState& state, const Rect& view);
     void reload_shaders(ViewerState& state);
     void follow_curves(const ViewerState& state, float width);
 
@@ -89,6 +98,8 @@ class DocumentViews {
     std::optional<CurvesOf> curves_of_;  ///< none before curves_ are made for family_
     FieldHistory history_;
     SurfaceView surface_;
+    Inspection inspection_;
+    std::optional<NodePath> inspected_before_click_;  ///< a double-click is no click
     ComparisonView comparison_;
     KeyPortraits portraits_;
     MismatchPictures mismatch_pictures_;

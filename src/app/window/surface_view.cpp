@@ -12,6 +12,9 @@
 #include "app/document/shown_field.h"
 #include "app/window/camera_control.h"
 #include "hierarchy/color.h"
+#include "hierarchy/morph.h"
+#include "render/pick.h"
+#include "render/surface_values.h"
 #include "ui/widgets/arrow_marks.h"
 #include "ui/widgets/value_label.h"
 
@@ -189,12 +192,36 @@ void SurfaceView::aim(ViewTarget view_target, const Rect& view) {
 }
 
 void SurfaceView::refine(const Session& session, const FamilyField* field, const Rect& view) {
+    if (!shows_view_) follow_measured(session);
     if (!shows_view_ || holds_view_) return;
     view_.refine(session.family(), session.weights(), camera_, aspect_of(view),
                  field != nullptr ? &field->label : nullptr);
     view_figures_ = view_.figures();
     view_figures_.rebuilds = surface_.figures().rebuilds;
     view_figures_.waits = surface_.figures().waits;
+    follow_measured(session);
+}
+
+/// Gives the shown surface the values of a coloring by values that the blend determines.
+void SurfaceView::follow_measured(const Session& session) {
+    const Coloring coloring = session.display.coloring;
+    if (!is_measured(coloring)) return measured_.forget();
+    const MeasuredColoring::Subject subject{
+        .coloring = coloring,
+        .mesh = {shows_view_, shows_view_ ? view_.version() : surface_.figures().rebuilds},
+        .weights = shows_view_ ? std::vector<float>{} : surface_.weights(),
+        .keys = figures().keys};
+    if (measured_.has(subject)) return;
+    measured_.take(subject, shows_view_ ? view_.mesh() : surface_.mesh(), blend_positions(),
+                   shows_view_ ? view_.renderer() : surface_.renderer());
+    picture_.forget();
+}
+
+/// Of the shown surface.
+Buffer<glm::vec3> SurfaceView::blend_positions() const {
+    if (!shows_view_) return morph(surface_.mesh(), surface_.weights());
+    const auto positions = view_.positions();
+    return {positions.begin(), positions.end()};
 }
 
 bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui, float window_height) {
@@ -209,6 +236,7 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
     // What the renderer is given has its detail already.
     scene.display.detail = 1;
     scene.display.follows_camera = false;
+    if (is_measured(scene.display.coloring)) scene.display.scale = measured_.scale();
     scene.display.line_width *= gui.scale() * gui.density();
     const bool is_good = picture_.update(shows_view_ ? view_.renderer() : surface_.renderer(), scene);
     if (!shows_view_ && session.display.detail >= 1) is_slow_ = picture_.milliseconds() > slow_whole_from;
@@ -218,20 +246,56 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
 
 void SurfaceView::draw_arrows(const Rect& view, const Gui& gui) {
     if (shows_view_ || !arrows_.are_shown()) return;
-    OffscreenTarget& target = *picture_.target();
-    const std::vector<float> depths = target.read_depths();
-    for (const Arrow& arrow :
-         arrows_.arrows(surface_.mesh(), warped_.weights(), camera_,
-                        {target.width(), target.height(), depths}, arrow_cell * gui.scale() * gui.density()))
+    const OffscreenTarget& target = *picture_.target();
+    for (const Arrow& arrow : arrows_.arrows(surface_.mesh(), warped_.weights(), camera_,
+                                             {target.width(), target.height(), depths()},
+                                             arrow_cell * gui.scale() * gui.density()))
         arrow_mark(glm::vec2(view.x, view.y) + arrow.from / gui.density(),
                    glm::vec2(view.x, view.y) + arrow.to / gui.density());
 }
 
-void SurfaceView::show_value(const Session& session, const FamilyField& field, glm::vec2 pointer,
-                             const Rect& view) {
+void SurfaceView::draw_outline(const NodePath& node, const Rect& view, const Gui& gui) {
+    const UnionMesh& mesh = shows_view_ ? view_.mesh() : surface_.mesh();
+    if (node.root >= mesh.roots.triangle_count()) return;
+    outline_.follow(mesh, {shows_view_, shows_view_ ? view_.version() : surface_.figures().rebuilds}, node);
+    const auto position = [&](Index vertex) {
+        if (shows_view_) return view_.positions()[vertex];
+        glm::vec3 sum(0);
+        for (std::size_t key = 0; key < mesh.key_count(); ++key)
+            sum += surface_.weights()[key] * mesh.positions[key][vertex];
+        return sum;
+    };
+    const OffscreenTarget& target = *picture_.target();
+    Outline outline = outline_.outline(position, camera_, {target.width(), target.height(), depths()});
+    const auto to_window = [&](glm::vec2 pixel) { return glm::vec2(view.x, view.y) + pixel / gui.density(); };
+    for (OutlineLine& line : outline.lines)
+        std::ranges::transform(line.points, line.points.begin(), to_window);
+    for (auto& corner : outline.corners)
+        if (corner) corner = to_window(*corner);
+    outline_mark(outline, view, true);
+}
+
+/// The depths of the picture, read once per drawing.
+const std::vector<float>& SurfaceView::depths() {
+    if (depths_of_ != picture_.drawings() || depths_.empty()) depths_ = picture_.target()->read_depths();
+    depths_of_ = picture_.drawings();
+    return depths_;
+}
+
+Ray SurfaceView::ray_at(glm::vec2 pointer, const Rect& view) const {
     const glm::vec2 at = device_coordinates(view, pointer);
     const float aspect = aspect_of(view);
-    const Ray ray{camera_.point_at(at, 0, aspect), camera_.point_at(at, 1, aspect)};
+    return {camera_.point_at(at, 0, aspect), camera_.point_at(at, 1, aspect)};
+}
+
+std::optional<NodePath> SurfaceView::leaf_at(glm::vec2 pointer, const Rect& view) const {
+    const Ray ray = ray_at(pointer, view);
+    return shows_view_ ? view_.leaf_at(ray) : surface_.leaf_at(ray);
+}
+
+void SurfaceView::show_value(const Session& session, const FamilyField& field, glm::vec2 pointer,
+                             const Rect& view) {
+    const Ray ray = ray_at(pointer, view);
     const std::optional<glm::vec3> value = shows_view_ ? view_.field_at(ray) : surface_.field_at(ray);
     if (!value) return;
     const bool is_scalar = field.label.kind == FieldKind::scalar;
@@ -242,6 +306,20 @@ void SurfaceView::show_value(const Session& session, const FamilyField& field, g
                 is_scalar
                     ? fmt::format("{} {:.4g}", field.label.name, value->x)
                     : fmt::format("{} #{:02x}{:02x}{:02x}", field.label.name, bytes.r, bytes.g, bytes.b));
+}
+
+void SurfaceView::show_measured(const Session& session, glm::vec2 pointer, const Rect& view) {
+    const Coloring coloring = session.display.coloring;
+    if (!is_measured(coloring)) return;
+    const UnionMesh& mesh = shows_view_ ? view_.mesh() : surface_.mesh();
+    const std::optional<Hit> hit = first_hit(mesh.triangles, blend_positions(), ray_at(pointer, view));
+    if (!hit) return;
+    const std::optional<float> value = measured_.value_at(*hit, mesh);
+    if (!value) return;
+    value_label(pointer, view, measured_.scale().color(*value),
+                coloring == Coloring::angle       ? fmt::format("smallest angle {:.1f}°", *value)
+                : coloring == Coloring::curvature ? fmt::format("mean curvature {:.4g}", *value)
+                                                  : fmt::format("moved by {:.4g}", *value));
 }
 
 void SurfaceView::reload_shaders() {

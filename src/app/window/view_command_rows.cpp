@@ -111,11 +111,25 @@ constexpr Command view_table[] = {
      .description = "Show the edges of the root complex",
      .run = toggle<&Display::root_edges>,
      .is_on = is_on<&Display::root_edges>},
+    {.id = CommandId::vertices,
+     .menu = "View",
+     .name = "Vertices",
+     .shortcuts = {{{GLFW_KEY_V}}},
+     .description = "Show a dot at each vertex",
+     .run = toggle<&Display::vertices>,
+     .is_on = is_on<&Display::vertices>},
+    {.id = CommandId::normals,
+     .menu = "View",
+     .name = "Normals",
+     .shortcuts = {{{GLFW_KEY_N}}},
+     .description = "Show a line along the normal at each vertex",
+     .run = toggle<&Display::normals>,
+     .is_on = is_on<&Display::normals>},
     {.id = CommandId::next_coloring,
      .menu = "View",
      .name = "Next coloring",
      .shortcuts = {{{GLFW_KEY_C}}},
-     .description = "Color plainly, by level, by origin, as a checkerboard, by field",
+     .description = "Color plainly, by level, by origin, and so on, as the buttons below Color do",
      .run = cycle_coloring},
     {.id = CommandId::less_detail,
      .menu = "View",
@@ -164,7 +178,7 @@ constexpr Command view_table[] = {
      .menu = "Help",
      .name = "Dismiss",
      .shortcuts = {{{GLFW_KEY_ESCAPE}}},
-     .description = "Close the message, the help or the comparison",
+     .description = "Close the message, the help, the comparison or the inspector",
      .run =
          [](ViewerState& state, double) {
              if (!state.message.empty())
@@ -173,8 +187,10 @@ constexpr Command view_table[] = {
                  state.help_shown = false;
              else if (state.domain_has_focus)
                  state.domain_has_focus = false;
-             else
+             else if (state.is_comparing)
                  state.is_comparing = false;
+             else
+                 state.inspected.reset();
          }},
 };
 

@@ -309,6 +309,7 @@ ShownWindow Viewer::show_panels() {
                                      .portraits = views_.portraits(),
                                      .fields = views_.fields(),
                                      .field_curves = &views_.field_curves(),
+                                     .measured_scale = views_.measured_scale(),
                                      .is_flat = views_.is_flat(),
                                      .curves = views_.curves(),
                                      .figures = views_.figures(),
@@ -318,6 +319,7 @@ ShownWindow Viewer::show_panels() {
                                      .frame_milliseconds = frame_milliseconds_,
                                      .holds = holds_,
                                      .layout = frame,
+                                     .inspected = views_.inspected(),
                                      .comparison = views_.comparison(),
                                      .has_keyboard = has_keyboard()});
     files_.show(frame.content, now_);

@@ -166,6 +166,10 @@ void apply_to_state(const WindowActions& actions, ViewerState& state, MouseHolds
     if (actions.dismisses_message) state.message.clear();
     if (actions.wants_landmarks) run_command(CommandId::set_landmarks, state, now);
     if (actions.closes_help) state.help_shown = false;
+    if (actions.inspector) {
+        if (actions.inspector->step) state.node_step = actions.inspector->step;
+        if (actions.inspector->is_over) state.inspected.reset();
+    }
 
     // The domain and the timeline come first, because actions on keys may change their indices.
     holds = {};

@@ -1,6 +1,7 @@
 #include "app/window/window_panels.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "app/pictures/view_surface.h"
@@ -85,6 +86,7 @@ void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
                                              .key_without_field = figures.key_without_field,
                                              .curves = shown.field_curves,
                                              .time = shown.state.session.time(),
+                                             .measured = shown.measured_scale,
                                              .is_flat = shown.is_flat});
     if (wanted != display) result.actions.display = std::move(wanted);
     result.legend_keys = figures.key_names;
@@ -154,6 +156,18 @@ void show_timeline(const WindowShown& shown, ShownWindow& result) {
     result.layout.timeline = result.actions.timeline->area;
 }
 
+InspectorResult show_inspector(const InspectedNode& node, const Rect& view) {
+    constexpr std::array commands_of_steps = {CommandId::go_to_parent,          CommandId::go_to_sibling,
+                                              CommandId::go_to_first_child,     CommandId::go_to_second_child,
+                                              CommandId::cross_refinement_edge, CommandId::cross_second_edge,
+                                              CommandId::cross_third_edge};
+    static_assert(commands_of_steps.size() == all_node_steps.size());
+    std::array<std::string, commands_of_steps.size()> shortcuts;
+    std::ranges::transform(commands_of_steps, shortcuts.begin(),
+                           [](CommandId id) { return shortcut_text(command_of(id)); });
+    return inspector_panel(node, shortcuts, view);
+}
+
 void show_document(const WindowShown& shown, ShownWindow& result) {
     const Family& family = shown.state.document.family();
     const Weights& weights = shown.state.session.weights();
@@ -179,6 +193,7 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
     }
     end_panel();
     if (shown.state.session.has_time()) show_timeline(shown, result);
+    if (shown.inspected != nullptr) result.actions.inspector = show_inspector(*shown.inspected, panels.view);
     status_line(panels.status,
                 {.active_keys = weights.size(),
                  .leaves = shown.figures.leaves,

@@ -17,8 +17,10 @@
 #include "app/window/comparison_view.h"
 #include "app/window/frame_layout.h"
 #include "family/family_fields.h"
+#include "render/color_map.h"
 #include "ui/dialogs/message_panel.h"
 #include "ui/panels/field_curves.h"
+#include "ui/panels/inspector_panel.h"
 #include "ui/panels/keys_panel.h"
 #include "ui/panels/menu_bar.h"
 #include "ui/panels/parameter_domain_panel.h"
@@ -42,6 +44,7 @@ struct WindowShown {
     std::span<const KeyPortrait> portraits;  ///< one per key
     std::span<const FamilyField> fields;
     const FieldCurves* field_curves = nullptr;  ///< of the shown scalar over time; null for none
+    ColorScale measured_scale = {};             ///< of a coloring by values of the blend
     bool is_flat = false;                       ///< whether all keys lie in one plane
     std::span<const WeightCurve> curves;        ///< of the timeline, in its shown times
     const SurfaceFigures& figures;
@@ -51,9 +54,10 @@ struct WindowShown {
     std::span<const MessagePicture> pictures;  ///< illustrations of the message
     double frame_milliseconds;
     MouseHolds holds;
-    FrameLayout layout;                ///< window, content and panels
-    const ComparisonView* comparison;  ///< shown instead of the document; null for none
-    bool has_keyboard = true;          ///< whether the document or a comparison receives the keyboard
+    FrameLayout layout;                        ///< window, content and panels
+    const InspectedNode* inspected = nullptr;  ///< null for none
+    const ComparisonView* comparison;          ///< shown instead of the document; null for none
+    bool has_keyboard = true;                  ///< whether the document or a comparison receives the keyboard
 };
 
 /// The user's actions in the panels. Indices refer to the content that the panel showed.
@@ -65,6 +69,7 @@ struct WindowActions {
     std::optional<ParameterDomainResult> domain;
     std::optional<TimelineResult> timeline;
     std::optional<ComparisonActions> comparison;
+    std::optional<InspectorResult> inspector;
     bool closes_help = false;
     bool dismisses_message = false;
     bool wants_landmarks = false;  ///< the button of a notice was pressed

@@ -9,8 +9,10 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include "render/surface_values.h"
 #include "ui/panels/field_panel.h"
 #include "ui/widgets/choice.h"
+#include "ui/widgets/scale_legend.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -37,10 +39,14 @@ void coloring_choice(Coloring& value, bool has_fields) {
     for (std::size_t begin = 0; begin < all.size(); begin += columns) {
         const auto row = std::span(all).subspan(begin, std::min(columns, all.size() - begin));
         std::vector<const char*> labels;
-        for (const Coloring coloring : row) labels.push_back(label_of(coloring));
+        std::vector<const char*> explanations;
+        for (const Coloring coloring : row) {
+            labels.push_back(label_of(coloring));
+            explanations.push_back(explanation_of(coloring));
+        }
         const auto chosen = static_cast<std::size_t>(std::ranges::find(row, value) - row.begin());
         const float width = ImGui::GetContentRegionAvail().x;
-        const std::size_t now = interleaf::choice(labels.front(), labels, chosen, width);
+        const std::size_t now = interleaf::choice(labels.front(), labels, chosen, width, explanations);
         if (now < row.size()) value = row[now];
     }
 }
@@ -62,6 +68,21 @@ void level_legend(LevelRange levels) {
             levels.max > levels.min ? fmt::format("{}", levels.max) : "");
 }
 
+/// A line with a square of \p color before it, and a tooltip.
+void legend_row(glm::vec3 color, const std::string& text, const std::string& tooltip) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float swatch = scaled(10);
+    const float indent = scaled(18);
+    const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+    const float height = ImGui::GetTextLineHeight();
+    const float top = corner.y + std::round((height - swatch) / 2);
+    ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + swatch, top + swatch},
+                                              to_color(color), scaled(2));
+    draw_text({corner.x + indent, corner.y}, width - indent, colors::text, text);
+    ImGui::Dummy({width, height});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip.c_str());
+}
+
 /// Many active keys can make thousands of origins.
 constexpr std::size_t max_origin_rows = 12;
 
@@ -77,26 +98,60 @@ std::string origin_name(KeySet origin, const Legend& legend) {
 
 void origin_legend(const Legend& legend) {
     ImGui::PushFont(small_font());
-    const float width = ImGui::GetContentRegionAvail().x;
-    const float swatch = scaled(10);
-    const float indent = scaled(18);
     const std::size_t shown = std::min(legend.origins.size(), max_origin_rows);
     for (const KeySet origin : legend.origins.first(shown)) {
-        const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
-        const float height = ImGui::GetTextLineHeight();
-        const float top = corner.y + std::round((height - swatch) / 2);
-        ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + swatch, top + swatch},
-                                                  to_color(origin_color(origin, legend.active_keys)),
-                                                  scaled(2));
         const std::string name = origin_name(origin, legend);
-        draw_text({corner.x + indent, corner.y}, width - indent, colors::text, name);
-        ImGui::Dummy({width, height});
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Bisected this far in %s", name.c_str());
+        legend_row(origin_color(origin, legend.active_keys), name,
+                   fmt::format("Bisected this far in {}", name));
     }
     if (shown < legend.origins.size())
         wrapped_text(fmt::format("and {} other sets of keys", legend.origins.size() - shown),
                      colors::dim_text);
     ImGui::PopFont();
+}
+
+/// The shares that occur on the surface.
+void common_legend(const Legend& legend) {
+    struct Row {
+        Share share;
+        const char* text;
+        const char* tooltip;
+    };
+    static constexpr std::array<Row, 3> rows = {{
+        {Share::all, "in all active keys",
+         "The common complex: the leaves that are nodes in every active key."},
+        {Share::some, "in some of them", "Several active keys bisect this far, but not all."},
+        {Share::one, "in one of them", "A single active key bisects this far."},
+    }};
+    ImGui::PushFont(small_font());
+    for (const auto& [share, text, tooltip] : rows) {
+        const auto has_share = [&](KeySet origin) {
+            return share_of(origin, legend.active_keys.size()) == share;
+        };
+        if (std::ranges::any_of(legend.origins, has_share)) legend_row(common_color(share), text, tooltip);
+    }
+    ImGui::PopFont();
+}
+
+void measured_legend(Coloring coloring, const Legend& legend) {
+    const std::string first = legend.active_names.empty() ? "" : legend.active_names.front();
+    const std::string text = coloring == Coloring::angle       ? "Smallest angle of each leaf, degrees"
+                             : coloring == Coloring::curvature ? "Mean curvature"
+                                                               : fmt::format("Distance from {}", first);
+    const char* const tooltip =
+        coloring == Coloring::angle ? "0 for a leaf of no area, 60 for one with equal sides."
+        : coloring == Coloring::curvature
+            ? "Half the sum of the principal curvatures, above 0 where the surface bulges outwards. The\n"
+              "range covers 95 % of the vertices of the active keys."
+            : "How far the blend has moved each vertex from its place in the first active key. The range\n"
+              "covers all active keys.";
+    ImGui::PushFont(small_font());
+    draw_text(from_imgui(ImGui::GetCursorScreenPos()), ImGui::GetContentRegionAvail().x, colors::dim_text,
+              text);
+    ImGui::Dummy({ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight()});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\n%s", text.c_str(), tooltip);
+    ImGui::PopFont();
+    scale_legend(legend.measured);
 }
 
 }  // namespace
@@ -107,15 +162,22 @@ Display display_panel(const Display& shown, const Legend& legend) {
     choice("shading", display.shading, {{"Smooth", Shading::smooth}, {"Flat", Shading::flat}});
     ImGui::Checkbox("Ambient occlusion", &display.occlusion);
     section_gap();
-    heading("Lines");
+    heading("Lines and points");
     ImGui::Checkbox("Wireframe", &display.wireframe);
     ImGui::Checkbox("Refinement edges", &display.refinement_edges);
     ImGui::Checkbox("Root edges", &display.root_edges);
+    ImGui::Checkbox("Vertices", &display.vertices);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("A dot at each vertex of the leaves");
+    ImGui::Checkbox("Normals", &display.normals);
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("A line along the normal at each vertex, or at some of very many");
     section_gap();
     heading("Color");
     coloring_choice(display.coloring, !legend.fields.empty());
     if (display.coloring == Coloring::level) level_legend(legend.levels);
     if (display.coloring == Coloring::origin) origin_legend(legend);
+    if (display.coloring == Coloring::common) common_legend(legend);
+    if (is_measured(display.coloring)) measured_legend(display.coloring, legend);
     if (display.coloring == Coloring::field)
         display = field_panel(display, legend.fields, legend.key_without_field.value_or(""), legend.is_flat);
     if (display.coloring == Coloring::field && legend.curves != nullptr)

@@ -26,6 +26,10 @@ ViewInput view_area(const Rect& rect, const char* name) {
             input.turns_flat = io.KeyCtrl;
             (pans ? input.pan : input.orbit) = from_imgui(io.MouseDelta) / rect.height;
         }
+        constexpr float farthest = 3;  // screen coordinates; the hand may shake
+        input.clicked = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+                        io.MouseClickedLastCount[ImGuiMouseButton_Left] == 1 && !io.KeyShift && !io.KeyCtrl &&
+                        io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] <= farthest * farthest;
         input.pointed_at = ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown();
         if (ImGui::IsItemHovered()) {
             input.zoom = std::pow(1.12F, io.MouseWheel);

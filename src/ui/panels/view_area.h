@@ -14,6 +14,7 @@ struct ViewInput {
     glm::vec2 pointer{0};     ///< window coordinates
     bool view_all = false;    ///< show the whole model
     bool pointed_at = false;  ///< the pointer is over the area, and drags nothing
+    bool clicked = false;     ///< the left button was pressed and released in one place, once
     bool turns_flat = false;  ///< Ctrl is held: a drag also orbits a flat surface, which it pans otherwise
 };
 

@@ -12,7 +12,8 @@ constexpr ImU32 chosen_hovered = IM_COL32(66, 118, 184, 255);
 
 }  // namespace
 
-std::size_t choice(const char* name, std::span<const char* const> labels, std::size_t chosen, float width) {
+std::size_t choice(const char* name, std::span<const char* const> labels, std::size_t chosen, float width,
+                   std::span<const char* const> tooltips) {
     ImGui::PushID(name);
     ImGui::BeginGroup();
     const float gap = scaled(2);
@@ -28,6 +29,7 @@ std::size_t choice(const char* name, std::span<const char* const> labels, std::s
         }
         if (ImGui::Button(labels[i], {button, 0})) now = i;
         if (i == chosen) ImGui::PopStyleColor(2);
+        if (i < tooltips.size() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltips[i]);
     }
     ImGui::EndGroup();
     ImGui::PopID();
