@@ -19,7 +19,7 @@ constexpr double max_cotangent = 1000;
 struct VertexSums {
     glm::dvec3 laplacian{0};  ///< of the position, times twice the area
     glm::dvec3 normal{0};     ///< not normalized
-    double area = 0;          ///< a third of the area around the vertex
+    double area = 0;          ///< mixed area around the vertex
 
     /// The number of the next vertex less that of the last one, summed over the triangles here. In a closed
     /// fan each neighbor comes once as either, so the sum is 0; on the boundary two different neighbors remain.
@@ -32,27 +32,55 @@ double mean_curvature(const VertexSums& sums) {
     return glm::dot(sums.laplacian, sums.normal) > 0 ? -size : size;
 }
 
+/// The corners of a triangle, and what they give to their vertices.
+struct CornerTerms {
+    std::array<glm::dvec3, 3> places;
+    std::array<double, 3> cosines{};  ///< times the lengths of the edges beside the corner
+    std::array<double, 3> cotangents{};
+    glm::dvec3 normal;
+    double area;
+
+    CornerTerms(const Triangle& triangle, std::span<const glm::vec3> positions)
+        : places{positions[triangle[0]], positions[triangle[1]], positions[triangle[2]]},
+          normal(glm::cross(places[1] - places[0], places[2] - places[0])),
+          area(glm::length(normal) / 2) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            cosines.at(k) = glm::dot(edge(k, (k + 1) % 3), edge(k, (k + 2) % 3));
+            if (area > 0)
+                cotangents.at(k) = std::clamp(cosines.at(k) / (2 * area), -max_cotangent, max_cotangent);
+        }
+    }
+
+    glm::dvec3 edge(std::size_t from, std::size_t to) const { return places.at(to) - places.at(from); }
+
+    /// The part of the area that is nearest to corner \p k; where an angle is obtuse, a half or a quarter.
+    double area_at(std::size_t k) const {
+        if (cosines.at(k) < 0) return area / 2;
+        const std::size_t next = (k + 1) % 3;
+        const std::size_t last = (k + 2) % 3;
+        if (cosines.at(next) < 0 || cosines.at(last) < 0) return area / 4;
+        const glm::dvec3 to_next = edge(k, next);
+        const glm::dvec3 to_last = edge(k, last);
+        return (glm::dot(to_next, to_next) * cotangents.at(last) +
+                glm::dot(to_last, to_last) * cotangents.at(next)) /
+               8;
+    }
+};
+
 std::vector<VertexSums> vertex_sums(std::span<const Triangle> triangles,
                                     std::span<const glm::vec3> positions) {
     std::vector<VertexSums> sums(positions.size());
     for (const Triangle& triangle : triangles) {
-        const std::array<glm::dvec3, 3> corners = {positions[triangle[0]], positions[triangle[1]],
-                                                   positions[triangle[2]]};
-        const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-        const double twice_area = glm::length(normal);
+        const CornerTerms terms(triangle, positions);
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t next = (k + 1) % 3;
             const std::size_t last = (k + 2) % 3;
             VertexSums& here = sums[triangle[k]];
             here.open_ends += std::int64_t{triangle[next]} - std::int64_t{triangle[last]};
-            here.normal += normal;
-            here.area += twice_area / 6;
-            if (!(twice_area > 0)) continue;
+            here.normal += terms.normal;
+            here.area += terms.area_at(k);
             // the angle at k weighs the edge from the next corner to the last one
-            const double cosine =
-                glm::dot(corners.at(next) - corners.at(k), corners.at(last) - corners.at(k));
-            const double cotangent = std::clamp(cosine / twice_area, -max_cotangent, max_cotangent);
-            const glm::dvec3 along = cotangent * (corners.at(last) - corners.at(next));
+            const glm::dvec3 along = terms.cotangents.at(k) * terms.edge(next, last);
             sums[triangle[next]].laplacian += along;
             sums[triangle[last]].laplacian -= along;
         }

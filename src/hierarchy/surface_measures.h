@@ -15,8 +15,8 @@ std::vector<float> smallest_angles(std::span<const Triangle> triangles, std::spa
 
 /// The mean curvature at each vertex: half the sum of the principal curvatures, above 0 where a surface whose
 /// triangles are counter-clockwise from outside is convex, in the inverse unit of the positions. It is that of
-/// the cotangent Laplacian (Meyer and others 2003) over a third of the area around the vertex. A vertex of the
-/// boundary has the mean of its inner neighbors, or 0.
+/// the cotangent Laplacian over the mixed area (Meyer and others 2003). A vertex of the boundary has the mean of
+/// its inner neighbors, or 0.
 std::vector<float> mean_curvatures(std::span<const Triangle> triangles, std::span<const glm::vec3> positions);
 
 /// The distance of each point from its place in \p before.

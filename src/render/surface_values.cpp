@@ -52,7 +52,7 @@ ColorScale measured_scale(Coloring coloring, const UnionMesh& mesh) {
     }
     if (coloring == Coloring::curvature)
         return {.map = ColorMap::coolwarm, .range = range_of(-largest, largest)};
-    return {.map = ColorMap::magma, .range = range_of(0, largest)};
+    return {.map = ColorMap::viridis, .range = range_of(0, largest)};
 }
 
 }  // namespace interleaf

@@ -1,6 +1,7 @@
 #include "render/vertex_marks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -13,7 +14,9 @@
 namespace interleaf {
 namespace {
 
-constexpr float normal_length = 14;  // widths of lines
+/// Lengths of normals in widths of lines, where they are few and where they are many.
+constexpr float longest_normal = 14;
+constexpr float shortest_normal = 8;
 
 GlProgram make_marks_program(std::size_t key_count, bool normals) {
     constexpr std::string_view files[] = {"surface.vert", "marks.geom", "marks.frag"};
@@ -22,10 +25,18 @@ GlProgram make_marks_program(std::size_t key_count, bool normals) {
     return link_program(files, definitions);
 }
 
+/// How many vertices there are, from 0 for few to 1 for 20,000 and more.
+float crowd_of(std::size_t vertex_count) {
+    return std::clamp(static_cast<float>(vertex_count) / 20'000, 0.0F, 1.0F);
+}
+
 /// Radius of the dots in widths of lines: smaller where there are more of them.
 float dot_radius(std::size_t vertex_count) {
-    const float crowd = std::clamp(static_cast<float>(vertex_count) / 20'000, 0.0F, 1.0F);
-    return 2.0F - 1.2F * crowd;
+    return 2.0F - 1.2F * crowd_of(vertex_count);
+}
+
+float normal_length(std::size_t vertex_count) {
+    return std::lerp(longest_normal, shortest_normal, crowd_of(vertex_count));
 }
 
 }  // namespace
@@ -65,7 +76,7 @@ void VertexMarks::draw(const SurfaceBuffers& buffers, const OffscreenTarget& tar
         glUniform2f(place("size"), static_cast<float>(target.width()), static_cast<float>(target.height()));
         glUniform1f(place("mark_size"),
                     display.line_width * (normals ? 0.5F : dot_radius(buffers.vertex_count())));
-        glUniform1f(place("line_length"), normal_length * display.line_width);
+        glUniform1f(place("line_length"), normal_length(buffers.vertex_count()) * display.line_width);
         glUniform1i(place("step_size"), static_cast<GLint>(std::max<std::size_t>(step, 1)));
         glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(buffers.vertex_count()));
     }

@@ -27,7 +27,7 @@ class VertexMarks {
     /// \throw InputError with the compiler's message; the old ones stay
     void reload_shaders();
 
-    static constexpr std::size_t max_normals = 20'000;
+    static constexpr std::size_t max_normals = 5'000;
 
   private:
     using Kind = std::pair<std::size_t, bool>;  ///< number of keys; normals or dots

@@ -62,7 +62,7 @@ TEST_CASE("the mean curvature of a sphere is the inverse of its radius, below 0 
     UnionMesh mesh = sphere(2);
     REQUIRE(measure(mesh.triangles, mesh.positions[0]).volume > 0);
     for (const float curvature : mean_curvatures(mesh.triangles, mesh.positions[0]))
-        CHECK(curvature == doctest::Approx(0.5).epsilon(0.2));
+        CHECK(curvature == doctest::Approx(0.5).epsilon(0.02));
     for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
     for (const float curvature : mean_curvatures(mesh.triangles, mesh.positions[0])) CHECK(curvature < 0);
 }
