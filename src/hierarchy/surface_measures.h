@@ -14,9 +14,9 @@ namespace interleaf {
 std::vector<float> smallest_angles(std::span<const Triangle> triangles, std::span<const glm::vec3> positions);
 
 /// The mean curvature at each vertex: half the sum of the principal curvatures, above 0 where a surface whose
-/// triangles are counter-clockwise from outside is convex, in the inverse unit of the positions. It is that of
-/// the cotangent Laplacian over the mixed area (Meyer and others 2003). A vertex of the boundary has the mean of
-/// its inner neighbors, or 0.
+/// triangles are counter-clockwise from outside is convex, in the inverse unit of the positions. It is half
+/// the divergence of the vertex normals, averaged over the triangles at the vertex: exact on a sphere. (The cotangent
+/// Laplacian depends on how vertices are joined: on a bisected sphere its values at vertices go from 0 to 3/R.)
 std::vector<float> mean_curvatures(std::span<const Triangle> triangles, std::span<const glm::vec3> positions);
 
 /// The distance of each point from its place in \p before.
