@@ -14,9 +14,11 @@ namespace interleaf {
 std::vector<float> smallest_angles(std::span<const Triangle> triangles, std::span<const glm::vec3> positions);
 
 /// The mean curvature at each vertex: half the sum of the principal curvatures, above 0 where a surface whose
-/// triangles are counter-clockwise from outside is convex, in the inverse unit of the positions. It is half
-/// the divergence of the vertex normals, averaged over the triangles at the vertex: exact on a sphere. (The cotangent
-/// Laplacian depends on how vertices are joined: on a bisected sphere its values at vertices go from 0 to 3/R.)
+/// triangles are counter-clockwise from outside is convex, in the inverse unit of the positions.
+///
+/// It is half the divergence of the vertex normals, averaged over the triangles at the vertex, and so exact on a
+/// sphere. (The cotangent Laplacian depends on how vertices are joined: on a bisected sphere its values go from 0
+/// to 3 / R.) The boundary has the values of its neighbors.
 std::vector<float> mean_curvatures(std::span<const Triangle> triangles, std::span<const glm::vec3> positions);
 
 /// The distance of each point from its place in \p before.

@@ -67,7 +67,7 @@ TEST_CASE("the mean curvature of a sphere is the inverse of its radius, below 0 
     for (const float curvature : mean_curvatures(mesh.triangles, mesh.positions[0])) CHECK(curvature < 0);
 }
 
-TEST_CASE("a plane has no mean curvature, and a cylinder that of half its inverse radius, also at its ends") {
+TEST_CASE("a plane has no mean curvature, and a cylinder half its inverse radius, also at its ends") {
     constexpr unsigned columns = 40, rows = 10;
     std::vector<glm::vec3> flat, round;
     std::vector<Triangle> triangles;
@@ -83,9 +83,7 @@ TEST_CASE("a plane has no mean curvature, and a cylinder that of half its invers
         }
     for (const float curvature : mean_curvatures(triangles, flat)) CHECK(std::abs(curvature) < 1e-4F);
     const std::vector<float> curvatures = mean_curvatures(triangles, round);
-    for (unsigned row = 0; row <= rows; ++row)
-        for (unsigned column = 0; column <= columns; ++column)
-            CHECK(curvatures[row * (columns + 1) + column] == doctest::Approx(1.0 / 6).epsilon(0.002));
+    for (const float curvature : curvatures) CHECK(curvature == doctest::Approx(1.0 / 6).epsilon(0.002));
 }
 
 TEST_CASE("measures of triangles without area are finite") {
