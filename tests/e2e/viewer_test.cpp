@@ -366,6 +366,23 @@ TEST_CASE("each display key changes the picture, and changes it back") {
     CHECK(viewer.shows(plain));
 }
 
+TEST_CASE(
+    "a click inspects a leaf, keys step from it, and a double-click, a drag or Esc does not or ends it") {
+    const RunningViewer viewer;
+    const glm::vec2 middle = view_pixel(viewer.state());
+    viewer.click(middle);
+    const State leaf = viewer.wait_for("a leaf", [](const State& s) { return !s["inspected"].is_null(); });
+    REQUIRE(leaf["inspected"][1] > 0);
+    viewer.press(XK_Up, XK_Control_L, XK_Shift_L);
+    viewer.wait_for("its parent", [&](const State& s) {
+        return s["inspected"].is_array() && s["inspected"][1] == leaf["inspected"][1].get<int>() - 1;
+    });
+    viewer.drag(middle, middle + glm::vec2(60, 30));
+    CHECK(viewer.state()["inspected"][1] == leaf["inspected"][1].get<int>() - 1);
+    viewer.press(XK_Escape);
+    viewer.wait_for("nothing", [](const State& s) { return s["inspected"].is_null(); });
+}
+
 TEST_CASE("--along is an edit where the family says otherwise, and can be undone") {
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / fmt::format("interleaf-e2e-{}.family", getpid());

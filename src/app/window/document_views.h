@@ -91,6 +91,7 @@ class DocumentViews {
     void follow_inspection(ViewerState& state, const Rect& view);
     void reload_shaders(ViewerState& state);
     void follow_curves(const ViewerState& state, float width);
+    void move_cameras(ViewerState& state, const FrameLayout& layout, double now);
 
     std::shared_ptr<const Family> family_;  ///< the family of the fields and portraits
     std::vector<FamilyField> fields_;
@@ -103,6 +104,7 @@ class DocumentViews {
     ComparisonView comparison_;
     KeyPortraits portraits_;
     MismatchPictures mismatch_pictures_;
+    double spun_at_ = 0;  ///< wall time of the last frame, seconds
 };
 
 }  // namespace interleaf

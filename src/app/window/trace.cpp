@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "app/document/viewpoint.h"
 #include "hierarchy/error.h"
 
 namespace interleaf {
@@ -130,6 +131,7 @@ void Trace::record(std::size_t frame, double seconds, const ViewerState& state, 
     json["late"] = figures.is_late;
     json["detail_follows"] = record.follows_camera;
     json["eye"] = {record.eye.x, record.eye.y, record.eye.z};
+    json["view"] = text_of(viewpoint_of(record.camera));
     json["document"] = json_of(state.document);
     json["inspected"] =
         state.inspected ? Json{state.inspected->root, state.inspected->level, state.inspected->path} : Json();
