@@ -418,7 +418,8 @@ TEST_CASE("the colors of an OBJ are shown as a field, with the value under the p
     CHECK(start["display"]["field"] == "color");
     viewer.point_at(view_pixel(start));
     std::set<Picture> pictures = {viewer.settled_picture()};
-    for (const char* coloring : {"level", "origin", "checker", "field"}) {
+    for (const char* coloring :
+         {"level", "origin", "common", "checker", "angle", "curvature", "moved", "field"}) {
         viewer.press(XK_c);
         viewer.wait_for(coloring, [&](const State& s) { return s["display"]["coloring"] == coloring; });
         pictures.insert(viewer.settled_picture());

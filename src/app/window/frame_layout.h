@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/document/viewer_state.h"
 #include "ui/layout.h"
 #include "ui/widgets/rect.h"
 
@@ -19,5 +20,9 @@ struct FrameLayout {
     std::optional<Rect> domain;    ///< the bounding box of the domain's vertices
     std::optional<Rect> timeline;  ///< the track from begin to end
 };
+
+/// The layout of \p state in a window of \p size, before its panels are shown.
+/// \param scale  of the user interface
+FrameLayout frame_layout(const ViewerState& state, glm::vec2 size, float scale);
 
 }  // namespace interleaf

@@ -23,6 +23,7 @@
 #include "hierarchy/buffer.h"
 #include "hierarchy/measure.h"
 #include "render/camera.h"
+#include "render/pick.h"
 #include "ui/gui.h"
 #include "ui/panels/view_area.h"
 #include "ui/widgets/rect.h"
@@ -85,6 +86,15 @@ class SurfaceView {
 
     /// The scale of such a coloring.
     const ColorScale& measured_scale() const { return measured_.scale(); }
+    /// The ray through \p pointer, window coordinates, over \p view.
+    Ray ray_at(glm::vec2 pointer, const Rect& view) const;
+
+    /// The point of the surface under \p pointer in the last picture; none beside the surface.
+    /// \pre draw() has been called
+    std::optional<glm::vec3> point_at(glm::vec2 pointer, const Rect& view);
+
+    /// A length across the direction of view at \p point, in screen coordinates.
+    float shown_length(float length, const glm::vec3& point, const Rect& view) const;
 
     /// Reloads the shaders. The next picture is drawn again even if nothing else has changed.
     void reload_shaders();
@@ -103,7 +113,6 @@ class SurfaceView {
     bool is_working() const { return waits_ || details_.progress(); }
 
   private:
-    Ray ray_at(glm::vec2 pointer, const Rect& view) const;
     const std::vector<float>& depths();
     void follow_measured(const Session& session);
     Buffer<glm::vec3> blend_positions() const;

@@ -46,6 +46,9 @@ ViewInput view_area(const Rect& rect, const char* name) {
         input.clicked = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
                         io.MouseClickedLastCount[ImGuiMouseButton_Left] == 1 && !io.KeyShift && !io.KeyCtrl &&
                         io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] <= farthest * farthest;
+        input.hovered = ImGui::IsItemHovered();
+        input.pressed = ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+        input.held = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
         input.pointed_at = ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown();
         if (ImGui::IsItemHovered()) {
             input.zoom = std::pow(1.12F, io.MouseWheel);

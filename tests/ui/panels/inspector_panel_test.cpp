@@ -14,7 +14,7 @@ using namespace interleaf;
 
 namespace {
 
-constexpr Rect view{0, 0, 800, 600};
+constexpr Rect inspected_area{0, 0, 800, 600};
 
 InspectedNode node_without_parent() {
     InspectedNode node{.node = {}, .state = NodeState::bisected, .blend = {}, .keys = {}, .steps = {}};
@@ -34,9 +34,9 @@ std::pair<std::vector<NodeStep>, bool> click_everywhere(const InspectedNode& nod
     std::pair<std::vector<NodeStep>, bool> found;
     const auto frame = [&](glm::vec2 pointer, bool is_down) {
         gui.begin_frame(pointer, is_down);
-        const InspectorResult result = inspector_panel(node, shortcuts, view);
+        const InspectorResult result = inspector_panel(node, shortcuts, inspected_area);
         gui.begin_drawing();
-        inspector_panel(node, shortcuts, view);
+        inspector_panel(node, shortcuts, inspected_area);
         gui.end_frame();
         return result;
     };
