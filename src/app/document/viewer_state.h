@@ -18,6 +18,7 @@
 #include "app/document/session.h"
 #include "hierarchy/nodes/node_path.h"
 #include "hierarchy/nodes/node_steps.h"
+#include "ui/widgets/appearance.h"
 
 namespace interleaf {
 
@@ -82,6 +83,7 @@ struct ViewerState {
     bool compares_colors = true;  ///< the comparison shows distances as colors
     std::shared_ptr<const FitComparison> compared;  ///< the shown one; the first if not in comparisons
 
+    bool shows_keys_beside = false;     ///< a picture of each active key beside the blend
     std::optional<NodePath> inspected;  ///< the node that the inspector shows
     std::optional<NodeStep> node_step;  ///< from the inspected node
     bool inspects_middle = false;       ///< inspect the leaf at the middle of the picture
@@ -91,6 +93,7 @@ struct ViewerState {
     std::optional<std::filesystem::path> film_wish;  ///< a film or picture to make
     std::optional<TextQuestion> question;
     bool help_shown = false;
+    Appearance appearance{};
     bool search_wanted = false;  ///< the search for commands is to open
     CameraChoices camera;
     CameraWishes camera_wishes{};

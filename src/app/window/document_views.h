@@ -14,6 +14,7 @@
 #include "app/pictures/mismatch_pictures.h"
 #include "app/window/comparison_view.h"
 #include "app/window/frame_layout.h"
+#include "app/window/key_views.h"
 #include "app/window/redraw.h"
 #include "app/window/surface_brush.h"
 #include "app/window/surface_view.h"
@@ -98,6 +99,8 @@ class DocumentViews {
         std::size_t samples;
         bool operator==(const CurvesOf&) const = default;
     };
+    void apply_to_key_views(const WindowActions& actions, ViewerState& state, const FrameLayout& layout);
+    void point_at_leaf(const WindowActions& actions, const ViewerState& state, const FrameLayout& layout);
     void apply_to_inspection(const ViewInput& input, ViewerState& state, const Rect& view);
     void follow_inspection(ViewerState& state, const Rect& view);
     void reload_shaders(ViewerState& state);
@@ -112,6 +115,8 @@ class DocumentViews {
     BlendHistory blend_history_;
     SurfaceView surface_;
     Inspection inspection_;
+    KeyViews key_views_;
+    std::optional<NodePath> pointed_at_;  ///< the leaf under the pointer, while the keys are beside the blend
     std::optional<NodePath> inspected_before_click_;  ///< a double-click is no click
     SurfaceBrush brush_;
     ComparisonView comparison_;

@@ -252,6 +252,7 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
                 .weights = shows_view_ ? std::vector{1.0F} : surface_.weights(),
                 .display = session.display,
                 .surface = surface_.figures().rebuilds,
+                .box = all_keys_.box,
                 .view = shows_view_ ? view_.version() : 0};
     // What the renderer is given has its detail already.
     scene.display.detail = 1;
@@ -274,7 +275,7 @@ void SurfaceView::draw_arrows(const Rect& view, const Gui& gui) {
                    glm::vec2(view.x, view.y) + arrow.to / gui.density());
 }
 
-void SurfaceView::draw_outline(const NodePath& node, const Rect& view, const Gui& gui) {
+void SurfaceView::draw_outline(const NodePath& node, bool has_numbers, const Rect& view, const Gui& gui) {
     const UnionMesh& mesh = shows_view_ ? view_.mesh() : surface_.mesh();
     if (node.root >= mesh.roots.triangle_count()) return;
     outline_.follow(mesh, {shows_view_, shows_view_ ? view_.version() : surface_.figures().rebuilds}, node);
@@ -286,13 +287,8 @@ void SurfaceView::draw_outline(const NodePath& node, const Rect& view, const Gui
         return sum;
     };
     const OffscreenTarget& target = *picture_.target();
-    Outline outline = outline_.outline(position, camera_, {target.width(), target.height(), depths()});
-    const auto to_window = [&](glm::vec2 pixel) { return glm::vec2(view.x, view.y) + pixel / gui.density(); };
-    for (OutlineLine& line : outline.lines)
-        std::ranges::transform(line.points, line.points.begin(), to_window);
-    for (auto& corner : outline.corners)
-        if (corner) corner = to_window(*corner);
-    outline_mark(outline, view, true);
+    const Outline outline = outline_.outline(position, camera_, {target.width(), target.height(), depths()});
+    outline_mark(in_window(outline, {view.x, view.y}, gui.density()), view, has_numbers);
 }
 
 /// The depths of the picture, read once per drawing.

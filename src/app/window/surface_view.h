@@ -73,7 +73,8 @@ class SurfaceView {
     void draw_arrows(const Rect& view, const Gui& gui);
 
     /// Draws the outline of \p node over the picture of the last draw().
-    void draw_outline(const NodePath& node, const Rect& view, const Gui& gui);
+    /// \param has_numbers  whether its corners have their numbers
+    void draw_outline(const NodePath& node, bool has_numbers, const Rect& view, const Gui& gui);
 
     /// The leaf of the shown surface at \p pointer in \p view; none beside the surface.
     std::optional<NodePath> leaf_at(glm::vec2 pointer, const Rect& view) const;

@@ -93,7 +93,7 @@ class Viewer {
     void draw(const std::optional<ViewInput>& view);
 
     ShownWindow show_panels();
-    FrameLayout layout() const { return frame_layout(state_, size_, gui_.scale()); }
+    FrameLayout layout() const { return lay_out_frame(size_, menu_bar_height(), gui_.scale(), state_); }
     void record();
     void save_picture();
 
@@ -138,6 +138,7 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
     if (options.stats) stats_.emplace(*options.stats);
     if (const auto last = files_.window_size(); last && !options.size)
         glfwSetWindowSize(window_.handle(), last->x, last->y);
+    state_.appearance = files_.appearance();
     begin_with(options, state_, glfwGetTime());
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(window_.handle(), 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
@@ -160,7 +161,7 @@ void Viewer::run() {
         files_.grant(FileWish::quit);
         redraw_.settle();
     }
-    files_.remember_window(size_);
+    files_.remember_window(size_, gui_.closed_sections());
 }
 
 /// Continues after an unexpected error, and keeps the unsaved changes.
@@ -210,6 +211,7 @@ void Viewer::frame() {
 // ---- input ----
 
 FrameInput Viewer::read_input() {
+    gui_.follow(state_.appearance);
     gui_.begin_frame(std::exchange(input_.keyboard_keys, {}));
     FrameInput input;
     input.pressed = std::exchange(input_.pressed, {});

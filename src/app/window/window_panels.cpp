@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "app/brushing/brush_stroke.h"
 #include "app/pictures/view_surface.h"
 #include "family/family_time.h"
@@ -11,6 +13,7 @@
 #include "ui/panels/display_panel.h"
 #include "ui/panels/help_overlay.h"
 #include "ui/panels/status_line.h"
+#include "ui/splitters.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -192,6 +195,9 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
     result.weights = weights;
     if (shown.state.camera.shows_axes) result.actions.axes = axes_widget(panels.view, shown.camera_axes);
     result.actions.view = view_area(panels.view);
+    for (std::size_t n = 0; n < shown.layout.key_views.size(); ++n)
+        result.actions.key_views.push_back(
+            view_area(shown.layout.key_views[n], fmt::format("key {}", n).c_str()));
     show_brush(shown, result);
     if (panels.left) {
         begin_panel("left", *panels.left);
@@ -222,6 +228,7 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
                  .rebuild_milliseconds = shown.figures.rebuild_milliseconds,
                  .frame_milliseconds = shown.frame_milliseconds,
                  .report = shown.state.brush.report});
+    result.actions.panel_sizes = splitters(panels, shown.state.appearance.panels, shown.layout.scale);
 }
 
 void show_message(const WindowShown& shown, const Rect& view, WindowActions& actions) {

@@ -77,10 +77,12 @@ struct WindowActions {
     std::optional<AxesResult> axes;
     std::optional<KeysPanelResult> keys;
     std::optional<BlendActions> blend;
-    std::optional<Display> display;  ///< the new display, if the user changed it
+    std::optional<PanelSizes> panel_sizes;  ///< the new sizes, if the user dragged an edge
+    std::optional<Display> display;         ///< the new display, if the user changed it
     std::optional<ParameterDomainResult> domain;
     std::optional<TimelineResult> timeline;
     std::optional<ComparisonActions> comparison;
+    std::vector<ViewInput> key_views;  ///< the mouse input over the pictures of active keys
     std::optional<InspectorResult> inspector;
     bool closes_help = false;
     bool dismisses_message = false;

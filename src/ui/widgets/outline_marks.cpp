@@ -1,5 +1,6 @@
 #include "ui/widgets/outline_marks.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -56,6 +57,14 @@ void draw_numbers(const Outline& outline) {
 }
 
 }  // namespace
+
+Outline in_window(Outline outline, glm::vec2 corner, float density) {
+    const auto placed = [&](glm::vec2 pixel) { return corner + pixel / density; };
+    for (OutlineLine& line : outline.lines) std::ranges::transform(line.points, line.points.begin(), placed);
+    for (auto& each : outline.corners)
+        if (each) each = placed(*each);
+    return outline;
+}
 
 void outline_mark(const Outline& outline, const Rect& area, bool has_numbers) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();

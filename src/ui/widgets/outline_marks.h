@@ -23,6 +23,11 @@ struct Outline {
     std::array<std::optional<glm::vec2>, 3> corners{};  ///< none behind the camera
 };
 
+/// \p outline, which is in pixels of a picture, in window coordinates.
+/// \param corner   of the picture in the window, upper left
+/// \param density  pixels per window coordinate
+Outline in_window(Outline outline, glm::vec2 corner, float density);
+
 /// Draws \p outline behind all panels. Hidden parts are faint; the refinement edge has a color of its own.
 /// \param outline  window coordinates
 /// \param area     clips the drawing
