@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "app/document/typed_count.h"
+#include "family/field_scale.h"
 #include "hierarchy/error.h"
 #include "io/text/joined_text.h"
 
@@ -82,6 +83,13 @@ ChosenWarp parse_warp(std::string_view text) {
             warp = {std::string(text.substr(0, comma)), factor->front()};
     if (warp.field.empty()) expected("FIELD or FIELD,FACTOR", text);
     return warp;
+}
+
+NamedUnit parse_unit(std::string_view text) {
+    const std::size_t sign = text.rfind('=');
+    if (sign == 0 || sign == std::string_view::npos || !is_unit(text.substr(sign + 1)))
+        throw UsageError(fmt::format("--unit: expected FIELD=TEXT, such as T=K, got '{}'", text));
+    return {std::string(text.substr(0, sign)), std::string(text.substr(sign + 1))};
 }
 
 unsigned parse_bits(std::string_view text) {

@@ -14,6 +14,7 @@
 #include "app/cli/morph_selection.h"
 #include "app/cli/render_command.h"
 #include "app/importing/series_import.h"
+#include "family/field_units.h"
 #include "family/interpolation.h"
 #include "hierarchy/triangle.h"
 #include "render/display.h"
@@ -31,6 +32,9 @@ unsigned parse_corner(std::string_view text);
 
 /// A warp, "FIELD" or "FIELD,FACTOR".
 ChosenWarp parse_warp(std::string_view text);
+
+/// The unit of a field, "FIELD=TEXT".
+NamedUnit parse_unit(std::string_view text);
 
 /// The number of bits of a rounded coordinate, 8 to 24.
 unsigned parse_bits(std::string_view text);

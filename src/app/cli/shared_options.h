@@ -12,6 +12,7 @@
 
 #include "app/cli/morph_selection.h"
 #include "app/cli/output.h"
+#include "family/field_units.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "render/display.h"
 
@@ -40,6 +41,9 @@ void add_output(CLI::App& command, Output& output, const std::vector<std::string
 
 /// Adds --compress and --bits.
 void add_form(CLI::App& command, HierarchyFileOptions& form);
+
+/// Adds --unit and --time-unit.
+void add_units(CLI::App& command, std::vector<NamedUnit>& units, std::function<void(const std::string&)> take_time_unit);
 
 /// Adds --show, --shading, --color, --color-map and --range.
 void add_display(CLI::App& command, Display& display);

@@ -36,7 +36,7 @@ void show_series(const SeriesToImport& series, const ViewOptions& view) {
         return;
     }
     if (options.display.coloring == Coloring::plain)
-        color_by_field(options.display, fields_of(keys.family.keys));
+        color_by_field(options.display, fields_of(keys.family));
     if (options.along) require_source(keys.family, *options.along);
     run_viewer(std::move(keys.family), series.files, {}, options);
 }

@@ -8,6 +8,17 @@
 #include "hierarchy/error.h"
 
 namespace interleaf {
+namespace {
+
+/// Keeps the range of shown values under another offset.
+void move_offset(ColorScale& scale, double offset) {
+    if (offset == scale.offset) return;
+    const double moved = scale.offset - offset;
+    scale.range = {static_cast<float>(double{scale.range.min} + moved),
+                   static_cast<float>(double{scale.range.max} + moved)};
+}
+
+}  // namespace
 
 void require_field(const Display& display, std::span<const FamilyField> fields) {
     if (display.coloring != Coloring::field || find_field(fields, display.field) != nullptr) return;
@@ -53,8 +64,10 @@ void adapt_display(Display& display, std::span<const FamilyField> fields) {
     }
     if (find_field(fields, display.field) == nullptr) display.field = fields.front().label.name;
     const FamilyField& field = *find_field(fields, display.field);
-    if (!display.range_locked && field.label.kind == FieldKind::scalar)
-        display.scale.range = {field.min, field.max};
+    if (field.label.kind != FieldKind::scalar) return;
+    if (display.range_locked) move_offset(display.scale, field.offset);
+    else display.scale.range = {field.min, field.max};
+    display.scale.offset = field.offset;
 }
 
 }  // namespace interleaf

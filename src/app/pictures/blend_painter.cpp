@@ -16,7 +16,7 @@ constexpr int samples_per_pixel = 4;
 
 BlendPainter::BlendPainter(const Family& family, int width, int height, const Display& display)
     : family_(family),
-      fields_(fields_of(family.keys)),
+      fields_(fields_of(family)),
       display_(display),
       target_(width, height, samples_per_pixel) {
     interleaf::require_field(display_, fields_);

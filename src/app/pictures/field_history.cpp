@@ -2,6 +2,8 @@
 
 #include <new>
 
+#include "family/family_time.h"
+
 namespace interleaf {
 
 void FieldHistory::follow(const std::shared_ptr<const Family>& family, const std::string* field) {
@@ -14,6 +16,8 @@ void FieldHistory::follow(const std::shared_ptr<const Family>& family, const std
     curves_ = measured_ = {};
     is_taken_ = is_over_ = field == nullptr || !family->timeline;
     if (is_over_) return;
+    measured_.unit = scale_of(family->field_scales, *field).unit;
+    measured_.time_unit = unit_name_of(*family, TimeSource::keys);
     thread_ = std::jthread([this, family, name = *field](const std::stop_token& stop) {
         try {
             measure(stop, *family, name);
@@ -26,11 +30,12 @@ void FieldHistory::follow(const std::shared_ptr<const Family>& family, const std
 }
 
 void FieldHistory::measure(const std::stop_token& stop, const Family& family, const std::string& field) {
+    const double offset = scale_of(family.field_scales, field).offset;
     for (const TimelineKey& key : family.timeline->keys()) {
         if (stop.stop_requested()) return;
         const Hierarchy& hierarchy = *family.keys[key.key].hierarchy;
         const Field* const found = find_field(hierarchy.fields, {field, FieldKind::scalar});
-        if (found != nullptr) add(key.time, figures_of(hierarchy, *found));
+        if (found != nullptr) add(key.time, figures_of(hierarchy, *found, offset));
     }
 }
 

@@ -29,6 +29,8 @@ enum class CommandId : std::uint8_t {
     undo,
     redo,
     rename_family,
+    set_field_unit,
+    set_time_unit,
     new_domain,
     edit_domain,
     add_keys,

@@ -9,6 +9,7 @@
 
 #include "app/document/edit_commands.h"
 #include "app/document/playback_commands.h"
+#include "app/document/unit_commands.h"
 
 namespace interleaf {
 
@@ -92,6 +93,22 @@ constexpr Command document_table[] = {
      .shortcuts = {{{GLFW_KEY_F2, GLFW_MOD_SHIFT}}},
      .description = "Give the family another name",
      .run = [](ViewerState& state, double) { ask_for_family_name(state); }},
+    {.id = CommandId::set_field_unit,
+     .scope = CommandScope::document,
+     .menu = "Edit",
+     .name = "Unit of field...",
+     .shortcuts = {{{GLFW_KEY_U, GLFW_MOD_SHIFT}}},
+     .description = "Type the unit of the shown field, for its legend and values",
+     .run = [](ViewerState& state, double) { ask_for_field_unit(state); },
+     .is_possible = [](const ViewerState& state) { return shown_scalar(state) != nullptr; }},
+    {.id = CommandId::set_time_unit,
+     .scope = CommandScope::document,
+     .menu = "Edit",
+     .name = "Unit of time...",
+     .shortcuts = {{{GLFW_KEY_U, GLFW_MOD_ALT}}},
+     .description = "Type the unit of the timeline's times",
+     .run = [](ViewerState& state, double) { ask_for_time_unit(state); },
+     .is_possible = [](const ViewerState& state) { return state.document.family().timeline.has_value(); }},
     {.id = CommandId::new_domain,
      .scope = CommandScope::document,
      .menu = "Edit",

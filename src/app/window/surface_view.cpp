@@ -240,7 +240,7 @@ void SurfaceView::show_value(const Session& session, const FamilyField& field, g
     const glm::ivec3 bytes(glm::round(255.0F * color));
     value_label(pointer, view, color,
                 is_scalar
-                    ? fmt::format("{} {:.4g}", field.label.name, value->x)
+                    ? fmt::format("{} {}", field.label.name, shown_value(field, value->x))
                     : fmt::format("{} #{:02x}{:02x}{:02x}", field.label.name, bytes.r, bytes.g, bytes.b));
 }
 

@@ -367,7 +367,7 @@ void Viewer::save_picture() {
 void run_viewer(Family family, std::vector<std::filesystem::path> sources,
                 std::vector<std::filesystem::path> meshes, const ViewerOptions& options) {
     if (options.at && !family.domain) throw UsageError("--at: the family has no parameter domain");
-    require_field(options.display, fields_of(family.keys));
+    require_field(options.display, fields_of(family));
     if (options.time && !source_of_time(family))
         throw UsageError("--time: the family has neither a timeline nor a path");
     // Otherwise a software renderer allocates and returns its memory in every frame, which costs most of its

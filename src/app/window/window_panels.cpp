@@ -77,7 +77,7 @@ void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
     section_gap();
     const SurfaceFigures& figures = shown.figures;
     const Display& display = shown.state.session.display;
-    Display wanted = display_panel(display, {.levels = figures.levels,
+    DisplayPanelResult wanted = display_panel(display, {.levels = figures.levels,
                                              .origins = figures.origins,
                                              .active_keys = figures.keys,
                                              .active_names = figures.key_names,
@@ -86,7 +86,8 @@ void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
                                              .curves = shown.field_curves,
                                              .time = shown.state.session.time(),
                                              .is_flat = shown.is_flat});
-    if (wanted != display) result.actions.display = std::move(wanted);
+    if (wanted.display != display) result.actions.display = std::move(wanted.display);
+    result.actions.asks_for_unit = wanted.asks_for_unit;
     result.legend_keys = figures.key_names;
 }
 
@@ -126,6 +127,7 @@ TransportState transport_of(const Session& session) {
     return {.time = session.time(),
             .end = session.playback().end(),
             .unit = unit_of(family, source_of_time(family).value_or(TimeSource::keys)),
+            .unit_name = unit_name_of(family, source_of_time(family).value_or(TimeSource::keys)),
             .playing = session.is_playing(),
             .plays_back = session.plays_back(),
             .repeat = session.playback().repeat(),

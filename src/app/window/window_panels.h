@@ -62,6 +62,7 @@ struct WindowActions {
     std::optional<ViewInput> view;
     std::optional<KeysPanelResult> keys;
     std::optional<Display> display;  ///< the new display, if the user changed it
+    bool asks_for_unit = false;      ///< of the shown field
     std::optional<ParameterDomainResult> domain;
     std::optional<TimelineResult> timeline;
     std::optional<ComparisonActions> comparison;

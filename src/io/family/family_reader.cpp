@@ -272,6 +272,34 @@ void read_path(const JsonPlace& place, Family& family) {
     family.time_source = TimeSource::path;
 }
 
+/// A unit of a field or of time, as people write it.
+std::string written_unit_at(const JsonPlace& place) {
+    std::string unit = place.string();
+    if (!is_unit(unit))
+        place.fail_expecting(fmt::format("a unit of at most {} bytes without control characters", max_unit));
+    return unit;
+}
+
+/// The offsets and units of fields.
+std::vector<FieldScale> scales_at(const JsonPlace& place) {
+    if (place.size() > family_format::max_scales)
+        place.fail(fmt::format("has {} scales, expected at most {}", place.size(), family_format::max_scales));
+    std::vector<FieldScale> scales;
+    scales.reserve(place.size());
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        const JsonPlace scale = place.element(i);
+        const JsonPlace name = scale.member("field");
+        FieldScale read{.field = name.string()};
+        if (!is_field_name(read.field)) name.fail_expecting("the name of a field");
+        if (std::ranges::find(scales, read.field, &FieldScale::field) != scales.end())
+            name.fail_expecting("a field that no other scale has");
+        if (const auto offset = scale.optional_member("offset")) read.offset = offset->number();
+        if (const auto unit = scale.optional_member("unit")) read.unit = written_unit_at(*unit);
+        scales.push_back(std::move(read));
+    }
+    return scales;
+}
+
 void check_version(const JsonPlace& version) {
     if (version.number() != family_format::oldest_version && version.number() != family_format::version)
         version.fail_expecting(
@@ -324,8 +352,11 @@ void read_composition(const JsonPlace& place, Family& family) {
         family.domain = domain_at(*domain, names);
         if (version.number() > 1) read_path(*domain, family);
     }
-    if (const auto origin = place.optional_member("origin"); origin && version.number() > 1)
-        family.origin = origin_at(*origin);
+    if (version.number() == 1) return;
+    if (const auto origin = place.optional_member("origin")) family.origin = origin_at(*origin);
+    if (const auto scales = place.optional_member("scales")) family.field_scales = scales_at(*scales);
+    if (const auto timeline = place.optional_member("timeline"))
+        if (const auto unit = timeline->optional_member("unit_name")) family.time_unit = written_unit_at(*unit);
 }
 
 std::vector<fs::path> key_files(const fs::path& path) {

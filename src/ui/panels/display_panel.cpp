@@ -101,8 +101,9 @@ void origin_legend(const Legend& legend) {
 
 }  // namespace
 
-Display display_panel(const Display& shown, const Legend& legend) {
-    Display display = shown;
+DisplayPanelResult display_panel(const Display& shown, const Legend& legend) {
+    DisplayPanelResult result{.display = shown};
+    Display& display = result.display;
     heading("Shading");
     choice("shading", display.shading, {{"Smooth", Shading::smooth}, {"Flat", Shading::flat}});
     ImGui::Checkbox("Ambient occlusion", &display.occlusion);
@@ -117,10 +118,11 @@ Display display_panel(const Display& shown, const Legend& legend) {
     if (display.coloring == Coloring::level) level_legend(legend.levels);
     if (display.coloring == Coloring::origin) origin_legend(legend);
     if (display.coloring == Coloring::field)
-        display = field_panel(display, legend.fields, legend.key_without_field.value_or(""), legend.is_flat);
+        display = field_panel(display, legend.fields, legend.key_without_field.value_or(""), legend.is_flat,
+                              result.asks_for_unit);
     if (display.coloring == Coloring::field && legend.curves != nullptr)
         field_curves(*legend.curves, legend.time);
-    return display;
+    return result;
 }
 
 }  // namespace interleaf

@@ -1,5 +1,6 @@
 #include "ui/panels/field_panel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -54,11 +55,15 @@ void lock_range(Display& display) {
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Keeps this range. Otherwise the range covers the values of all keys.");
     if (!display.range_locked) return;
-    float ends[] = {display.scale.range.min, display.scale.range.max};
+    ColorScale& scale = display.scale;
+    double ends[] = {double{scale.range.min} + scale.offset, double{scale.range.max} + scale.offset};
     ImGui::SetNextItemWidth(-1);
-    if (!ImGui::InputFloat2("##range", ends, "%.5g")) return;
-    if (std::isfinite(ends[0]) && std::isfinite(ends[1]) && ends[0] < ends[1])
-        display.scale.range = {ends[0], ends[1]};
+    if (!ImGui::InputScalarN("##range", ImGuiDataType_Double, ends, 2, nullptr, nullptr,
+                             scale.offset == 0 ? "%.5g" : "%.9g"))
+        return;
+    const ValueRange range{static_cast<float>(ends[0] - scale.offset),
+                           static_cast<float>(ends[1] - scale.offset)};
+    if (std::isfinite(range.min) && std::isfinite(range.max) && range.min < range.max) scale.range = range;
 }
 
 /// Offers a logarithmic scale, which needs a range above 0.
@@ -81,10 +86,30 @@ void choose_height(float& height) {
             "Raises the surface by the field: the range becomes this part of the surface's size.");
 }
 
+/// Shows the name of \p field over its legend, with its unit on a button.
+/// \return whether the button is pressed
+bool show_title(const FamilyField& field) {
+    const std::string unit = field.unit.empty() ? "no unit" : field.unit;
+    const float width = std::min(text_size(unit).x + 2 * ImGui::GetStyle().FramePadding.x,
+                                 ImGui::GetContentRegionAvail().x / 2);
+    const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+    const float row = ImGui::GetContentRegionAvail().x;
+    draw_text({corner.x, corner.y + ImGui::GetStyle().FramePadding.y}, row - width - scaled(6), colors::text,
+              field.label.name);
+    ImGui::SetCursorScreenPos({corner.x + row - width, corner.y});
+    const bool is_pressed = ImGui::Button("##unit", {width, 0});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Unit of the field: type another one (Shift+U)");
+    draw_text({corner.x + row - width + ImGui::GetStyle().FramePadding.x,
+               corner.y + ImGui::GetStyle().FramePadding.y},
+              width - 2 * ImGui::GetStyle().FramePadding.x + 1,
+              field.unit.empty() ? colors::dim_text : colors::text, unit);
+    return is_pressed;
+}
+
 }  // namespace
 
 Display field_panel(const Display& shown, std::span<const FamilyField> fields, std::string_view key_without,
-                    bool can_rise) {
+                    bool can_rise, bool& asks_for_unit) {
     Display display = shown;
     choose_field(display, fields);
     const FamilyField* const field = find_field(fields, display.field);
@@ -99,6 +124,7 @@ Display field_panel(const Display& shown, std::span<const FamilyField> fields, s
     if (field->label.kind == FieldKind::color) return display;
     choose_map(display.scale.map);
     ImGui::Spacing();
+    asks_for_unit = show_title(*field);
     scale_legend(display.scale);
     lock_range(display);
     choose_logarithm(display.scale);
