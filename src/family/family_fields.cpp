@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "hierarchy/union_fields.h"
 #include "text/value_text.h"
+
+#include "hierarchy/union_fields.h"
 
 namespace interleaf {
 namespace {

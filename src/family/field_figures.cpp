@@ -13,8 +13,9 @@ FieldFigures figures_of(const Hierarchy& key, const Field& field, double offset)
         const glm::dvec3 from(key.positions[a]);
         const glm::dvec3 normal =
             glm::cross(glm::dvec3(key.positions[b]) - from, glm::dvec3(key.positions[c]) - from);
-        figures.integral += glm::length(normal) / 6 *
-                            (double{field.values[a]} + double{field.values[b]} + double{field.values[c]} + 3 * offset);
+        figures.integral +=
+            glm::length(normal) / 6 *
+            (double{field.values[a]} + double{field.values[b]} + double{field.values[c]} + 3 * offset);
     }
     const auto [least, most] = std::ranges::minmax(field.values);
     figures.least = double{least} + offset;

@@ -125,7 +125,8 @@ std::vector<std::string> lost_offsets(const Format& format, const Family& family
     std::vector<std::string> sentences;
     if (!format.written->origin && family.origin != glm::dvec3(0))
         sentences.push_back(origin_sentence(family.origin));
-    if (!format.is_exported_key()) return sentences;  // fields of the others have their offsets, or are missing
+    if (!format.is_exported_key())
+        return sentences;  // fields of the others have their offsets, or are missing
     for (const FieldScale& scale : family.field_scales)
         if (scale.offset != 0) sentences.push_back(offset_sentence(scale));
     return sentences;

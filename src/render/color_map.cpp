@@ -108,7 +108,8 @@ ColorScale::Placing ColorScale::placing() const {
     const auto to_float = [](double factor) {
         return static_cast<float>(std::min<double>(factor, std::numeric_limits<float>::max()));
     };
-    if (!is_diverging(map) || min >= 0 || max <= 0 || offset != 0) return {range.min, to_float(1 / (max - min)), 0};
+    if (!is_diverging(map) || min >= 0 || max <= 0 || offset != 0)
+        return {range.min, to_float(1 / (max - min)), 0};
     return {0, to_float(0.5 / std::max(-min, max)), 0.5F};
 }
 

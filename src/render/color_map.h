@@ -53,10 +53,12 @@ struct ColorScale {
     ColorMap map = ColorMap::viridis;
     ValueRange range;
     bool is_logarithmic = false;  ///< equal steps are equal factors, if the range is above 0
-    double offset = 0;            ///< is added to values where they are shown; range and colors are without it
+    double offset = 0;  ///< is added to values where they are shown; range and colors are without it
     bool operator==(const ColorScale&) const = default;
 
-    bool uses_logarithm() const { return is_logarithmic && range.min > 0 && range.max > range.min && offset == 0; }
+    bool uses_logarithm() const {
+        return is_logarithmic && range.min > 0 && range.max > range.min && offset == 0;
+    }
 
     /// The place of a value, or of its natural logarithm, within the range as an affine map:
     /// (value - base) * factor + offset.

@@ -8,7 +8,9 @@
 
 using namespace interleaf;
 
-TEST_CASE("with their offset, floats keep values to a millionth of the range, and without one where there is none") {
+TEST_CASE(
+    "with their offset, floats keep values to a millionth of the range, and without one where there is "
+    "none") {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> exponents(-12, 12);
     std::uniform_real_distribution<double> parts(0, 1);

@@ -26,7 +26,8 @@ Field scalar(const char* name, float value) {
 }  // namespace
 
 TEST_CASE("units belong to scalars of the keys, and to a timeline") {
-    Family family = family_of(triangle_with("a", {scalar("T", 1), {"c", FieldKind::color, Buffer<float>(9, 0)}}));
+    Family family =
+        family_of(triangle_with("a", {scalar("T", 1), {"c", FieldKind::color, Buffer<float>(9, 0)}}));
     family.field_scales = {{"T", 300, ""}};
     family = with_field_unit(family, "T", "K");
     CHECK(family.field_scales == std::vector<FieldScale>{{"T", 300, "K"}});

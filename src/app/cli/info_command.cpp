@@ -23,6 +23,7 @@
 #include "io/formats.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "io/mesh/mesh_file.h"
+#include "io/series_files.h"
 #include "ui/widgets/number_text.h"
 
 namespace interleaf {
@@ -358,12 +359,15 @@ void run_info(const InfoOptions& options) {
 
     Opening opened = open_files(files);
     const bool is_family = std::holds_alternative<OpenedFamily>(opened);
+    const bool is_series = std::holds_alternative<SeriesToImport>(opened);
     const Family family = family_of(std::move(opened));
-    const std::vector<Figures> keys = figures_of(family, is_family ? key_files(first) : files);
+    const std::vector<Figures> keys = figures_of(family, is_family   ? key_files(first)
+                                                         : is_series ? series_files(files).files
+                                                                     : files);
     const auto print = options.json ? print_json : print_text;
     if (is_family || (has_family && files.size() == 1))
         print(Kind::family, family, keys, figures_of_family(first, keys));
-    else if (files.size() == 1)
+    else if (files.size() == 1 && !is_series)
         print(Kind::hierarchy, family, keys, total(keys));
     else  // keys without a family file
         print(Kind::family, family, keys, figures_of_keys(keys));

@@ -93,6 +93,13 @@ ValueRange parse_range(std::string_view text);
 /// Shows the edges that \p text names, such as "wireframe,root-edges".
 void parse_shown_edges(std::string_view text, Display& display);
 
+/// Raises flat keys by a scalar: "FIELD", or "FIELD,PART" with the height of its range as a part of the size of the
+/// surface, above 0 and up to 1.
+void parse_height(std::string_view text, Display& display);
+
+/// Shows the arrows of a vector of scalars: "X,Y" or "X,Y,Z".
+void parse_arrows(std::string_view text, Display& display);
+
 /// The names of all edges that can be shown: "wireframe, refinement-edges or root-edges".
 std::string shown_edges_in_words();
 

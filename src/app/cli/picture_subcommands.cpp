@@ -97,6 +97,8 @@ void add_render(CLI::App& program) {
         ->type_name("WxH")
         ->default_str(fmt::format("{}x{}", options->size.width, options->size.height));
     add_display(*command, options->display);
+    command->add_flag("--legend", options->display.legend,
+                      "Draw the legend of the shown scalar: its name, its unit and its colors");
     const Viewpoint& viewpoint = options->viewpoint;
     add_text_option(*command, "--camera",
                     "Direction of view in degrees; at zoom 1 all keys fit into the picture",

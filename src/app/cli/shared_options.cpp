@@ -151,6 +151,13 @@ void add_display(CLI::App& command, Display& display) {
                     })
         ->type_name("MIN,MAX")
         ->needs(color);
+    add_text_option(command, "--height",
+                    "Raise flat keys by a scalar; its range becomes PART of their size, 0.25 by default",
+                    [&display](const std::string& text) { parse_height(text, display); })
+        ->type_name("FIELD[,PART]");
+    add_text_option(command, "--arrows", "Draw arrows of a vector, whose components are these scalars",
+                    [&display](const std::string& text) { parse_arrows(text, display); })
+        ->type_name("X,Y[,Z]");
 }
 
 }  // namespace interleaf

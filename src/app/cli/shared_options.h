@@ -43,9 +43,10 @@ void add_output(CLI::App& command, Output& output, const std::vector<std::string
 void add_form(CLI::App& command, HierarchyFileOptions& form);
 
 /// Adds --unit and --time-unit.
-void add_units(CLI::App& command, std::vector<NamedUnit>& units, std::function<void(const std::string&)> take_time_unit);
+void add_units(CLI::App& command, std::vector<NamedUnit>& units,
+               std::function<void(const std::string&)> take_time_unit);
 
-/// Adds --show, --shading, --color, --color-map and --range.
+/// Adds --show, --shading, --color, --color-map, --range, --height and --arrows.
 void add_display(CLI::App& command, Display& display);
 
 }  // namespace interleaf

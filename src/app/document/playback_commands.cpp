@@ -62,8 +62,8 @@ void ask_for_present_time(ViewerState& state) {
     const std::string unit = unit_name_of(family, *source_of_time(family));
     const std::string units = unit == "s" ? "seconds" : unit;
     state.question = number_question(
-        unit.empty() ? "Step to go to" : fmt::format("Time to go to, in {}", units), state.session.time(), begin,
-        end,
+        unit.empty() ? "Step to go to" : fmt::format("Time to go to, in {}", units), state.session.time(),
+        begin, end,
         unit.empty() ? fmt::format("a step from {:.10g} to {:.10g}", begin, end)
                      : fmt::format("a time from {:.10g} to {:.10g} {}", begin, end, units),
         [](ViewerState& changed, double time, double now) { changed.session.seek(time, now); });

@@ -99,8 +99,7 @@ StepOffsets offsets_of(const SeriesFiles& series, const FieldMesh& first, std::s
 /// Gives \p family the units of \p choices.
 /// \throw InputError if there is no such field
 void set_units(Family& family, const ImportChoices& choices) {
-    for (const auto& [field, unit] : choices.units)
-        family = with_field_unit(std::move(family), field, unit);
+    for (const auto& [field, unit] : choices.units) family = with_field_unit(std::move(family), field, unit);
     family = with_time_unit(std::move(family), choices.time_unit);
 }
 
@@ -188,7 +187,8 @@ ImportedSeries import_series(const SeriesFiles& series, std::string_view name, c
     imported.family.domain.reset();
     imported.family.origin = offsets.origin;
     for (const FieldScale& scale : offsets.fields)
-        if (find_field(imported.family.keys.front().hierarchy->fields, {scale.field, FieldKind::scalar}) != nullptr)
+        if (find_field(imported.family.keys.front().hierarchy->fields, {scale.field, FieldKind::scalar}) !=
+            nullptr)
             imported.family.field_scales.push_back(scale);
     set_units(imported.family, choices);
     return imported;

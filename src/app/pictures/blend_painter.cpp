@@ -4,6 +4,8 @@
 
 #include "app/document/family_extent.h"
 #include "app/document/shown_field.h"
+#include "app/pictures/picture_arrows.h"
+#include "app/pictures/picture_legend.h"
 #include "hierarchy/error.h"
 #include "hierarchy/vertex_normals.h"
 
@@ -22,6 +24,10 @@ BlendPainter::BlendPainter(const Family& family, int width, int height, const Di
     interleaf::require_field(display_, fields_);
     adapt_display(display_, fields_);
     if (display_.height > 0) warp_ = warp_of(display_, fields_, extent(family).box);
+    if (!display_.raised_by.empty() && display_.height > 0 && !warp_)
+        throw UsageError(
+            fmt::format("--height: the keys are not in a plane x, y or z = constant, or {} is constant",
+                        display_.raised_by));
 }
 
 const FamilyField* BlendPainter::shown() const {
@@ -41,10 +47,11 @@ void BlendPainter::unite_keys(const Weights& weights) {
     if (keys == keys_) return;
     require_field(weights);
     warped_.follow(family_, weights, {}, warp_);
-    const UnionMesh mesh = unite(warped_.family(), warped_.weights());
-    renderer_.upload(mesh, mesh.key_count() <= max_gpu_keys ? normal_form(mesh) : NormalForm{}, keys);
+    mesh_ = unite(warped_.family(), warped_.weights());
+    renderer_.upload(mesh_, mesh_.key_count() <= max_gpu_keys ? normal_form(mesh_) : NormalForm{}, keys);
+    arrows_.follow(warped_.family(), warped_.weights(), mesh_, ++unions_, shown_vector(display_, fields_));
     if (const FamilyField* const field = shown()) {
-        const UnionField united = united_field(warped_.family(), warped_.weights(), mesh, field->label);
+        const UnionField united = united_field(warped_.family(), warped_.weights(), mesh_, field->label);
         renderer_.set_field(&united);
     }
     keys_ = std::move(keys);
@@ -54,7 +61,20 @@ std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Came
     unite_keys(weights);
     renderer_.draw(target_, camera, weight_values(weights), display_);
     occlusion_.darken(target_, camera, display_.occlusion_strength());
-    return target_.read_rgba();
+    std::vector<std::uint8_t> rgba = target_.read_rgba();
+    const int width = target_.width();
+    const int height = target_.height();
+    if (arrows_.are_shown()) {
+        const std::vector<float> depths = target_.read_depths();
+        Weights united = warped_.weights();
+        for (std::size_t n = 0; n < united.size(); ++n) united[n].value = weights[n].value;
+        draw_arrows(
+            rgba, width, height,
+            arrows_.arrows(mesh_, united, camera, {width, height, depths}, arrow_cell_of(width, height)));
+    }
+    if (display_.legend)
+        if (const auto legend = picture_legend(display_, fields_)) draw_legend(rgba, width, height, *legend);
+    return rgba;
 }
 
 }  // namespace interleaf

@@ -54,7 +54,8 @@ glm::vec4 bar_color(const ColorScale& scale, float part) {
 std::string fitted_title(std::string title, float size, float width) {
     if (PixelCanvas::text_width(size, title) <= width) return title;
     while (!title.empty() && PixelCanvas::text_width(size, title + "…") > width) {
-        while (title.size() > 1 && (static_cast<unsigned char>(title.back()) & 0xc0U) == 0x80) title.pop_back();
+        while (title.size() > 1 && (static_cast<unsigned char>(title.back()) & 0xc0U) == 0x80)
+            title.pop_back();
         title.pop_back();
     }
     return title + "…";
@@ -84,9 +85,9 @@ void draw_legend(std::span<std::uint8_t> rgba, int width, int height, const Pict
         numbers_width = std::max(numbers_width, PixelCanvas::text_width(size, number.text));
     const std::string title = fitted_title(legend.title, size, longest);
     const float tick = std::round(0.35F * size);
-    const glm::vec2 inner(
-        std::max(bar.x + 2 * tick + numbers_width, PixelCanvas::text_width(size, title)),
-        size + inset + bar.y + std::round(0.4F * size));
+    if (bar.x + 2 * tick + numbers_width > longest) return;
+    const glm::vec2 inner(std::max(bar.x + 2 * tick + numbers_width, PixelCanvas::text_width(size, title)),
+                          size + inset + bar.y + std::round(0.4F * size));
 
     PixelCanvas canvas(rgba, width, height);
     const glm::vec2 box = glm::vec2(std::ceil(inner.x), inner.y) + 2 * inset;

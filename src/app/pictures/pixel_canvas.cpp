@@ -59,15 +59,14 @@ float distance_to_segment(glm::vec2 p, glm::vec2 from, glm::vec2 to) {
 void PixelCanvas::blend(int x, int y, const glm::vec4& color, float coverage) {
     if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
     std::uint8_t* const pixel =
-        rgba_.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                            static_cast<std::size_t>(x));
+        rgba_.data() +
+        4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x));
     const float part = color.a * coverage;
     const float below = static_cast<float>(pixel[3]) / 255;
     const float sum = part + below * (1 - part);
     if (!(sum > 0)) return;
     for (int c = 0; c < 3; ++c) {
-        const float mixed =
-            (color[c] * part + static_cast<float>(pixel[c]) / 255 * below * (1 - part)) / sum;
+        const float mixed = (color[c] * part + static_cast<float>(pixel[c]) / 255 * below * (1 - part)) / sum;
         pixel[c] = static_cast<std::uint8_t>(std::lround(255 * glm::clamp(mixed, 0.0F, 1.0F)));
     }
     pixel[3] = static_cast<std::uint8_t>(std::lround(255 * sum));
@@ -123,19 +122,21 @@ void PixelCanvas::text(glm::vec2 corner, float size, std::string_view utf8, cons
         int top = 0;
         int right = 0;
         int bottom = 0;
-        stbtt_GetGlyphBitmapBoxSubpixel(&canvas_font(), glyph, scale, scale, x - column, 0, &left, &top, &right,
-                                        &bottom);
+        stbtt_GetGlyphBitmapBoxSubpixel(&canvas_font(), glyph, scale, scale, x - column, 0, &left, &top,
+                                        &right, &bottom);
         const int width = right - left;
         const int height = bottom - top;
         if (width <= 0 || height <= 0) return;
-        std::vector<std::uint8_t> coverage(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        std::vector<std::uint8_t> coverage(static_cast<std::size_t>(width) *
+                                           static_cast<std::size_t>(height));
         stbtt_MakeGlyphBitmapSubpixel(&canvas_font(), coverage.data(), width, height, width, scale, scale,
                                       x - column, 0, glyph);
         for (int row = 0; row < height; ++row)
             for (int n = 0; n < width; ++n)
                 blend(static_cast<int>(column) + left + n, static_cast<int>(baseline) + top + row, color,
-                      static_cast<float>(coverage[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                                                  static_cast<std::size_t>(n)]) /
+                      static_cast<float>(
+                          coverage[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                                   static_cast<std::size_t>(n)]) /
                           255);
     });
 }

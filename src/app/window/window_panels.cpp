@@ -78,14 +78,14 @@ void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
     const SurfaceFigures& figures = shown.figures;
     const Display& display = shown.state.session.display;
     DisplayPanelResult wanted = display_panel(display, {.levels = figures.levels,
-                                             .origins = figures.origins,
-                                             .active_keys = figures.keys,
-                                             .active_names = figures.key_names,
-                                             .fields = shown.fields,
-                                             .key_without_field = figures.key_without_field,
-                                             .curves = shown.field_curves,
-                                             .time = shown.state.session.time(),
-                                             .is_flat = shown.is_flat});
+                                                        .origins = figures.origins,
+                                                        .active_keys = figures.keys,
+                                                        .active_names = figures.key_names,
+                                                        .fields = shown.fields,
+                                                        .key_without_field = figures.key_without_field,
+                                                        .curves = shown.field_curves,
+                                                        .time = shown.state.session.time(),
+                                                        .is_flat = shown.is_flat});
     if (wanted.display != display) result.actions.display = std::move(wanted.display);
     result.actions.asks_for_unit = wanted.asks_for_unit;
     result.legend_keys = figures.key_names;

@@ -53,9 +53,10 @@ class AppendedArrays {
             fmt::format("<DataArray type=\"{}\" Name=\"{}\" {}=\"{}\" format=\"appended\" offset=\"{}\"",
                         vtk_type<Number>, xml_escaped(name), count, components, offset);
         if (unit.empty()) return element + "/>\n";
-        return fmt::format("{}>\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{}"
-                           "</InformationKey>\n</DataArray>\n",
-                           element, xml_escaped(unit));
+        return fmt::format(
+            "{}>\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{}"
+            "</InformationKey>\n</DataArray>\n",
+            element, xml_escaped(unit));
     }
 
     const std::string& bytes() const { return bytes_; }

@@ -283,7 +283,8 @@ std::string written_unit_at(const JsonPlace& place) {
 /// The offsets and units of fields.
 std::vector<FieldScale> scales_at(const JsonPlace& place) {
     if (place.size() > family_format::max_scales)
-        place.fail(fmt::format("has {} scales, expected at most {}", place.size(), family_format::max_scales));
+        place.fail(
+            fmt::format("has {} scales, expected at most {}", place.size(), family_format::max_scales));
     std::vector<FieldScale> scales;
     scales.reserve(place.size());
     for (std::size_t i = 0; i < place.size(); ++i) {
@@ -356,7 +357,8 @@ void read_composition(const JsonPlace& place, Family& family) {
     if (const auto origin = place.optional_member("origin")) family.origin = origin_at(*origin);
     if (const auto scales = place.optional_member("scales")) family.field_scales = scales_at(*scales);
     if (const auto timeline = place.optional_member("timeline"))
-        if (const auto unit = timeline->optional_member("unit_name")) family.time_unit = written_unit_at(*unit);
+        if (const auto unit = timeline->optional_member("unit_name"))
+            family.time_unit = written_unit_at(*unit);
 }
 
 std::vector<fs::path> key_files(const fs::path& path) {

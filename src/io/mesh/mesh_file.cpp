@@ -213,7 +213,8 @@ std::string ply_bytes(std::span<const Triangle> triangles, std::span<const glm::
         bytes += fmt::format("property {} {}\n", property.type(), property.name);
     bytes += fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
                          triangles.size());
-    bytes.reserve(bytes.size() + positions.size() * (sizeof(glm::dvec3) + sizeof(double) * properties.size()) +
+    bytes.reserve(bytes.size() +
+                  positions.size() * (sizeof(glm::dvec3) + sizeof(double) * properties.size()) +
                   triangles.size_bytes() + triangles.size());
     for (std::size_t v = 0; v < positions.size(); ++v) {
         const glm::dvec3 placed = glm::dvec3(positions[v]) + origin;

@@ -77,10 +77,11 @@ void choose_logarithm(ColorScale& scale) {
                                  : "Needs a range above 0: lock the range, and type where it begins.");
 }
 
-void choose_height(float& height) {
+void choose_height(Display& display) {
+    float& height = display.height;
     heading("Height", height > 0 ? fmt::format("{:.0f} %", 100 * height) : "flat");
     ImGui::SetNextItemWidth(-1);
-    ImGui::SliderFloat("##height", &height, 0, 1, "");
+    if (ImGui::SliderFloat("##height", &height, 0, 1, "")) display.raised_by.clear();
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Raises the surface by the field: the range becomes this part of the surface's size.");
@@ -129,10 +130,10 @@ Display field_panel(const Display& shown, std::span<const FamilyField> fields, s
     lock_range(display);
     choose_logarithm(display.scale);
     if (const auto vector = vector_of(fields, display.field)) {
-        ImGui::Checkbox("Arrows", &display.arrows);
+        if (ImGui::Checkbox("Arrows", &display.arrows)) display.arrow_parts = {};
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Draws the vectors %s.", vector->name.c_str());
     }
-    if (can_rise) choose_height(display.height);
+    if (can_rise) choose_height(display);
     return display;
 }
 

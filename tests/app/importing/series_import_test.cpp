@@ -46,21 +46,24 @@ struct FarStep {
 };
 
 FarStep far_step(std::mt19937& random, double time) {
-    AdaptiveMesh mesh(RootComplex(4, {{1, 2, 0}, {3, 0, 2}}), {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
-    for (int round = 0; round < 40; ++round) mesh.refine({{static_cast<Index>(random() % mesh.leaf_count())}});
+    const std::vector<glm::vec3> corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    AdaptiveMesh mesh(RootComplex(4, {{1, 2, 0}, {3, 0, 2}}), corners);
+    for (int round = 0; round < 40; ++round)
+        mesh.refine({{static_cast<Index>(random() % mesh.leaf_count())}});
     const Hierarchy key = mesh.freeze();
     FarStep step;
     for (const Leaf& leaf : leaves_of(key)) step.triangles.push_back(leaf.vertices);
     for (const glm::vec3& position : key.positions) {
         step.points.emplace_back(position.x, position.y);
-        step.values.push_back(300 + 0.1 * std::sin(5.0 * double{position.x} + 3.0 * double{position.y} + time));
+        step.values.push_back(300 +
+                              0.1 * std::sin(5.0 * double{position.x} + 3.0 * double{position.y} + time));
     }
     return step;
 }
 
 std::string file_of(const FarStep& step) {
-    std::string text =
-        fmt::format("# vtk DataFile Version 3.0\nfar\nASCII\nDATASET POLYDATA\nPOINTS {} double\n", step.points.size());
+    std::string text = fmt::format(
+        "# vtk DataFile Version 3.0\nfar\nASCII\nDATASET POLYDATA\nPOINTS {} double\n", step.points.size());
     for (const glm::dvec2& point : step.points) text += fmt::format("{} {} 0\n", point.x, point.y);
     text += fmt::format("POLYGONS {} {}\n", step.triangles.size(), 4 * step.triangles.size());
     for (const auto& [a, b, c] : step.triangles) text += fmt::format("3 {} {} {}\n", a, b, c);
@@ -76,7 +79,8 @@ ImportedSeries import_files(const ScratchFolder& folder, const ImportChoices& ch
 
 }  // namespace
 
-TEST_CASE("blends of a field of 300 +- 0.1 are those of the steps to a millionth of the range, at 100,000 points") {
+TEST_CASE(
+    "blends of a field of 300 +- 0.1 are those of the steps to a millionth of the range, at 100,000 points") {
     std::mt19937 random(3);
     const std::array<FarStep, 2> steps = {far_step(random, 0), far_step(random, 1)};
     const ScratchFolder folder;
@@ -111,7 +115,8 @@ TEST_CASE("blends of a field of 300 +- 0.1 are those of the steps to a millionth
             place += part[c] / sum * glm::dvec2(corner.x, corner.y);
             ours += part[c] / sum * double{blended.values[corners[c]]};
         }
-        largest = std::max(largest, std::abs(ours - (0.375 * steps[0].at(place) + 0.625 * steps[1].at(place))));
+        largest =
+            std::max(largest, std::abs(ours - (0.375 * steps[0].at(place) + 0.625 * steps[1].at(place))));
     }
     CHECK(largest <= 1e-6 * (high - low));
     CHECK(largest > 0);
@@ -139,6 +144,8 @@ TEST_CASE("an offset holds for the whole series, also where the first step is co
     CHECK(family.field_scales == std::vector<FieldScale>{{"T", 300, "K"}});
     CHECK(family.time_unit == "ms");
     CHECK(family.keys[0].hierarchy->fields[0].values[0] == 0);
-    CHECK(contains(input_error_of([&] { import_files(folder, {.units = {{"u", "K"}}}); }),
+    CHECK(contains(input_error_of([&] {
+                       import_files(folder, {.units = {{"u", "K"}}});
+                   }),
                    "no key has a scalar field called \"u\""));
 }

@@ -58,7 +58,8 @@ void check_surface(const FieldMesh& mesh, const Family& family, const Blend& ble
         CHECK(mesh.triangle_fields[0].values[t] == blend.mesh.tags[t].level());
         const double root = mesh.triangle_fields[1].values[t];
         if (t > 0) CHECK(root >= mesh.triangle_fields[1].values[t - 1]);
-        parts.at(static_cast<std::size_t>(root)) += std::exp2(-static_cast<double>(blend.mesh.tags[t].level()));
+        parts.at(static_cast<std::size_t>(root)) +=
+            std::exp2(-static_cast<double>(blend.mesh.tags[t].level()));
     }
     CHECK(mesh.triangle_fields[1].name == "root");
     for (const double part : parts) CHECK(part == 1);
