@@ -54,6 +54,25 @@ void DocumentFiles::browse_to_add() {
            [this](const FileChoice& choice) { add_keys(choice.files, now_); });
 }
 
+void DocumentFiles::browse_to_import() {
+    browse(request_to_open("Import series", "Choose",
+                           {{"Steps of series", extensions_of(&Format::holds_series)}}),
+           [this](const FileChoice& choice) {
+               leave_document([this, files = choice.files] { offer_import(files); });
+           });
+}
+
+/// Shows the options of an import, which replaces the document.
+void DocumentFiles::offer_import(const std::vector<fs::path>& files) {
+    try {
+        importing_.offer(files_of(files), [this, files](ImportedSeries imported) {
+            open_imported(files, std::move(imported));
+        });
+    } catch (const std::runtime_error& error) {
+        complain(error);
+    }
+}
+
 /// The content of \p paths; none, with a message, if they cannot be opened.
 std::optional<Opening> DocumentFiles::opened(const std::vector<fs::path>& paths) {
     try {

@@ -21,6 +21,7 @@ struct Shortcut {
 /// In the order of the table.
 enum class CommandId : std::uint8_t {
     open,
+    import_series,
     reopen,
     save,
     save_as,
