@@ -35,8 +35,9 @@ void main() {
     if (texelFetch(depths, min(pixel, last), 0).r == 1.0) return;
 
     vec3 normal = normalize(cross(slope(place, pixel, ivec2(1, 0)), slope(place, pixel, ivec2(0, 1))));
-    // Here the height of the picture is 2 unprojection[1][1] times the depth.
-    float radius = reach * 2.0 * unprojection[1][1] * -place.z;
+    // Here the height of the picture is 2 unprojection[1][1], in perspective times the depth.
+    bool is_perspective = unprojection[2][3] != 0.0;
+    float radius = reach * 2.0 * unprojection[1][1] * (is_perspective ? -place.z : 1.0);
     float pixels = reach * float(textureSize(depths, 0).y);
     // Each pixel of a block of 4 by 4 turns the spiral differently; the blur averages over such blocks.
     ivec2 in_block = ivec2(gl_FragCoord.xy) & 3;

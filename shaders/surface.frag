@@ -23,6 +23,7 @@ in Corner {
 #endif
 } surface;
 
+uniform mat4 projection;
 uniform bool flat_shading;
 uniform int coloring;             // 0 plain, 1 by level, 2 by origin; FIELD and CHECKER take precedence
 uniform bool show_wireframe;
@@ -124,7 +125,8 @@ vec3 filmic(vec3 light) {
 }
 
 vec3 lit(vec3 albedo, vec3 normal) {
-    vec3 to_viewer = normalize(-surface.position);
+    bool is_perspective = projection[2][3] != 0.0;
+    vec3 to_viewer = is_perspective ? normalize(-surface.position) : vec3(0.0, 0.0, 1.0);
     vec3 light = mix(ground_light, sky_light, 0.5 + 0.5 * normal.y);
     light += received(key_light, normal) + received(fill_light, normal) + received(rim_light, normal);
     float gloss = max(dot(normal, normalize(key_light.towards + to_viewer)), 0.0);

@@ -89,6 +89,23 @@ TEST_CASE("every choice changes the picture where it should") {
     }
 }
 
+TEST_CASE("several files of keys are one family") {
+    const std::string folder = INTERLEAF_FIVE_KEYS "/";
+    CHECK(difference(render({folder + "star.ilh", folder + "sphere.ilh", "--weights", "sphere=1"}),
+                     render({folder + "star.ilh", folder + "sphere.ilh", "--weights", "star=1"})) > 0.02);
+}
+
+TEST_CASE("the camera rolls, looks at its center from its distance, and leaves out perspective") {
+    const auto seen = [](const std::string& camera) {
+        return render({"--weights", "star=1", "--camera", camera});
+    };
+    const Picture plain = seen("30,20");
+    CHECK(difference(plain, seen("30,20,roll=360")) < 0.001);
+    for (const char* camera :
+         {"30,20,roll=40", "30,20,center=0.3:0:0", "30,20,distance=3", "30,20,orthographic"})
+        CHECK(difference(plain, seen(camera)) > 0.01);
+}
+
 TEST_CASE("flat shading shows the faces of a coarse key") {
     const std::string icosahedron = INTERLEAF_FIVE_KEYS "/icosahedron.ilh";
     CHECK(difference(render({icosahedron}), render({icosahedron, "--shading", "flat"})) > 0.02);

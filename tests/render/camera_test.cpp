@@ -185,3 +185,91 @@ TEST_CASE("a surface point that is approached a thousandfold is still between th
         CHECK(std::abs(device_coordinates(camera, point).z) < 1);
     }
 }
+
+TEST_CASE("a trackball turns the surface with the pointer from every direction, without end") {
+    const unsigned seed = 17;
+    CAPTURE(seed);
+    std::mt19937 generator(seed);
+    for (int i = 0; i < 200; ++i) {
+        Camera camera = looking_at_unit_box();
+        camera.look_from(
+            {random(generator, -180, 180), random(generator, -90, 90), random(generator, -180, 180)});
+        const glm::mat3 before = camera.axes();
+        const glm::vec3 nearest = before[2];  // the point of the unit ball in the middle of the picture
+        const glm::vec2 delta(random(generator, -0.1F, 0.1F), random(generator, -0.1F, 0.1F));
+        camera.orbit(delta, OrbitStyle::trackball);
+        const glm::vec3 seen = glm::transpose(camera.axes()) * nearest;
+        const float angle = glm::radians(180.0F) * glm::length(delta);
+        CHECK(seen.z == doctest::Approx(std::cos(angle)).epsilon(1e-4));
+        CHECK(glm::distance(glm::vec2(seen), std::sin(angle) * glm::normalize(glm::vec2(delta.x, -delta.y))) <
+              1e-4F);
+        camera.orbit(-delta, OrbitStyle::trackball);
+        for (int axis = 0; axis < 3; ++axis) CHECK(glm::distance(camera.axes()[axis], before[axis]) < 1e-4F);
+    }
+    Camera over_the_pole = looking_at_unit_box(0, 80);
+    over_the_pole.orbit({0, 20 / 180.0F}, OrbitStyle::trackball);
+    CHECK(glm::distance(over_the_pole.axes()[2], looking_at_unit_box(180, 80).axes()[2]) < 1e-4F);
+}
+
+TEST_CASE("a roll turns the picture counterclockwise, and a turntable drag still follows the pointer") {
+    Camera camera = looking_at_unit_box(0, 0);
+    camera.roll(90);
+    const glm::vec3 right = device_coordinates(camera, {1, 0, 0});
+    CHECK(std::abs(right.x) < 1e-4F);
+    CHECK(right.y > 0.1F);
+    const glm::vec3 front(0, 0, 1);
+    camera.orbit({0.05F, 0.02F});
+    const glm::vec3 moved = device_coordinates(camera, front);
+    CHECK(moved.x * aspect / -moved.y == doctest::Approx(2.5).epsilon(0.05));
+    CHECK(moved.x > 0);
+    camera.roll(-90);
+    CHECK(camera.direction().roll == 0);
+}
+
+TEST_CASE("an orthographic camera shows the target as large, whatever is nearer, and nothing is clipped") {
+    Camera camera = looking_at_unit_box(0, 0);
+    const glm::vec3 perspective = device_coordinates(camera, {0, 0.5F, 0});
+    camera.set_projection(Projection::orthographic);
+    CHECK(device_coordinates(camera, {0, 0.5F, 0}).y == doctest::Approx(perspective.y));
+    CHECK(device_coordinates(camera, {0, 0.5F, 1}).y == doctest::Approx(perspective.y));
+    for (int zoom = 0; zoom < 60; ++zoom) {
+        camera.approach(1.12F, {0, 0, 0});
+        for (const float z : {-1.0F, 0.0F, 1.0F})
+            CHECK(std::abs(device_coordinates(camera, {0, 0, z}).z) < 1);
+    }
+    camera.view_all(extent_of({glm::vec3(-1), glm::vec3(1)}), aspect);
+    CHECK(device_coordinates(camera, {1, 1, 1}).y > 0.9F);
+    CHECK(device_coordinates(camera, {1, 1, 1}).y < 1);
+}
+
+TEST_CASE("neither shifts nor zooms lose the scene") {
+    const unsigned seed = 19;
+    CAPTURE(seed);
+    std::mt19937 generator(seed);
+    const float radius = std::sqrt(3.0F);
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        Camera camera = looking_at_unit_box();
+        camera.set_projection(projection);
+        for (int i = 0; i < 2000; ++i) {
+            const glm::vec2 pointer(random(generator, -1, 1), random(generator, -1, 1));
+            camera.pan({random(generator, -1, 1), random(generator, -1, 1)});
+            camera.orbit({random(generator, -1, 1), random(generator, -1, 1)}, OrbitStyle::trackball);
+            camera.zoom(std::exp(random(generator, -2, 2)), pointer, aspect);
+            const glm::vec3 offset = glm::transpose(camera.axes()) * (camera.target() - glm::vec3(0));
+            const float shown = camera.height_at(camera.distance()) / 2;
+            REQUIRE(glm::length(glm::vec2(offset)) < radius + shown);
+            REQUIRE(std::abs(offset.z) < 1.01F * radius);
+            REQUIRE(shown < 15 * radius);
+            REQUIRE(camera.distance() > 0.019F * radius);
+        }
+    }
+}
+
+TEST_CASE("a part of the scene is framed, and the rest is not clipped") {
+    Camera camera = looking_at_unit_box(0, 0);
+    camera.frame(extent_of({{0.5F, 0.5F, 0.5F}, {0.6F, 0.6F, 0.6F}}), aspect);
+    const glm::vec3 top = device_coordinates(camera, {0.55F, 0.6F, 0.6F});
+    CHECK(top.y > 0.8F);
+    CHECK(top.y < 1);
+    CHECK(device_coordinates(camera, {0, 0, -1}).z < 1);
+}

@@ -75,6 +75,14 @@ unsigned parse_corner(std::string_view text) {
     return static_cast<unsigned>(found - corners);
 }
 
+float parse_line_width(std::string_view text) {
+    constexpr double max_width = 100;
+    const auto width = parsed_number<double>(text);
+    if (!width || !(*width > 0 && *width <= max_width))
+        expected(fmt::format("a width above 0, at most {}", max_width), text);
+    return static_cast<float>(*width);
+}
+
 ChosenWarp parse_warp(std::string_view text) {
     ChosenWarp warp{std::string(text)};
     // A comma belongs to the name of the field unless a number follows.
@@ -130,13 +138,19 @@ glm::dvec2 parse_point(std::string_view text) {
 
 std::vector<NamedWeight> parse_weights(std::string_view text) {
     std::vector<NamedWeight> weights;
+    std::string name;  // a comma without a number before it belongs to the name
     for (const std::string_view part : split(text, ',')) {
         const std::size_t equals = part.rfind('=');
-        if (equals == std::string_view::npos) expected("NAME=WEIGHT,...", text);
+        name += part.substr(0, equals);
+        if (equals == std::string_view::npos) {
+            name += ',';
+            continue;
+        }
         const std::optional<double> value = parsed_number<double>(part.substr(equals + 1));
         if (!value || !std::isfinite(*value)) expected("NAME=WEIGHT,...", text);
-        weights.push_back({std::string(part.substr(0, equals)), *value});
+        weights.push_back({std::exchange(name, {}), *value});
     }
+    if (!name.empty()) expected("NAME=WEIGHT,...", text);
     return weights;
 }
 
@@ -171,18 +185,6 @@ ConstantRange parse_constant_range(std::string_view text) {
             return {std::string(text.substr(0, equals)), low->front(), high->front()};
     }
     expected("NAME=A:B", text);
-}
-
-Viewpoint parse_viewpoint(std::string_view text) {
-    const auto values = numbers(text);
-    if (!values || values->size() < 2 || values->size() > 3)
-        expected("AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ZOOM", text);
-    const double zoom = values->size() == 3 ? (*values)[2] : 1;
-    if (std::abs((*values)[0]) > 360 || std::abs((*values)[1]) > 90) {
-        expected("an azimuth from -360 to 360 and an elevation from -90 to 90", text);
-    }
-    if (zoom < 0.01 || zoom > 100) expected("a zoom from 0.01 to 100", text);
-    return {static_cast<float>((*values)[0]), static_cast<float>((*values)[1]), static_cast<float>(zoom)};
 }
 
 AxisTurn parse_axis_turn(std::string_view text) {

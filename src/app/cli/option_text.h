@@ -30,6 +30,9 @@ Index parse_count(std::string_view text);
 /// The corner of a triangle, 0 to 2: "first", "second" or "last".
 unsigned parse_corner(std::string_view text);
 
+/// The width of lines in pixels, above 0 and at most 100.
+float parse_line_width(std::string_view text);
+
 /// A warp, "FIELD" or "FIELD,FACTOR".
 ChosenWarp parse_warp(std::string_view text);
 
@@ -53,9 +56,6 @@ FrameRange parse_frames(std::string_view text);
 
 /// The range of a constant, "NAME=A:B".
 ConstantRange parse_constant_range(std::string_view text);
-
-/// A viewpoint, "AZIMUTH,ELEVATION" or "AZIMUTH,ELEVATION,ZOOM".
-Viewpoint parse_viewpoint(std::string_view text);
 
 /// A turn "AXIS,DEGREES" about the axis x, y or z.
 AxisTurn parse_axis_turn(std::string_view text);

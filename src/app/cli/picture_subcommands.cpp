@@ -1,5 +1,6 @@
 #include "app/cli/picture_subcommands.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -8,9 +9,21 @@
 #include "app/cli/option_text.h"
 #include "app/cli/render_command.h"
 #include "app/cli/view_command.h"
+#include "app/document/viewpoint.h"
 
 namespace interleaf {
 namespace {
+
+/// \param take  receives the view
+void add_camera(CLI::App& command, const std::function<void(const Viewpoint&)>& take) {
+    add_text_option(
+        command, "--camera",
+        "Direction of view in degrees; at zoom 1 all keys fit into the picture. In the window, Copy view "
+        "copies the present one",
+        [take](const std::string& text) { take(parse_viewpoint(text)); })
+        ->type_name(viewpoint_form)
+        ->default_str(text_of(Viewpoint{}));
+}
 
 void add_film(CLI::App& command, FilmOptions& film) {
     const std::string group = "Films (for .mp4, .webm, .gif and numbered pictures)";
@@ -65,6 +78,7 @@ void add_view(CLI::App& program) {
         ->excludes(at);
     add_along(*command, options->viewer.along)->excludes(at);
     add_display(*command, options->viewer.display);
+    add_camera(*command, [options](const Viewpoint& viewpoint) { options->viewer.viewpoint = viewpoint; });
     command
         ->add_option_function<std::string>(
             "--picture", [options](const std::string& path) { options->viewer.picture = path; },
@@ -99,12 +113,7 @@ void add_render(CLI::App& program) {
     add_display(*command, options->display);
     command->add_flag("--legend", options->display.legend,
                       "Draw the legend of the shown scalar: its name, its unit and its colors");
-    const Viewpoint& viewpoint = options->viewpoint;
-    add_text_option(*command, "--camera",
-                    "Direction of view in degrees; at zoom 1 all keys fit into the picture",
-                    [options](const std::string& text) { options->viewpoint = parse_viewpoint(text); })
-        ->type_name("AZIMUTH,ELEVATION[,ZOOM]")
-        ->default_str(fmt::format("{},{},{}", viewpoint.azimuth, viewpoint.elevation, viewpoint.zoom));
+    add_camera(*command, [options](const Viewpoint& viewpoint) { options->viewpoint = viewpoint; });
     add_film(*command, options->film);
     command->final_callback([options] { run_render(*options); });
     command->footer(

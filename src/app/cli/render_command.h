@@ -8,7 +8,7 @@
 
 #include "app/cli/morph_selection.h"
 #include "app/cli/output.h"
-#include "app/cli/viewpoint.h"
+#include "app/document/viewpoint.h"
 #include "render/display.h"
 
 namespace interleaf {

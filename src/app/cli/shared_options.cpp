@@ -14,14 +14,13 @@ namespace {
 
 std::string family_help() {
     return fmt::format(
-        "A family.json, its folder, or an {} file; for several files, a pattern such as 'flow.*.obj' "
-        "or their folder; by default, the built-in five keys",
+        "A family.json, its folder, or {} files, of which several make a new family; a pattern such as "
+        "'flow.*.obj' stands for the files that match it; by default, the built-in five keys",
         extensions_in_words(&Format::holds_key));
 }
 
 void add_family(CLI::App& command, std::vector<std::filesystem::path>& family) {
-    command.add_option_function<std::string>(
-        "FAMILY", [&family](const std::string& path) { family = {path}; }, family_help());
+    add_family_or_keys(command, "FAMILY", family_help(), family);
 }
 
 }  // namespace
@@ -128,6 +127,10 @@ void add_display(CLI::App& command, Display& display) {
     add_text_option(command, "--show", "Edges to show: " + shown_edges_in_words(),
                     [&display](const std::string& text) { parse_shown_edges(text, display); })
         ->type_name("NAME,...");
+    add_text_option(command, "--line-width", "Width of edges, pixels",
+                    [&display](const std::string& text) { display.line_width = parse_line_width(text); })
+        ->type_name("W")
+        ->default_str(fmt::format("{}", display.line_width));
     add_text_option(command, "--shading", "Shading: smooth or flat",
                     [&display](const std::string& text) { display.shading = parse_shading(text); })
         ->type_name("NAME")

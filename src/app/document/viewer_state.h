@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/document/camera_choices.h"
 #include "app/document/document.h"
 #include "app/document/fit_comparison.h"
 #include "app/document/message.h"
@@ -81,6 +82,8 @@ struct ViewerState {
     std::optional<std::filesystem::path> film_wish;  ///< a film or picture to make
     std::optional<TextQuestion> question;
     bool help_shown = false;
+    CameraChoices camera;
+    CameraWishes camera_wishes{};
     ViewTarget view_target = ViewTarget::all_keys;
     bool reload_wanted = false;
     bool quit_wanted = false;

@@ -63,8 +63,6 @@ std::vector<Arrow> VectorArrows::arrows(const UnionMesh& mesh, const Weights& we
     const Buffer<glm::vec3> positions = morph(mesh, factors);
     const float aspect = static_cast<float>(picture.width) / static_cast<float>(picture.height);
     const glm::mat4 to_clip = camera.projection(aspect) * camera.view();
-    const float pixel_at_1 = 2 * std::tan(glm::radians(vertical_field_degrees / 2)) /
-                             static_cast<float>(picture.height);  // in space, at distance 1
     std::set<std::pair<int, int>> taken;
     std::vector<Arrow> arrows;
     for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -78,7 +76,8 @@ std::vector<Arrow> VectorArrows::arrows(const UnionMesh& mesh, const Weights& we
             for (std::size_t key = 0; key < factors.size(); ++key)
                 sum += factors[key] * parts_[part].values[key][v];
         }
-        const float stretch = longest * cell * pixel_at_1 * from.w / vector_->largest;
+        const float pixel = camera.height_at(from.w) / static_cast<float>(picture.height);  // in space
+        const float stretch = longest * cell * pixel / vector_->largest;
         const glm::vec4 to = placed(to_clip, positions[v] + stretch * vector, picture);
         if (to.w > 0) arrows.push_back({{from.x, from.y}, {to.x, to.y}});
     }

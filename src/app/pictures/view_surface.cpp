@@ -18,8 +18,11 @@ namespace {
 
 ViewPoint view_point(const Camera& camera, float aspect) {
     const glm::mat3 axes = glm::transpose(glm::mat3(camera.view()));
-    const float height = std::tan(glm::radians(vertical_field_degrees / 2));
-    return {.eye = camera.eye(),
+    const float tangent = std::tan(glm::radians(vertical_field_degrees / 2));
+    // Seen from far away, as an orthographic camera sees, everything has the same distance and direction.
+    const float times = camera.projection() == Projection::perspective ? 1 : 100;
+    const float height = tangent / times;
+    return {.eye = camera.target() + axes[2] * (times * camera.distance()),
             .forward = -axes[2],
             .cosine = 1 / std::sqrt(1 + height * height * (1 + aspect * aspect))};
 }

@@ -92,6 +92,8 @@ DocumentFiles::DocumentFiles(ViewerState& state, std::vector<fs::path> sources, 
         if (settings_file_) {
             LoadedSettings loaded = load_settings(*settings_file_);
             settings_ = std::move(loaded.settings);
+            if (settings_.trackball) state_.camera.orbit = OrbitStyle::trackball;
+            state_.camera.shows_axes = settings_.axes;
             if (!loaded.message.empty()) complain(loaded.message);
         }
         if (const auto folder = state_folder()) recovery_.emplace(*folder, state_.document);
@@ -195,8 +197,14 @@ void DocumentFiles::keep_unsaved() {
 }
 
 void DocumentFiles::remember_window(glm::ivec2 size) {
-    if (settings_.window_size != size)
-        change_settings([size](Settings& settings) { settings.window_size = size; });
+    const bool trackball = state_.camera.orbit == OrbitStyle::trackball;
+    const bool axes = state_.camera.shows_axes;
+    if (settings_.window_size == size && settings_.trackball == trackball && settings_.axes == axes) return;
+    change_settings([&](Settings& settings) {
+        settings.window_size = size;
+        settings.trackball = trackball;
+        settings.axes = axes;
+    });
 }
 
 // ---- questions ----
@@ -241,6 +249,7 @@ void DocumentFiles::replace_document(Family family, std::vector<fs::path> source
     ViewerState opened(std::move(family), family_folder(sources));
     opened.session.display = state_.session.display;
     opened.help_shown = state_.help_shown;
+    opened.camera = state_.camera;
     state_ = std::move(opened);
     set_sources(std::move(sources));
 }

@@ -45,6 +45,9 @@ class DocumentFiles {
     void open(std::vector<std::filesystem::path> files);
     void add_keys(const std::vector<std::filesystem::path>& files, double now);
 
+    /// The files of the document; empty for the built-in family.
+    const std::vector<std::filesystem::path>& sources() const { return sources_; }
+
     const std::vector<std::filesystem::path>& recent_files() const { return settings_.recent_files; }
 
     /// Whether a dialog, the file browser or progress has the keyboard focus.
@@ -85,6 +88,8 @@ class DocumentFiles {
 
     /// The size of the window when the program last ended, in screen coordinates.
     std::optional<glm::ivec2> window_size() const { return settings_.window_size; }
+
+    /// Keeps the size of the window and the choices of the camera for the next run.
     void remember_window(glm::ivec2 size);
 
   private:

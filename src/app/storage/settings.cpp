@@ -66,6 +66,7 @@ std::string settings_text(const Settings& settings) {
     if (!last.empty() && is_utf8(last)) document["last folder"] = last;
     if (settings.window_size)
         document["window"] = {{"width", settings.window_size->x}, {"height", settings.window_size->y}};
+    document["camera"] = {{"trackball", settings.trackball}, {"axes", settings.axes}};
     return document.dump(2) + "\n";
 }
 
@@ -130,6 +131,11 @@ Settings parse_settings(std::string_view json, std::string_view name) {
     if (const auto folder = root.optional_member("last folder")) settings.last_folder = path_at(*folder);
     if (const auto window = root.optional_member("window"))
         settings.window_size = {length_at(window->member("width")), length_at(window->member("height"))};
+    if (const auto camera = root.optional_member("camera")) {
+        if (const auto trackball = camera->optional_member("trackball"))
+            settings.trackball = trackball->boolean();
+        if (const auto axes = camera->optional_member("axes")) settings.axes = axes->boolean();
+    }
     return settings;
 }
 

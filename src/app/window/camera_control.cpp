@@ -31,8 +31,10 @@ float aspect_of(const Rect& view) {
     return view.width / std::max(view.height, 1.0F);
 }
 
-void move_camera(Camera& camera, const ViewInput& input, const Rect& view, OffscreenTarget* picture) {
-    camera.orbit(input.orbit);
+void move_camera(Camera& camera, const ViewInput& input, OrbitStyle style, const Rect& view,
+                 OffscreenTarget* picture) {
+    camera.orbit(input.orbit, style);
+    if (input.roll != 0) camera.roll(input.roll);
     camera.pan(input.pan);
     if (input.zoom != 1) zoom(camera, input, view, picture);
 }

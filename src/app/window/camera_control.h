@@ -14,10 +14,11 @@ glm::vec2 device_coordinates(const Rect& view, glm::vec2 point);
 /// Width over height.
 float aspect_of(const Rect& view);
 
-/// Turns, shifts and zooms \p camera. Zooming moves the camera toward the surface point under the pointer.
+/// Turns, rolls, shifts and zooms \p camera. Zooming moves the camera toward the surface point under the pointer.
 /// The caller handles `view_all`.
 /// \param picture  fills \p view and shows which surface point is under the pointer; null if there is none
 ///     yet
-void move_camera(Camera& camera, const ViewInput& input, const Rect& view, OffscreenTarget* picture);
+void move_camera(Camera& camera, const ViewInput& input, OrbitStyle style, const Rect& view,
+                 OffscreenTarget* picture);
 
 }  // namespace interleaf

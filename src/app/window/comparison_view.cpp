@@ -152,7 +152,8 @@ void ComparisonView::apply_to_comparison(const ComparisonActions& actions, Viewe
     pointer_.reset();
     for (std::size_t side = 0; side < sides_->size(); ++side) {
         const ViewInput& input = actions.sides[side];
-        move_camera(camera_, input, (*sides_)[side].view, (*sides_)[side].picture.target());
+        move_camera(camera_, input, state.camera.orbit, (*sides_)[side].view,
+                    (*sides_)[side].picture.target());
         if (input.view_all) view_all_wanted_ = true;
         if (!input.pointed_at) continue;
         pointer_ = input.pointer;

@@ -58,7 +58,11 @@ class ComparisonView {
     /// Reloads the shaders. The next pictures are drawn again even if nothing else has changed.
     void reload_shaders();
 
-    glm::vec3 eye() const { return camera_.eye(); }
+    const Camera& camera() const { return camera_; }
+    Camera& camera() { return camera_; }
+
+    /// The sides of the last frame share this place of the window.
+    Rect view() const { return sides_ ? sides_->front().view : Rect{}; }
 
   private:
     /// One half of the window: the first side shows the mesh, the second side shows the key.

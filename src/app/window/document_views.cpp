@@ -14,9 +14,20 @@
 
 namespace interleaf {
 
+namespace {
+
+constexpr double spin_speed = 20;          // degrees per second
+constexpr double longest_spin_step = 0.1;  // seconds: a slow frame makes no jump
+
+}  // namespace
+
 void DocumentViews::apply_to_views(const WindowActions& actions, ViewerState& state,
                                    const FrameLayout& layout) {
-    if (actions.view) surface_.apply_to_camera(*actions.view, layout.panels.view);
+    if (actions.view) surface_.apply_to_camera(*actions.view, state.camera.orbit, layout.panels.view);
+    if (actions.axes) {
+        surface_.camera().orbit(actions.axes->orbit, state.camera.orbit);
+        if (const auto& from = actions.axes->look_from) surface_.camera().look_from(from->x, from->y);
+    }
     if (actions.comparison) comparison_.apply_to_comparison(*actions.comparison, state);
 }
 
@@ -35,13 +46,37 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
     const FamilyField* const field = shown_field(session.display, fields_);
     const bool is_scalar = field != nullptr && field->label.kind == FieldKind::scalar;
     history_.follow(family_, is_scalar ? &field->label.name : nullptr);
+    move_cameras(state, layout, now);
     surface_.follow(session, field, fields_, now);
     comparison_.follow(state, layout.content, surface_.camera());
     if (!comparison_.is_shown())
         surface_.aim(std::exchange(state.view_target, ViewTarget::none), layout.panels.view);
+    if (const auto wanted = std::exchange(state.camera_wishes.viewpoint, std::nullopt))
+        surface_.look(*wanted, layout.panels.view);
     surface_.refine(session, field, layout.panels.view);
     const glm::vec2 size = message_picture_size() * gui.density();
     mismatch_pictures_.update(state.message.mismatch, glm::max(glm::ivec2(glm::round(size)), 1));
+}
+
+/// Moves the camera as the commands say, and spins it.
+void DocumentViews::move_cameras(ViewerState& state, const FrameLayout& layout, double now) {
+    CameraWishes& wishes = state.camera_wishes;
+    Camera& camera = comparison_.is_shown() ? comparison_.camera() : surface_.camera();
+    camera.set_projection(state.camera.projection);
+    for (const auto& move : std::exchange(wishes.moves, {})) move(camera);
+    const double elapsed = std::clamp(now - spun_at_, 0.0, longest_spin_step);
+    spun_at_ = now;
+    if (state.camera.spins && !state.is_dragging) camera.turn(static_cast<float>(spin_speed * elapsed));
+    const float zoom = std::exchange(wishes.zoom, 1.0F);
+    if (zoom == 1) return;
+    const Rect& view = comparison_.is_shown() ? comparison_.view() : layout.panels.view;
+    ViewInput input;
+    input.zoom = zoom;
+    input.pointer = {view.x + view.width / 2, view.y + view.height / 2};
+    if (comparison_.is_shown())
+        camera.zoom(zoom, {0, 0}, 1);
+    else
+        surface_.apply_to_camera(input, state.camera.orbit, view);
 }
 
 void DocumentViews::follow_curves(const ViewerState& state, float width) {
@@ -89,7 +124,7 @@ bool DocumentViews::draw(const ViewerState& state, const FrameLayout& layout,
 }
 
 glm::vec3 DocumentViews::eye() const {
-    return comparison_.is_shown() ? comparison_.eye() : surface_.camera().eye();
+    return (comparison_.is_shown() ? comparison_.camera() : surface_.camera()).eye();
 }
 
 }  // namespace interleaf

@@ -82,6 +82,7 @@ class DocumentViews {
     };
     void reload_shaders(ViewerState& state);
     void follow_curves(const ViewerState& state, float width);
+    void move_cameras(ViewerState& state, const FrameLayout& layout, double now);
 
     std::shared_ptr<const Family> family_;  ///< the family of the fields and portraits
     std::vector<FamilyField> fields_;
@@ -92,6 +93,7 @@ class DocumentViews {
     ComparisonView comparison_;
     KeyPortraits portraits_;
     MismatchPictures mismatch_pictures_;
+    double spun_at_ = 0;  ///< wall time of the last frame, seconds
 };
 
 }  // namespace interleaf

@@ -36,9 +36,14 @@ std::string keyboard_key_text(int key) {
             return "Up";
         case GLFW_KEY_DOWN:
             return "Down";
+        case GLFW_KEY_KP_ADD:
+            return "Num +";
+        case GLFW_KEY_KP_SUBTRACT:
+            return "Num -";
         default:
             break;
     }
+    if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return fmt::format("Num {}", key - GLFW_KEY_KP_0);
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return fmt::format("F{}", key - GLFW_KEY_F1 + 1);
     return {static_cast<char>(key)};  // GLFW's numbers of letters and digits are their ASCII codes
 }

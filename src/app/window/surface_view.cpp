@@ -48,6 +48,12 @@ constexpr glm::vec2 usual_direction{30, 20};
 constexpr std::array<glm::vec2, 3> front_directions = {{{90, 0}, {0, 90}, {0, 0}}};
 constexpr std::array<glm::vec2, 3> oblique_directions = {{{60, 25}, {30, 35}, {-30, 25}}};
 
+/// The extent of both.
+Extent together(const Extent& a, const Extent& b) {
+    const Box box{glm::min(a.box.min, b.box.min), glm::max(a.box.max, b.box.max)};
+    return box.min == a.box.min && box.max == a.box.max ? a : extent_of(box);
+}
+
 float size_of(const Box& box) {
     const glm::vec3 size = box.max - box.min;
     return std::max({size.x, size.y, size.z});
@@ -61,6 +67,7 @@ SurfaceView::SurfaceView() {
 
 void SurfaceView::set_extent(const Extent& all_keys) {
     all_keys_ = all_keys;
+    camera_.keep_unclipped(all_keys);
     const std::optional<unsigned> axis = flat_axis(all_keys.box);
     if (axis == axis_) return;
     axis_ = axis;
@@ -76,10 +83,10 @@ void SurfaceView::face_plane() {
     camera_.look_from(direction.x, direction.y);
 }
 
-void SurfaceView::apply_to_camera(const ViewInput& input, const Rect& view) {
+void SurfaceView::apply_to_camera(const ViewInput& input, OrbitStyle style, const Rect& view) {
     ViewInput applied = input;
     if (axis_ && !warped_.is_warped() && !input.turns_flat) applied.pan += std::exchange(applied.orbit, {});
-    move_camera(camera_, applied, view, picture_.target());
+    move_camera(camera_, applied, style, view, picture_.target());
 }
 
 void SurfaceView::follow(const Session& session, const FamilyField* field,
@@ -174,14 +181,25 @@ Extent SurfaceView::raised_extent() const {
     return extent_of(box);
 }
 
+/// The extent of all keys, at the height at which they are shown.
+Extent SurfaceView::scene() const {
+    return warped_.is_warped() ? raised_extent() : all_keys_;
+}
+
 void SurfaceView::aim(ViewTarget view_target, const Rect& view) {
     if (std::exchange(must_frame_, false) && view_target == ViewTarget::none)
         view_target = ViewTarget::all_keys;
-    if (view_target == ViewTarget::surface || (view_target != ViewTarget::none && warped_.is_warped()))
-        camera_.view_all(shows_view_ && view_.version() > 0 ? view_.extent() : surface_.extent(),
-                         aspect_of(view));
-    else if (view_target == ViewTarget::all_keys)
+    if (view_target == ViewTarget::surface || (view_target != ViewTarget::none && warped_.is_warped())) {
+        const Extent shown = shows_view_ && view_.version() > 0 ? view_.extent() : surface_.extent();
+        camera_.keep_unclipped(together(scene(), shown));
+        camera_.frame(shown, aspect_of(view));
+    } else if (view_target == ViewTarget::all_keys)
         camera_.view_all(all_keys_, aspect_of(view));
+    last_camera_ = camera_;
+}
+
+void SurfaceView::look(const Viewpoint& viewpoint, const Rect& view) {
+    camera_ = camera_at(scene(), viewpoint, aspect_of(view));
     last_camera_ = camera_;
 }
 

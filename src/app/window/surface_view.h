@@ -8,6 +8,7 @@
 
 #include "app/document/session.h"
 #include "app/document/viewer_state.h"
+#include "app/document/viewpoint.h"
 #include "app/pictures/detailed_family.h"
 #include "app/pictures/key_details.h"
 #include "app/pictures/morph_surface.h"
@@ -38,7 +39,7 @@ class SurfaceView {
     bool is_flat() const { return axis_.has_value(); }
 
     /// Moves the camera by \p input, which was read over \p view.
-    void apply_to_camera(const ViewInput& input, const Rect& view);
+    void apply_to_camera(const ViewInput& input, OrbitStyle style, const Rect& view);
 
     /// Updates the surface to \p session.
     /// \param field   the field that the session's display shows; null for none
@@ -50,6 +51,10 @@ class SurfaceView {
     /// Frames \p view_target: points the camera at the target, which then fills \p view.
     /// \pre follow() has been called
     void aim(ViewTarget view_target, const Rect& view);
+
+    /// Takes over \p viewpoint for a picture in \p view.
+    /// \pre follow() has been called
+    void look(const Viewpoint& viewpoint, const Rect& view);
 
     /// Refines the surface for the picture in \p view, if its detail follows the camera.
     /// \pre follow() has been called for \p session and \p field
@@ -71,6 +76,7 @@ class SurfaceView {
 
     const SurfaceFigures& figures() const { return shows_view_ ? view_figures_ : surface_.figures(); }
     const Camera& camera() const { return camera_; }
+    Camera& camera() { return camera_; }
 
     /// Whether the shown surface has the detail that suits the camera.
     bool shows_view() const { return shows_view_; }
@@ -88,6 +94,7 @@ class SurfaceView {
     void follow_whole(const Session& session, const FamilyField* field, std::span<const FamilyField> fields);
     void face_plane();
     Extent raised_extent() const;  ///< \pre is_flat()
+    Extent scene() const;
 
     Extent all_keys_;               ///< flat, if the keys are
     std::optional<unsigned> axis_;  ///< across the plane of all keys; none if they are not flat

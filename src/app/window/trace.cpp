@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "app/document/viewpoint.h"
 #include "hierarchy/error.h"
 
 namespace interleaf {
@@ -128,6 +129,7 @@ void Trace::record(std::size_t frame, double seconds, const ViewerState& state, 
     json["late"] = figures.is_late;
     json["detail_follows"] = record.follows_camera;
     json["eye"] = {record.eye.x, record.eye.y, record.eye.z};
+    json["view"] = text_of(viewpoint_of(record.camera));
     json["document"] = json_of(state.document);
     json["selected"] = state.selected_key ? Json(*state.selected_key) : Json();
     json["edits_domain"] = state.edits_domain;

@@ -14,6 +14,7 @@
 #include "app/landmarks/landmark_editing.h"
 #include "app/pictures/morph_surface.h"
 #include "app/window/window_panels.h"
+#include "render/camera.h"
 #include "ui/dialogs/fit_dialog.h"
 #include "ui/widgets/rect.h"
 
@@ -23,6 +24,7 @@ namespace interleaf {
 struct FrameRecord {
     const ShownWindow& shown;
     glm::vec3 eye;              ///< of the camera
+    const Camera& camera;       ///< of the document's surface
     glm::vec2 pointer;          ///< its position for Dear ImGui, screen coordinates
     bool follows_camera;        ///< whether the detail of the surface does
     bool is_coarse;             ///< the picture of the surface does not have its final quality

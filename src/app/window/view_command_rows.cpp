@@ -62,12 +62,6 @@ void toggle_comparison(ViewerState& state, double) {
 }
 
 constexpr Command view_table[] = {
-    {.id = CommandId::frame_model,
-     .menu = "View",
-     .name = "Frame model",
-     .shortcuts = {{{GLFW_KEY_F}}},
-     .description = "See the whole surface that is shown (or double-click it)",
-     .run = [](ViewerState& state, double) { state.view_target = ViewTarget::surface; }},
     {.id = CommandId::show_whole_domain,
      .scope = CommandScope::document,
      .menu = "View",

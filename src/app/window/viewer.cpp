@@ -12,6 +12,7 @@
 
 #include <GLFW/glfw3.h>
 #include <fmt/core.h>
+#include <glm/common.hpp>
 #include <malloc.h>
 
 #include "app/document/document_title.h"
@@ -27,6 +28,7 @@
 #include "app/window/frame_stats.h"
 #include "app/window/redraw.h"
 #include "app/window/trace.h"
+#include "app/window/view_clipboard.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_input.h"
 #include "app/window/window_panels.h"
@@ -87,6 +89,7 @@ class Viewer {
     void apply_actions(const WindowActions& actions, double now);
     void update_files(const FrameInput& input, double now);
     void update_film(double now);
+    void update_clipboard(double now);
     void follow_state(double now);
 
     void draw(const std::optional<ViewInput>& view);
@@ -137,6 +140,7 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
     if (const auto last = files_.window_size(); last && !options.size)
         glfwSetWindowSize(window_.handle(), last->x, last->y);
     state_.session.display = options.display;
+    if (options.viewpoint) take_viewpoint(state_, *options.viewpoint);
     if (options.along) choose_time_source(state_, *options.along, glfwGetTime());
     if (options.time) state_.session.seek(*options.time, glfwGetTime());
     if (options.at) state_.session.move_point(*options.at, glfwGetTime());
@@ -242,6 +246,7 @@ void Viewer::update(const FrameInput& input, double now) {
     for (const Shortcut shortcut : input.pressed)
         if (!belongs_to_domain(shortcut, state_)) run_command(*find_command(shortcut), state_, now);
     update_files(input, now);
+    update_clipboard(now);
     follow_state(now);
 }
 
@@ -269,6 +274,21 @@ void Viewer::update_film(double now) {
     if (auto message = film_.update(gui_.density(), now)) state_.message = *std::move(message);
 }
 
+void Viewer::update_clipboard(double now) {
+    const ClipboardWish wish = std::exchange(state_.camera_wishes.clipboard, ClipboardWish::none);
+    if (wish == ClipboardWish::none) return;
+    const Rect view = layout().panels.view;
+    const glm::vec2 size = gui_.density() * glm::vec2(view.width, view.height);
+    Display display = state_.session.display;
+    display.line_width *= gui_.scale() * gui_.density();
+    use_clipboard(wish, state_,
+                  {.files = files_.sources(),
+                   .camera = views_.camera(),
+                   .display = std::move(display),
+                   .size = glm::max(glm::ivec2(glm::round(size)), 1)},
+                  now);
+}
+
 /// Updates everything that is derived from the state.
 void Viewer::follow_state(double now) {
     if (is_over(state_.message, now)) state_.message.clear();
@@ -294,7 +314,8 @@ void Viewer::draw(const std::optional<ViewInput>& view) {
     gui_.begin_drawing();
     drawn_ = show_panels();
     rest_.is_coarse = !views_.draw(state_, drawn_.layout, view, gui_);
-    rest_.moves = state_.session.is_playing() || film_.is_working() || views_.is_measuring();
+    rest_.moves =
+        state_.session.is_playing() || state_.camera.spins || film_.is_working() || views_.is_measuring();
     rest_.has_input = gui_.has_input();
     gui_.end_frame();
 }
@@ -312,6 +333,7 @@ ShownWindow Viewer::show_panels() {
                                      .is_flat = views_.is_flat(),
                                      .curves = views_.curves(),
                                      .figures = views_.figures(),
+                                     .camera_axes = views_.camera().axes(),
                                      .follows_camera = views_.follows_camera(),
                                      .measured_part = views_.measured_part(),
                                      .pictures = views_.message_pictures(),
@@ -343,6 +365,7 @@ void Viewer::record() {
         frame_, glfwGetTime(), state_, views_.figures(),
         {.shown = drawn_,
          .eye = views_.eye(),
+         .camera = views_.camera(),
          .pointer = gui_.pointer(),
          .follows_camera = views_.follows_camera(),
          .is_coarse = rest_.is_coarse,

@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/document/viewpoint.h"
 #include "family/family.h"
 #include "render/display.h"
 
@@ -18,6 +19,7 @@ struct ViewerOptions {
     std::optional<double> time;       ///< initial time, seconds; needs a timeline
     std::optional<TimeSource> along;  ///< what drives the blend; another choice than the family's is an edit
     Display display;                  ///< initial display
+    std::optional<Viewpoint> viewpoint;  ///< initial view; by default all keys
     std::optional<std::filesystem::path>
         picture;  ///< PNG file that receives the resting window, which then closes
     std::optional<std::filesystem::path> trace;  ///< file that receives a JSON line per change (trace.h)

@@ -161,6 +161,7 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
     const Weights& weights = shown.state.session.weights();
     const Layout& panels = shown.layout.panels;
     result.weights = weights;
+    if (shown.state.camera.shows_axes) result.actions.axes = axes_widget(panels.view, shown.camera_axes);
     result.actions.view = view_area(panels.view);
     if (panels.left) {
         begin_panel("left", *panels.left);

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
+
 #include "app/document/viewer_state.h"
 #include "app/pictures/key_portraits.h"
 #include "app/pictures/morph_surface.h"
@@ -18,6 +20,7 @@
 #include "app/window/frame_layout.h"
 #include "family/family_fields.h"
 #include "ui/dialogs/message_panel.h"
+#include "ui/panels/axes_widget.h"
 #include "ui/panels/field_curves.h"
 #include "ui/panels/keys_panel.h"
 #include "ui/panels/menu_bar.h"
@@ -45,6 +48,7 @@ struct WindowShown {
     bool is_flat = false;                       ///< whether all keys lie in one plane
     std::span<const WeightCurve> curves;        ///< of the timeline, in its shown times
     const SurfaceFigures& figures;
+    glm::mat3 camera_axes{1};     ///< right, up and backward, as columns
     bool follows_camera = false;  ///< whether the detail of the surface does
     std::optional<double> measured_part =
         {};  ///< of the keys, for their detail; none if there is nothing to measure
@@ -60,6 +64,7 @@ struct WindowShown {
 struct WindowActions {
     MenuBarResult menu;
     std::optional<ViewInput> view;
+    std::optional<AxesResult> axes;
     std::optional<KeysPanelResult> keys;
     std::optional<Display> display;  ///< the new display, if the user changed it
     bool asks_for_unit = false;      ///< of the shown field

@@ -15,6 +15,7 @@
 #include "io/family/composition.h"
 #include "io/family/family_file.h"
 #include "io/family/family_format.h"
+#include "io/family/family_scales.h"
 #include "io/file/file_pattern.h"
 #include "io/file/input_file.h"
 #include "io/hierarchy/hierarchy_file.h"
@@ -270,35 +271,6 @@ void read_path(const JsonPlace& place, Family& family) {
     if (!drives || !drives->boolean()) return;
     if (!family.path) drives->fail_expecting("false: the domain has no path");
     family.time_source = TimeSource::path;
-}
-
-/// A unit of a field or of time, as people write it.
-std::string written_unit_at(const JsonPlace& place) {
-    std::string unit = place.string();
-    if (!is_unit(unit))
-        place.fail_expecting(fmt::format("a unit of at most {} bytes without control characters", max_unit));
-    return unit;
-}
-
-/// The offsets and units of fields.
-std::vector<FieldScale> scales_at(const JsonPlace& place) {
-    if (place.size() > family_format::max_scales)
-        place.fail(
-            fmt::format("has {} scales, expected at most {}", place.size(), family_format::max_scales));
-    std::vector<FieldScale> scales;
-    scales.reserve(place.size());
-    for (std::size_t i = 0; i < place.size(); ++i) {
-        const JsonPlace scale = place.element(i);
-        const JsonPlace name = scale.member("field");
-        FieldScale read{.field = name.string()};
-        if (!is_field_name(read.field)) name.fail_expecting("the name of a field");
-        if (std::ranges::find(scales, read.field, &FieldScale::field) != scales.end())
-            name.fail_expecting("a field that no other scale has");
-        if (const auto offset = scale.optional_member("offset")) read.offset = offset->number();
-        if (const auto unit = scale.optional_member("unit")) read.unit = written_unit_at(*unit);
-        scales.push_back(std::move(read));
-    }
-    return scales;
 }
 
 void check_version(const JsonPlace& version) {

@@ -14,6 +14,7 @@ namespace {
 constexpr std::pair<std::string_view, std::string_view> mouse[] = {
     {"Drag", "Orbit"},
     {"Right drag, Shift+drag", "Pan"},
+    {"Ctrl+right drag", "Roll"},
     {"Wheel", "Zoom towards the pointer, or away from it"},
     {"Double click", "See the whole surface"},
     {"Drag in the domain", "Move the point; a click jumps"},

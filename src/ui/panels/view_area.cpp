@@ -2,11 +2,23 @@
 
 #include <cmath>
 
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <imgui.h>
 
 #include "ui/widgets/style.h"
 
 namespace interleaf {
+namespace {
+
+/// By how many degrees the pointer went about \p center, counterclockwise.
+float turned_about(glm::vec2 center, const ImGuiIO& io) {
+    const glm::vec2 now = from_imgui(io.MousePos) - center;
+    const glm::vec2 before = now - from_imgui(io.MouseDelta);
+    return glm::degrees(std::atan2(before.x * -now.y + before.y * now.x, glm::dot(before, now)));
+}
+
+}  // namespace
 
 ViewInput view_area(const Rect& rect, const char* name) {
     ViewInput input;
@@ -15,6 +27,7 @@ ViewInput view_area(const Rect& rect, const char* name) {
     ImGui::SetNextWindowBgAlpha(0);
     begin_panel(name, rect);
     if (rect.width >= 1 && rect.height >= 1) {
+        ImGui::SetCursorScreenPos({rect.x, rect.y});
         ImGui::InvisibleButton("surface", {rect.width, rect.height},
                                ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                    ImGuiButtonFlags_MouseButtonMiddle);
@@ -24,7 +37,10 @@ ViewInput view_area(const Rect& rect, const char* name) {
         if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) {
             const bool pans = !ImGui::IsMouseDown(ImGuiMouseButton_Left) || io.KeyShift;
             input.turns_flat = io.KeyCtrl;
-            (pans ? input.pan : input.orbit) = from_imgui(io.MouseDelta) / rect.height;
+            if (io.KeyCtrl && ImGui::IsMouseDown(ImGuiMouseButton_Right))
+                input.roll = turned_about({rect.x + rect.width / 2, rect.y + rect.height / 2}, io);
+            else
+                (pans ? input.pan : input.orbit) = from_imgui(io.MouseDelta) / rect.height;
         }
         input.pointed_at = ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown();
         if (ImGui::IsItemHovered()) {

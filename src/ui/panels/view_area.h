@@ -10,6 +10,7 @@ namespace interleaf {
 struct ViewInput {
     glm::vec2 orbit{0};       ///< movement of the pointer, in units of the area's height, y down
     glm::vec2 pan{0};         ///< in the same units
+    float roll = 0;           ///< of the picture about its center, counterclockwise, degrees
     float zoom = 1;           ///< factor; above 1 moves nearer
     glm::vec2 pointer{0};     ///< window coordinates
     bool view_all = false;    ///< show the whole model
@@ -18,7 +19,7 @@ struct ViewInput {
 };
 
 /// Reads the mouse in the area. A left drag orbits (or pans a flat surface, see turns_flat); a right drag, a middle drag and Shift + left drag pan;
-/// the wheel zooms; a double click shows the whole model.
+/// Ctrl + right drag rolls; the wheel zooms; a double click shows the whole model.
 /// \param name  unique in the frame
 ViewInput view_area(const Rect& rect, const char* name = "view");
 

@@ -21,7 +21,9 @@ Settings sample_settings() {
     return {.recent_files = {"/a/five keys/family.json", "/b/sphere.ilh"},
             .recent_folders = {"/a/five keys", "/b"},
             .last_folder = "/b/ä",
-            .window_size = glm::ivec2(1280, 800)};
+            .window_size = glm::ivec2(1280, 800),
+            .trackball = true,
+            .axes = false};
 }
 
 std::string error_of(std::string_view json) {

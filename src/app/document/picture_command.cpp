@@ -1,0 +1,122 @@
+#include "app/document/picture_command.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "app/document/family_extent.h"
+#include "app/document/shown_field.h"
+#include "family/family.h"
+#include "family/family_fields.h"
+#include "io/text/joined_text.h"
+
+namespace interleaf {
+namespace {
+
+std::string coloring_name(const Display& display) {
+    if (display.coloring != Coloring::field) return std::string(name_of(display.coloring));
+    // A field may be called like a coloring.
+    return coloring_named(display.field) || display.field.starts_with("field:") ? "field:" + display.field
+                                                                                : display.field;
+}
+
+/// \p end as it is shown, with the offset.
+std::string end_of_range(const ColorScale& scale, float end) {
+    return scale.offset == 0 ? fmt::format("{}", end) : fmt::format("{:.12g}", double{end} + scale.offset);
+}
+
+std::vector<std::string> color_options(const Display& display) {
+    if (display.coloring == Coloring::plain) return {};
+    std::vector<std::string> options{"--color=" + coloring_name(display)};
+    if (display.coloring != Coloring::field) return options;
+    if (display.scale.map != ColorMap::viridis)
+        options.push_back(fmt::format("--color-map={}", name_of(display.scale.map)));
+    if (display.range_locked)
+        options.push_back(fmt::format("--range={},{}", end_of_range(display.scale, display.scale.range.min),
+                                      end_of_range(display.scale, display.scale.range.max)));
+    return options;
+}
+
+std::vector<std::string> shown_edges(const Display& display) {
+    std::vector<std::string> edges;
+    if (display.wireframe) edges.emplace_back("wireframe");
+    if (display.refinement_edges) edges.emplace_back("refinement-edges");
+    if (display.root_edges) edges.emplace_back("root-edges");
+    return edges;
+}
+
+}  // namespace
+
+std::vector<std::string> display_options(const Display& display) {
+    std::vector<std::string> options;
+    if (const auto edges = shown_edges(display); !edges.empty())
+        options.push_back("--show=" + joined(edges, ","));
+    if (display.line_width != Display{}.line_width)
+        options.push_back(fmt::format("--line-width={}", display.line_width));
+    if (display.shading != Shading::smooth)
+        options.push_back(fmt::format("--shading={}", name_of(display.shading)));
+    if (!display.occlusion) options.emplace_back("--no-occlusion");
+    std::ranges::move(color_options(display), std::back_inserter(options));
+    if (display.legend) options.emplace_back("--legend");
+    return options;
+}
+
+std::vector<std::string> field_options(const Session& session, const Display& display) {
+    const Family& family = session.family();
+    const std::vector<FamilyField> fields = fields_of(family);
+    std::vector<std::string> options;
+    if (display.height > 0)
+        if (const auto warp = warp_of(display, fields, extent(family).box))
+            options.push_back(fmt::format("--height={},{}", warp->field, display.height));
+    if (const auto vector = shown_vector(display, fields)) {
+        const auto& [x, y, z] = vector->parts;
+        options.push_back(fmt::format("--arrows={},{}{}{}", x, y, z.empty() ? "" : ",", z));
+    }
+    return options;
+}
+
+std::string blend_option(const Session& session) {
+    if (session.driver() == Driver::timeline && session.has_time())
+        return fmt::format("--time={}", session.time());
+    if (session.driver() == Driver::point && session.point())
+        return fmt::format("--at={},{}", session.point()->at.x, session.point()->at.y);
+    std::vector<std::string> weights;
+    weights.reserve(session.weights().size());
+    for (const Weight& weight : session.weights())
+        weights.push_back(fmt::format("{}={}", session.family().keys[weight.key].name, weight.value));
+    return "--weights=" + joined(weights, ",");
+}
+
+std::string shell_word(std::string_view text) {
+    const auto is_plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               std::string_view("-_./,:=+@%").find(c) != std::string_view::npos;
+    };
+    if (!text.empty() && std::ranges::all_of(text, is_plain)) return std::string(text);
+    std::string word = "'";
+    for (const char c : text) {
+        if (c == '\'')
+            word += "'\\''";
+        else
+            word += c;
+    }
+    return word + "'";
+}
+
+std::string picture_command(std::span<const std::filesystem::path> files, const Session& session,
+                            const Display& display, const Viewpoint& viewpoint, glm::ivec2 size) {
+    std::vector<std::string> words{"interleaf", "render"};
+    for (const std::filesystem::path& file : files) words.push_back(shell_word(file.native()));
+    words.push_back(shell_word(blend_option(session)));
+    for (const std::string& option : display_options(display)) words.push_back(shell_word(option));
+    for (const std::string& option : field_options(session, display)) words.push_back(shell_word(option));
+    words.push_back(shell_word("--camera=" + text_of(viewpoint)));
+    words.push_back(fmt::format("--size={}x{}", size.x, size.y));
+    words.emplace_back("-o");
+    words.emplace_back("picture.png");
+    return joined(words, " ");
+}
+
+}  // namespace interleaf

@@ -1,0 +1,89 @@
+#include "app/window/view_clipboard.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "text/shown_text.h"
+#include <fmt/core.h>
+#include <imgui.h>
+
+#include "app/document/picture_command.h"
+#include "hierarchy/error.h"
+
+namespace interleaf {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+    constexpr const char* blanks = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// The text of the clipboard as a view; also what follows "--camera" in a copied command.
+Viewpoint pasted_viewpoint(std::string_view text) {
+    constexpr std::string_view option = "--camera";
+    constexpr std::size_t longest_shown = 60;
+    if (const std::size_t found = text.find(option); found != std::string_view::npos) {
+        text.remove_prefix(std::min(found + option.size() + 1, text.size()));
+        text = text.substr(0, text.find_first_of(" \n'"));
+    }
+    text = trimmed(text);
+    if (text.empty()) throw UsageError("the clipboard has no text");
+    if (text.size() > longest_shown && text.find('\n') != std::string_view::npos)
+        throw UsageError("the text is none that Copy view has copied");
+    return parse_viewpoint(text);
+}
+
+/// What the copied command cannot repeat; empty for nothing.
+std::string remark_on_command(const ViewerState& state) {
+    const Display& display = state.session.display;
+    if (state.document.is_changed()) return "It draws the saved family, without your unsaved changes.";
+    if (display.detail < 1 || display.follows_camera) return "It draws all details.";
+    return "";
+}
+
+void tell_copied(ViewerState& state, const char* what, const std::string& text, std::string_view remark,
+                 double now) {
+    ImGui::SetClipboardText(text.c_str());
+    state.message = Message{.text = fmt::format("{}: {}{}{}", what, text, remark.empty() ? "" : "\n", remark),
+                            .kind = MessageKind::notice,
+                            .seen = now};
+}
+
+void paste(ViewerState& state) {
+    const char* const text = ImGui::GetClipboardText();
+    try {
+        take_viewpoint(state, pasted_viewpoint(text != nullptr ? text : ""));
+    } catch (const UsageError& error) {
+        state.message = Message{.text = fmt::format("Paste view: {}", shown_name(error.what()))};
+    }
+}
+
+}  // namespace
+
+void take_viewpoint(ViewerState& state, const Viewpoint& viewpoint) {
+    state.camera.projection = viewpoint.projection;
+    state.camera_wishes.viewpoint = viewpoint;
+}
+
+void use_clipboard(ClipboardWish wish, ViewerState& state, const SeenPicture& seen, double now) {
+    switch (wish) {
+        case ClipboardWish::none:
+            return;
+        case ClipboardWish::copy_view:
+            return tell_copied(state, "Copied view", text_of(viewpoint_of(seen.camera)), "", now);
+        case ClipboardWish::copy_command:
+            return tell_copied(state, "Copied command",
+                               picture_command(seen.files, state.session, seen.display,
+                                               viewpoint_of(seen.camera), seen.size),
+                               remark_on_command(state), now);
+        case ClipboardWish::paste_view:
+            return paste(state);
+    }
+}
+
+}  // namespace interleaf

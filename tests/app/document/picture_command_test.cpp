@@ -1,0 +1,58 @@
+// Tests of the command that draws what the window shows.
+#include "app/document/picture_command.h"
+
+#include <array>
+#include <memory>
+
+#include <doctest/doctest.h>
+
+#include "app/sample_family.h"
+
+using namespace interleaf;
+
+TEST_CASE("the command has the files, the blend, the view and the size") {
+    Session session(std::make_shared<const Family>(sample_family()));
+    const std::array<std::filesystem::path, 2> files{"/a b/it's.ilh", "/c.ilh"};
+    session.show_key(0, 0);
+    CHECK(picture_command(files, session, {}, {.direction = {1, 2, 0}}, {640, 480}) ==
+          "interleaf render '/a b/it'\\''s.ilh' /c.ilh --weights=" + session.family().keys[0].name +
+              "=1 --camera=1,2 --size=640x480 -o picture.png");
+}
+
+TEST_CASE("what drives the blend is the option of the command") {
+    Session session(std::make_shared<const Family>(sample_family()));
+    session.seek(0.1, 0);
+    CHECK(blend_option(session) == "--time=0.1");
+    session.move_point(session.family().domain->vertices()[0].at, 0);
+    CHECK(blend_option(session).starts_with("--at="));
+    session.show_key(1, 0);
+    CHECK(blend_option(session) == "--weights=" + session.family().keys[1].name + "=1");
+}
+
+TEST_CASE("only options that differ from the defaults are named") {
+    Display display;
+    CHECK(display_options(display).empty());
+    display.wireframe = display.root_edges = true;
+    display.shading = Shading::flat;
+    display.occlusion = false;
+    display.line_width = 3;
+    display.coloring = Coloring::field;
+    display.field = "level";
+    display.scale = {.map = ColorMap::magma, .range = {-1, 2.5F}};
+    CHECK(display_options(display) ==
+          std::vector<std::string>{"--show=wireframe,root-edges", "--line-width=3", "--shading=flat",
+                                   "--no-occlusion", "--color=field:level", "--color-map=magma"});
+    display.range_locked = true;
+    CHECK(display_options(display).back() == "--range=-1,2.5");
+    display.field = "heat";
+    CHECK(display_options(display)[4] == "--color=heat");
+}
+
+TEST_CASE("a word of a shell needs quotes where the shell would read more than the word") {
+    CHECK(shell_word("/a/b-c_1.ilh") == "/a/b-c_1.ilh");
+    CHECK(shell_word("") == "''");
+    CHECK(shell_word("a b") == "'a b'");
+    CHECK(shell_word("$(x)`y`\"\\\n;#*?") == "'$(x)`y`\"\\\n;#*?'");
+    CHECK(shell_word("it's") == "'it'\\''s'");
+    CHECK(shell_word("\xe5\xae\xb6") == "'\xe5\xae\xb6'");
+}
