@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/document/brush.h"
 #include "app/document/camera_choices.h"
 #include "app/document/document.h"
 #include "app/document/fit_comparison.h"
@@ -72,6 +73,9 @@ struct ViewerState {
     std::optional<std::size_t> selected_path_point;  ///< while the domain is edited
     bool is_dragging = false;                        ///< the document's present step is a drag in progress
 
+    Brush brush;               ///< refines the selected key
+    bool plots_blend = false;  ///< area, volume and leaves of the blend below the timeline
+
     Comparisons comparisons;      ///< of keys that were fitted to meshes since the document was opened
     bool is_comparing = false;    ///< the window shows a comparison, not the document
     bool compares_colors = true;  ///< the comparison shows distances as colors
@@ -82,6 +86,7 @@ struct ViewerState {
     std::optional<std::filesystem::path> film_wish;  ///< a film or picture to make
     std::optional<TextQuestion> question;
     bool help_shown = false;
+    bool search_wanted = false;  ///< the search for commands is to open
     CameraChoices camera;
     CameraWishes camera_wishes{};
     ViewTarget view_target = ViewTarget::all_keys;

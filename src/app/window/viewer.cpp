@@ -17,27 +17,26 @@
 
 #include "app/document/document_title.h"
 #include "app/document/edit_commands.h"
-#include "app/document/path_commands.h"
-#include "app/document/shown_field.h"
 #include "app/storage/document_files.h"
+#include "app/window/command_search.h"
 #include "app/window/commands.h"
 #include "app/window/document_views.h"
 #include "app/window/film_export.h"
 #include "app/window/frame_failures.h"
 #include "app/window/frame_layout.h"
 #include "app/window/frame_stats.h"
+#include "app/window/initial_state.h"
 #include "app/window/redraw.h"
 #include "app/window/trace.h"
 #include "app/window/view_clipboard.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_input.h"
 #include "app/window/window_panels.h"
-#include "family/family_time.h"
-#include "hierarchy/error.h"
 #include "io/file/safe_write.h"
 #include "io/mesh/mesh_file.h"
 #include "render/context.h"
 #include "ui/gui.h"
+#include "ui/timeline/blend_plots.h"
 
 namespace interleaf {
 
@@ -83,7 +82,7 @@ class Viewer {
 
     FrameInput read_input();
     bool has_keyboard() const;
-    bool is_asking() const { return files_.is_asking() || film_.is_open(); }
+    bool is_asking() const { return files_.is_asking() || film_.is_open() || search_.is_open(); }
 
     void update(const FrameInput& input, double now);
     void apply_actions(const WindowActions& actions, double now);
@@ -104,6 +103,7 @@ class Viewer {
     ViewerState state_;
     DocumentFiles files_;
     FilmExport film_;
+    CommandSearch search_;
     std::vector<std::filesystem::path> meshes_;  ///< not opened yet
     Gui gui_;
     MouseHolds holds_;
@@ -139,11 +139,7 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
     if (options.stats) stats_.emplace(*options.stats);
     if (const auto last = files_.window_size(); last && !options.size)
         glfwSetWindowSize(window_.handle(), last->x, last->y);
-    state_.session.display = options.display;
-    if (options.viewpoint) take_viewpoint(state_, *options.viewpoint);
-    if (options.along) choose_time_source(state_, *options.along, glfwGetTime());
-    if (options.time) state_.session.seek(*options.time, glfwGetTime());
-    if (options.at) state_.session.move_point(*options.at, glfwGetTime());
+    begin_with(options, state_, glfwGetTime());
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(window_.handle(), 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
 }
@@ -244,7 +240,9 @@ void Viewer::update(const FrameInput& input, double now) {
     state_.session.advance(now);
     apply_actions(input.actions, now);
     for (const Shortcut shortcut : input.pressed)
-        if (!belongs_to_domain(shortcut, state_)) run_command(*find_command(shortcut), state_, now);
+        if (!belongs_to_domain(shortcut, state_) && !belongs_to_brush(shortcut, state_))
+            run_command(*find_command(shortcut), state_, now);
+    if (const auto file = search_.act(state_, now)) files_.open({files_.recent_files()[*file]});
     update_files(input, now);
     update_clipboard(now);
     follow_state(now);
@@ -253,6 +251,7 @@ void Viewer::update(const FrameInput& input, double now) {
 /// Applies \p actions before anything else changes the state that the panels have shown.
 void Viewer::apply_actions(const WindowActions& actions, double now) {
     views_.apply_to_views(actions, state_, layout());
+    views_.brush(actions, state_, layout(), now);
     apply_to_state(actions, state_, holds_, now);
     if (!gui_.is_button_down()) end_drag(state_);
     if (actions.menu.chosen_item) files_.open({files_.recent_files()[*actions.menu.chosen_item]});
@@ -309,8 +308,9 @@ void Viewer::follow_state(double now) {
 
 /// \param view  the mouse input over the surface
 void Viewer::draw(const std::optional<ViewInput>& view) {
-    // A list of keys that follows playback shows ever new rows; their pictures must not slow it.
-    rest_.lacks_portraits = !state_.session.is_playing() && views_.draw_portrait(drawn_, gui_);
+    // A list of keys that follows playback shows ever new rows; their pictures must not slow it, or a drag.
+    rest_.lacks_portraits =
+        !state_.session.is_playing() && !state_.is_dragging && views_.draw_portrait(drawn_, gui_);
     gui_.begin_drawing();
     drawn_ = show_panels();
     rest_.is_coarse = !views_.draw(state_, drawn_.layout, view, gui_);
@@ -330,6 +330,7 @@ ShownWindow Viewer::show_panels() {
                                      .portraits = views_.portraits(),
                                      .fields = views_.fields(),
                                      .field_curves = &views_.field_curves(),
+                                     .blend_curves = &views_.blend_curves(),
                                      .is_flat = views_.is_flat(),
                                      .curves = views_.curves(),
                                      .figures = views_.figures(),
@@ -338,12 +339,14 @@ ShownWindow Viewer::show_panels() {
                                      .measured_part = views_.measured_part(),
                                      .pictures = views_.message_pictures(),
                                      .frame_milliseconds = frame_milliseconds_,
+                                     .is_over_surface = views_.is_over_surface(),
                                      .holds = holds_,
                                      .layout = frame,
                                      .comparison = views_.comparison(),
                                      .has_keyboard = has_keyboard()});
     files_.show(frame.content, now_);
     film_.show(frame.content, now_);
+    search_.show(frame.content, state_, files_.recent_files());
     return shown;
 }
 
@@ -353,7 +356,8 @@ FrameLayout Viewer::layout() const {
     FrameLayout frame;
     frame.window = size_;
     frame.content = {0, menu, frame.window.x, frame.window.y - menu};
-    frame.panels = lay_out(frame.window, menu, gui_.scale(), state_.session.has_time());
+    frame.panels = lay_out(frame.window, menu, gui_.scale(), state_.session.has_time(),
+                           state_.plots_blend ? blend_plots_height : 0);
     return frame;
 }
 
@@ -389,10 +393,7 @@ void Viewer::save_picture() {
 
 void run_viewer(Family family, std::vector<std::filesystem::path> sources,
                 std::vector<std::filesystem::path> meshes, const ViewerOptions& options) {
-    if (options.at && !family.domain) throw UsageError("--at: the family has no parameter domain");
-    require_field(options.display, fields_of(family));
-    if (options.time && !source_of_time(family))
-        throw UsageError("--time: the family has neither a timeline nor a path");
+    require_for(options, family);
     // Otherwise a software renderer allocates and returns its memory in every frame, which costs most of its
     // speed.
     mallopt(M_TRIM_THRESHOLD, 256 << 20);
