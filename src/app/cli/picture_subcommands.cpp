@@ -78,6 +78,8 @@ void add_view(CLI::App& program) {
         ->excludes(at);
     add_along(*command, options->viewer.along)->excludes(at);
     add_display(*command, options->viewer.display);
+    add_theme(*command, "Colors of the window: dark or light; by default, as it was last",
+              [options](Theme theme) { options->viewer.theme = theme; });
     add_camera(*command, [options](const Viewpoint& viewpoint) { options->viewer.viewpoint = viewpoint; });
     command
         ->add_option_function<std::string>(
@@ -113,6 +115,8 @@ void add_render(CLI::App& program) {
     add_display(*command, options->display);
     command->add_flag("--legend", options->display.legend,
                       "Draw the legend of the shown scalar: its name, its unit and its colors");
+    add_theme(*command, "Background of the picture: dark or light",
+              [options](Theme theme) { options->display.light_background = theme == Theme::light; });
     add_camera(*command, [options](const Viewpoint& viewpoint) { options->viewpoint = viewpoint; });
     add_film(*command, options->film);
     command->final_callback([options] { run_render(*options); });

@@ -15,6 +15,7 @@
 #include "family/field_units.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "render/display.h"
+#include "ui/widgets/theme.h"
 
 namespace interleaf {
 
@@ -46,7 +47,10 @@ void add_form(CLI::App& command, HierarchyFileOptions& form);
 void add_units(CLI::App& command, std::vector<NamedUnit>& units,
                std::function<void(const std::string&)> take_time_unit);
 
-/// Adds --show, --shading, --color, --color-map, --range, --height and --arrows.
+/// Adds --show, --shading, --no-occlusion, --ground, --material, --color, --color-map, --range, --height and --arrows.
 void add_display(CLI::App& command, Display& display);
+
+/// Adds --theme, whose value goes to \p choose.
+void add_theme(CLI::App& command, const std::string& meaning, std::function<void(Theme)> choose);
 
 }  // namespace interleaf

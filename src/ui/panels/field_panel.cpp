@@ -9,7 +9,9 @@
 
 #include "family/vector_field.h"
 #include "ui/widgets/scale_legend.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 
@@ -17,7 +19,8 @@ namespace {
 
 void choose_field(Display& display, std::span<const FamilyField> fields) {
     ImGui::SetNextItemWidth(-1);
-    if (!ImGui::BeginCombo("##field", display.field.c_str())) return;
+    if (!ImGui::BeginCombo("##field", display.field.c_str()))
+        return tooltip("The field that colors the surface");
     for (const FamilyField& field : fields) {
         const std::string& name = field.label.name;
         const bool chosen = name == display.field;
@@ -26,7 +29,7 @@ void choose_field(Display& display, std::span<const FamilyField> fields) {
         ImGui::PushID(&field);
         if (ImGui::Selectable("", chosen)) display.field = name;
         if (chosen) ImGui::SetItemDefaultFocus();
-        draw_text(corner, ImGui::GetItemRectSize().x, colors::text, name);
+        draw_name(corner, ImGui::GetItemRectSize().x, colors::text, name);
         ImGui::PopID();
     }
     ImGui::EndCombo();
@@ -35,7 +38,8 @@ void choose_field(Display& display, std::span<const FamilyField> fields) {
 /// Offers the color maps, each with its colors beside its name.
 void choose_map(ColorMap& map) {
     ImGui::SetNextItemWidth(-1);
-    if (!ImGui::BeginCombo("##map", std::string(name_of(map)).c_str())) return;
+    if (!ImGui::BeginCombo("##map", std::string(name_of(map)).c_str()))
+        return tooltip("Colors of the field; coolwarm has its middle at 0");
     for (const ColorMap each : color_maps()) {
         const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
         if (ImGui::Selectable(std::string(name_of(each)).c_str(), each == map)) map = each;
@@ -58,9 +62,10 @@ void lock_range(Display& display) {
     ColorScale& scale = display.scale;
     double ends[] = {double{scale.range.min} + scale.offset, double{scale.range.max} + scale.offset};
     ImGui::SetNextItemWidth(-1);
-    if (!ImGui::InputScalarN("##range", ImGuiDataType_Double, ends, 2, nullptr, nullptr,
-                             scale.offset == 0 ? "%.5g" : "%.9g"))
-        return;
+    const bool is_changed = ImGui::InputScalarN("##range", ImGuiDataType_Double, ends, 2, nullptr, nullptr,
+                                                scale.offset == 0 ? "%.5g" : "%.9g");
+    tooltip("Values of the first and the last color");
+    if (!is_changed) return;
     const ValueRange range{static_cast<float>(ends[0] - scale.offset),
                            static_cast<float>(ends[1] - scale.offset)};
     if (std::isfinite(range.min) && std::isfinite(range.max) && range.min < range.max) scale.range = range;
@@ -68,7 +73,7 @@ void lock_range(Display& display) {
 
 /// Offers a logarithmic scale, which needs a range above 0.
 void choose_logarithm(ColorScale& scale) {
-    const bool can_be = scale.range.min > 0;
+    const bool can_be = scale.range.min > 0 && scale.offset == 0;
     if (!can_be) ImGui::BeginDisabled();
     ImGui::Checkbox("Logarithmic", &scale.is_logarithmic);
     if (!can_be) ImGui::EndDisabled();
@@ -91,18 +96,15 @@ void choose_height(Display& display) {
 /// \return whether the button is pressed
 bool show_title(const FamilyField& field) {
     const std::string unit = field.unit.empty() ? "no unit" : field.unit;
-    const float width = std::min(text_size(unit).x + 2 * ImGui::GetStyle().FramePadding.x,
-                                 ImGui::GetContentRegionAvail().x / 2);
-    const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+    const glm::vec2 padding(ImGui::GetStyle().FramePadding.x, ImGui::GetStyle().FramePadding.y);
     const float row = ImGui::GetContentRegionAvail().x;
-    draw_text({corner.x, corner.y + ImGui::GetStyle().FramePadding.y}, row - width - scaled(6), colors::text,
-              field.label.name);
+    const float width = std::min(text_size(unit).x + 2 * padding.x + 1, row / 2);
+    const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+    draw_name({corner.x, corner.y + padding.y}, row - width - scaled(6), colors::text, field.label.name);
     ImGui::SetCursorScreenPos({corner.x + row - width, corner.y});
     const bool is_pressed = ImGui::Button("##unit", {width, 0});
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Unit of the field: type another one (Shift+U)");
-    draw_text({corner.x + row - width + ImGui::GetStyle().FramePadding.x,
-               corner.y + ImGui::GetStyle().FramePadding.y},
-              width - 2 * ImGui::GetStyle().FramePadding.x + 1,
+    tooltip("Unit of the field: type another one (Shift+U)");
+    draw_text({corner.x + row - width + padding.x, corner.y + padding.y}, width - 2 * padding.x,
               field.unit.empty() ? colors::dim_text : colors::text, unit);
     return is_pressed;
 }
@@ -116,11 +118,7 @@ Display field_panel(const Display& shown, std::span<const FamilyField> fields, s
     const FamilyField* const field = find_field(fields, display.field);
     if (field == nullptr) return display;
     if (!key_without.empty()) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::PushStyleColor(ImGuiCol_Text, colors::notice);
-        ImGui::TextUnformatted(fmt::format("{} does not have this field.", key_without).c_str());
-        ImGui::PopStyleColor();
-        ImGui::PopTextWrapPos();
+        wrapped_text(fmt::format("{} does not have this field.", key_without), colors::notice);
     }
     if (field->label.kind == FieldKind::color) return display;
     choose_map(display.scale.map);
