@@ -35,8 +35,7 @@ void show_series(const SeriesToImport& series, const ViewOptions& view) {
         run_viewer(open_family({}), {}, series.files, options);
         return;
     }
-    if (options.display.coloring == Coloring::plain)
-        color_by_field(options.display, fields_of(keys.family.keys));
+    if (options.display.coloring == Coloring::plain) color_by_field(options.display, fields_of(keys.family));
     if (options.along) require_source(keys.family, *options.along);
     run_viewer(std::move(keys.family), series.files, {}, options);
 }

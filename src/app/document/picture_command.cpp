@@ -6,7 +6,10 @@
 
 #include <fmt/core.h>
 
+#include "app/document/family_extent.h"
+#include "app/document/shown_field.h"
 #include "family/family.h"
+#include "family/family_fields.h"
 #include "io/text/joined_text.h"
 
 namespace interleaf {
@@ -19,6 +22,11 @@ std::string coloring_name(const Display& display) {
                                                                                 : display.field;
 }
 
+/// \p end as it is shown, with the offset.
+std::string end_of_range(const ColorScale& scale, float end) {
+    return scale.offset == 0 ? fmt::format("{}", end) : fmt::format("{:.12g}", double{end} + scale.offset);
+}
+
 std::vector<std::string> color_options(const Display& display) {
     if (display.coloring == Coloring::plain) return {};
     std::vector<std::string> options{"--color=" + coloring_name(display)};
@@ -26,7 +34,8 @@ std::vector<std::string> color_options(const Display& display) {
     if (display.scale.map != ColorMap::viridis)
         options.push_back(fmt::format("--color-map={}", name_of(display.scale.map)));
     if (display.range_locked)
-        options.push_back(fmt::format("--range={},{}", display.scale.range.min, display.scale.range.max));
+        options.push_back(fmt::format("--range={},{}", end_of_range(display.scale, display.scale.range.min),
+                                      end_of_range(display.scale, display.scale.range.max)));
     return options;
 }
 
@@ -56,6 +65,21 @@ std::vector<std::string> display_options(const Display& display) {
         options.push_back(fmt::format("--material={}", name_of(display.material)));
     if (display.light_background) options.emplace_back("--theme=light");
     std::ranges::move(color_options(display), std::back_inserter(options));
+    if (display.legend) options.emplace_back("--legend");
+    return options;
+}
+
+std::vector<std::string> field_options(const Session& session, const Display& display) {
+    const Family& family = session.family();
+    const std::vector<FamilyField> fields = fields_of(family);
+    std::vector<std::string> options;
+    if (display.height > 0)
+        if (const auto warp = warp_of(display, fields, extent(family).box))
+            options.push_back(fmt::format("--height={},{}", warp->field, display.height));
+    if (const auto vector = shown_vector(display, fields)) {
+        const auto& [x, y, z] = vector->parts;
+        options.push_back(fmt::format("--arrows={},{}{}{}", x, y, z.empty() ? "" : ",", z));
+    }
     return options;
 }
 
@@ -93,6 +117,7 @@ std::string picture_command(std::span<const std::filesystem::path> files, const 
     for (const std::filesystem::path& file : files) words.push_back(shell_word(file.native()));
     words.push_back(shell_word(blend_option(session)));
     for (const std::string& option : display_options(display)) words.push_back(shell_word(option));
+    for (const std::string& option : field_options(session, display)) words.push_back(shell_word(option));
     words.push_back(shell_word("--camera=" + text_of(viewpoint)));
     words.push_back(fmt::format("--size={}x{}", size.x, size.y));
     words.emplace_back("-o");

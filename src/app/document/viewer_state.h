@@ -31,6 +31,7 @@ enum class FileWish : std::uint8_t {
     save_as,
     export_as,
     add_keys,
+    import_series,
     set_landmarks,
     quit
 };

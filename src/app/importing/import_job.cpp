@@ -27,11 +27,12 @@ void ImportJob::work(const std::stop_token& stop) {
     ImportedSeries imported;
     std::exception_ptr error;
     try {
-        imported = import_series(series_files(files_), files_.front().stem().string(), choices_,
-                                 [&](std::string_view stage, double part) {
-                                     report(stage, part);
-                                     if (stop.stop_requested()) throw Cancelled();
-                                 });
+        imported =
+            import_series(every_step(series_files(files_), choices_.every), files_.front().stem().string(),
+                          choices_, [&](std::string_view stage, double part) {
+                              report(stage, part);
+                              if (stop.stop_requested()) throw Cancelled();
+                          });
     } catch (...) {
         error = std::current_exception();  // for take(), on the other thread
     }

@@ -19,12 +19,14 @@ void VectorArrows::follow(const Family& family, const Weights& weights, const Un
     vector_ = vector;
     number_ = number;
     parts_.clear();
+    offsets_.clear();
     if (!vector || !(vector->largest > 0)) return;
     for (const std::string& part : vector->parts) {
         const FieldName label{part, FieldKind::scalar};
         if (part.empty()) break;
         if (key_without(family, weights, label)) return parts_.clear();
         parts_.push_back(united_field(family, weights, mesh, label));
+        offsets_.push_back(static_cast<float>(scale_of(family.field_scales, part).offset));
     }
 }
 
@@ -42,9 +44,12 @@ std::vector<Arrow> VectorArrows::arrows(const UnionMesh& mesh, const Weights& we
         if (!is_visible(from, picture)) continue;
         if (!taken.emplace(static_cast<int>(from.x / cell), static_cast<int>(from.y / cell)).second) continue;
         glm::vec3 vector(0);
-        for (std::size_t part = 0; part < parts_.size(); ++part)
+        for (std::size_t part = 0; part < parts_.size(); ++part) {
+            float& sum = vector[static_cast<int>(part)];
+            sum = offsets_[part];
             for (std::size_t key = 0; key < factors.size(); ++key)
-                vector[static_cast<int>(part)] += factors[key] * parts_[part].values[key][v];
+                sum += factors[key] * parts_[part].values[key][v];
+        }
         const float pixel = camera.height_at(from.w) / static_cast<float>(picture.height);  // in space
         const float stretch = longest * cell * pixel / vector_->largest;
         const glm::vec4 to = placed_in_picture(to_clip, positions[v] + stretch * vector, picture);

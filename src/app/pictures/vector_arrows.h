@@ -40,6 +40,7 @@ class VectorArrows {
   private:
     std::optional<VectorField> vector_;
     std::size_t number_ = 0;
+    std::vector<float> offsets_;  ///< of the parts (family/field_scale.h)
     std::vector<UnionField>
         parts_;  ///< of x, y, and z if there is one; empty without a vector that all keys have
 };

@@ -125,6 +125,9 @@ void DocumentFiles::grant(FileWish wish) {
         case FileWish::add_keys:
             browse_to_add();
             break;
+        case FileWish::import_series:
+            browse_to_import();
+            break;
         case FileWish::set_landmarks:
             set_landmarks();
             break;

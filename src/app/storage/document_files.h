@@ -112,6 +112,8 @@ class DocumentFiles {
     void browse(FileRequest request, std::function<void(const FileChoice&)> answer);
     void browse_to_open();
     void browse_to_add();
+    void browse_to_import();
+    void offer_import(const std::vector<std::filesystem::path>& files);
     void browse_to_export();
     void export_as(const std::filesystem::path& file);
     std::optional<Opening> opened(const std::vector<std::filesystem::path>& paths);

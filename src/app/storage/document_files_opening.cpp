@@ -54,6 +54,25 @@ void DocumentFiles::browse_to_add() {
            [this](const FileChoice& choice) { add_keys(choice.files, now_); });
 }
 
+void DocumentFiles::browse_to_import() {
+    browse(request_to_open("Import series", "Choose",
+                           {{"Steps of series", extensions_of(&Format::holds_series)}}),
+           [this](const FileChoice& choice) {
+               leave_document([this, files = choice.files] { offer_import(files); });
+           });
+}
+
+/// Shows the options of an import, which replaces the document.
+void DocumentFiles::offer_import(const std::vector<fs::path>& files) {
+    try {
+        importing_.offer(files_of(files), [this, files](ImportedSeries imported) {
+            open_imported(files, std::move(imported));
+        });
+    } catch (const std::runtime_error& error) {
+        complain(error);
+    }
+}
+
 /// The content of \p paths; none, with a message, if they cannot be opened.
 std::optional<Opening> DocumentFiles::opened(const std::vector<fs::path>& paths) {
     try {
@@ -111,7 +130,8 @@ void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
     if (!found) return;
     const auto add = [this, now](Family& family) {
         const auto before = state_.document.snapshot();
-        interleaf::add_keys(state_, std::move(family.keys), family.origin, now);
+        family.landmarks.clear();
+        interleaf::add_keys(state_, family, now);
         return state_.document.snapshot() != before;
     };
     std::visit(Cases{[&](OpenedFamily& family) {
@@ -139,7 +159,7 @@ void DocumentFiles::import(std::vector<fs::path> files, SeriesImporting::Receive
 /// Opens an imported series as a new document, colored by its field.
 void DocumentFiles::open_imported(const std::vector<fs::path>& files, ImportedSeries imported) {
     replace_document(std::move(imported.family), files);
-    color_by_field(state_.session.display, fields_of(state_.document.family().keys));
+    color_by_field(state_.session.display, fields_of(state_.document.family()));
     remember(files.front());
     state_.message = {.text = sentences_of(imported.report), .kind = MessageKind::notice, .seen = now_};
 }
@@ -167,8 +187,10 @@ void DocumentFiles::offer_to_add(const MeshesToFit& meshes) {
 void DocumentFiles::add_fitted(const FittedMeshes& fitted) {
     // A family knows its sphere only if its roots have a name.
     const bool keeps_landmarks = find_roots(roots_of(state_.document.family()).name) != nullptr;
-    interleaf::add_keys(state_, keys_of(fitted.comparisons), fitted.origin, now_,
-                        keeps_landmarks ? fitted.landmarks : std::vector<LandmarkDirection>());
+    Family added{.name = {}, .keys = keys_of(fitted.comparisons), .timeline = {}, .domain = {}};
+    added.origin = fitted.origin;
+    if (keeps_landmarks) added.landmarks = fitted.landmarks;
+    interleaf::add_keys(state_, added, now_);
     tell_fit(fitted);
     was_fit_added_ = true;
 }

@@ -9,7 +9,6 @@
 #include "text/shown_text.h"
 #include <fmt/core.h>
 
-#include "family/origin.h"
 #include "hierarchy/progress.h"
 #include "io/formats.h"
 #include "ui/dialogs/progress_dialog.h"
@@ -26,8 +25,7 @@ std::vector<std::string> remarks_of_export(const Family& family, const Weights& 
     std::vector<std::string> remarks;
     const Format& format = *find_format(file);
     format.write({.family = family, .weights = weights, .remarks = &remarks, .progress = progress}, {file});
-    if (!format.written->origin && family.origin != glm::dvec3(0))
-        remarks.push_back(origin_sentence(family.origin));
+    for (std::string& sentence : lost_offsets(format, family)) remarks.push_back(std::move(sentence));
     return remarks;
 }
 

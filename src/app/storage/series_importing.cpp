@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "app/document/message.h"
+#include "app/storage/import_offer.h"
 #include "hierarchy/progress.h"
 #include "io/text/words.h"
 #include "ui/dialogs/progress_dialog.h"
@@ -35,12 +36,27 @@ std::string sentences_of(const SeriesReport& report) {
 void SeriesImporting::start(std::vector<std::filesystem::path> files, Receiver receiver, double now) {
     files_ = std::move(files);
     receiver_ = std::move(receiver);
+    choices_ = {};
+    begin(now);
+}
+
+void SeriesImporting::offer(std::vector<std::filesystem::path> files, Receiver receiver) {
+    offered_ = import_offer(files);
+    files_ = std::move(files);
+    receiver_ = std::move(receiver);
+    options_.open(usual_choices(offered_));
+}
+
+void SeriesImporting::begin(double now) {
     started_ = now;
-    job_.emplace(files_, ImportChoices{});
+    job_.emplace(files_, choices_);
 }
 
 void SeriesImporting::show(const Rect& area, double now) {
-    if (dialog_.is_open()) {
+    if (options_.is_open()) {
+        offered_.fault = fault_of(options_.choices(), offered_);
+        if (const auto is_wanted = options_.show(area, offered_)) is_wanted_ = is_wanted;
+    } else if (dialog_.is_open()) {
         if (auto answer = dialog_.show(area)) answer_ = std::move(answer);
     } else if (job_) {
         const ImportJob::State state = job_->state();
@@ -54,10 +70,17 @@ void SeriesImporting::show(const Rect& area, double now) {
 }
 
 std::optional<std::string> SeriesImporting::update(double now) {
+    if (const auto is_wanted = std::exchange(is_wanted_, std::nullopt)) {
+        choices_ = import_choices(options_.choices(), offered_);
+        if (*is_wanted)
+            begin(now);
+        else
+            receiver_ = nullptr;
+    }
     if (const auto answer = std::exchange(answer_, std::nullopt)) {
         if (answer->button == 0) {
-            started_ = now;
-            job_.emplace(files_, ImportChoices{.tolerance = tolerance_in(answer->entry)});
+            choices_.tolerance = tolerance_in(answer->entry);
+            begin(now);
         } else {
             receiver_ = nullptr;
         }

@@ -21,6 +21,7 @@ struct Shortcut {
 /// In the order of the table.
 enum class CommandId : std::uint8_t {
     open,
+    import_series,
     reopen,
     save,
     save_as,
@@ -29,6 +30,8 @@ enum class CommandId : std::uint8_t {
     undo,
     redo,
     rename_family,
+    set_field_unit,
+    set_time_unit,
     new_domain,
     edit_domain,
     add_keys,

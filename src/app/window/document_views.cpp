@@ -82,7 +82,7 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
     if (state.document.snapshot() != family_) {
         family_ = state.document.snapshot();
         portraits_.update(*family_);
-        fields_ = fields_of(family_->keys);
+        fields_ = fields_of(*family_);
         surface_.set_extent(portraits_.extent());
         curves_of_.reset();
     }

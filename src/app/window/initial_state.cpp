@@ -11,7 +11,7 @@ namespace interleaf {
 
 void require_for(const ViewerOptions& options, const Family& family) {
     if (options.at && !family.domain) throw UsageError("--at: the family has no parameter domain");
-    require_field(options.display, fields_of(family.keys));
+    require_field(options.display, fields_of(family));
     if (options.time && !source_of_time(family))
         throw UsageError("--time: the family has neither a timeline nor a path");
 }

@@ -101,7 +101,7 @@ void SurfaceView::follow(const Session& session, const FamilyField* field,
     last_camera_ = camera_;
     want_details(session);
     const bool showed_view = shows_view_;
-    const bool can_follow = !needs_whole(session, field, fields);
+    const bool can_follow = !needs_whole(session, fields);
     holds_view_ = false;
     shows_view_ =
         can_follow && wants_view(session, now) && view_.follow(session.family(), session.weights(), details_);
@@ -130,9 +130,8 @@ void SurfaceView::follow_whole(const Session& session, const FamilyField* field,
     surface_.update(warped_.family(), warped_.weights(), field != nullptr ? &field->label : nullptr,
                     warped_.sources());
     // A late surface has other keys than the weights.
-    const bool shows_arrows = session.display.arrows && field != nullptr && !surface_.figures().is_late;
     arrows_.follow(warped_.family(), warped_.weights(), surface_.mesh(), surface_.figures().rebuilds,
-                   shows_arrows ? vector_of(fields, field->label.name) : std::nullopt);
+                   surface_.figures().is_late ? std::nullopt : shown_vector(session.display, fields));
     if (session.display.detail >= 1 && !warped_.is_warped())
         surface_.expect(session.family(), session.next_key_sets());
     if (warped_.is_warped()) camera_.keep_unclipped(raised_extent());
@@ -159,11 +158,9 @@ void SurfaceView::want_details(const Session& session) {
 }
 
 /// Whether the display asks for what only the whole surface has: heights or arrows.
-bool SurfaceView::needs_whole(const Session& session, const FamilyField* field,
-                              std::span<const FamilyField> fields) const {
+bool SurfaceView::needs_whole(const Session& session, std::span<const FamilyField> fields) const {
     const Display& display = session.display;
-    return warped_.is_warped() || warp_of(display, fields, all_keys_.box) ||
-           (display.arrows && field != nullptr && vector_of(fields, field->label.name));
+    return warped_.is_warped() || warp_of(display, fields, all_keys_.box) || shown_vector(display, fields);
 }
 
 /// Whether the detail of the surface follows the camera: because the display says so, or while a large surface
@@ -314,7 +311,7 @@ void SurfaceView::show_value(const Session& session, const FamilyField& field, g
     const glm::ivec3 bytes(glm::round(255.0F * color));
     value_label(pointer, view, color,
                 is_scalar
-                    ? fmt::format("{} {:.4g}", field.label.name, value->x)
+                    ? fmt::format("{} {}", field.label.name, shown_value(field, value->x))
                     : fmt::format("{} #{:02x}{:02x}{:02x}", field.label.name, bytes.r, bytes.g, bytes.b));
 }
 

@@ -118,8 +118,7 @@ class SurfaceView {
     void follow_measured(const Session& session);
     Buffer<glm::vec3> blend_positions() const;
     void want_details(const Session& session);
-    bool needs_whole(const Session& session, const FamilyField* field,
-                     std::span<const FamilyField> fields) const;
+    bool needs_whole(const Session& session, std::span<const FamilyField> fields) const;
     bool wants_view(const Session& session, double now);
     void follow_whole(const Session& session, const FamilyField* field, std::span<const FamilyField> fields);
     void face_plane();

@@ -83,17 +83,18 @@ void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
     section_gap();
     const SurfaceFigures& figures = shown.figures;
     const Display& display = shown.state.session.display;
-    Display wanted = display_panel(display, {.levels = figures.levels,
-                                             .origins = figures.origins,
-                                             .active_keys = figures.keys,
-                                             .active_names = figures.key_names,
-                                             .fields = shown.fields,
-                                             .key_without_field = figures.key_without_field,
-                                             .curves = shown.field_curves,
-                                             .time = shown.state.session.time(),
-                                             .measured = shown.measured_scale,
-                                             .is_flat = shown.is_flat});
-    if (wanted != display) result.actions.display = std::move(wanted);
+    DisplayPanelResult wanted = display_panel(display, {.levels = figures.levels,
+                                                        .origins = figures.origins,
+                                                        .active_keys = figures.keys,
+                                                        .active_names = figures.key_names,
+                                                        .fields = shown.fields,
+                                                        .key_without_field = figures.key_without_field,
+                                                        .curves = shown.field_curves,
+                                                        .time = shown.state.session.time(),
+                                                        .measured = shown.measured_scale,
+                                                        .is_flat = shown.is_flat});
+    if (wanted.display != display) result.actions.display = std::move(wanted.display);
+    result.actions.asks_for_unit = wanted.asks_for_unit;
     result.legend_keys = figures.key_names;
 }
 
@@ -133,6 +134,7 @@ TransportState transport_of(const Session& session) {
     return {.time = session.time(),
             .end = session.playback().end(),
             .unit = unit_of(family, source_of_time(family).value_or(TimeSource::keys)),
+            .unit_name = unit_name_of(family, source_of_time(family).value_or(TimeSource::keys)),
             .playing = session.is_playing(),
             .plays_back = session.plays_back(),
             .repeat = session.playback().repeat(),

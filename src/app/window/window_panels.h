@@ -79,6 +79,7 @@ struct WindowActions {
     std::optional<BlendActions> blend;
     std::optional<PanelSizes> panel_sizes;  ///< the new sizes, if the user dragged an edge
     std::optional<Display> display;         ///< the new display, if the user changed it
+    bool asks_for_unit = false;             ///< of the shown field
     std::optional<ParameterDomainResult> domain;
     std::optional<TimelineResult> timeline;
     std::optional<ComparisonActions> comparison;

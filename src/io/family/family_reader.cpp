@@ -15,6 +15,7 @@
 #include "io/family/composition.h"
 #include "io/family/family_file.h"
 #include "io/family/family_format.h"
+#include "io/family/family_scales.h"
 #include "io/file/file_pattern.h"
 #include "io/file/input_file.h"
 #include "io/hierarchy/hierarchy_file.h"
@@ -324,8 +325,12 @@ void read_composition(const JsonPlace& place, Family& family) {
         family.domain = domain_at(*domain, names);
         if (version.number() > 1) read_path(*domain, family);
     }
-    if (const auto origin = place.optional_member("origin"); origin && version.number() > 1)
-        family.origin = origin_at(*origin);
+    if (version.number() == 1) return;
+    if (const auto origin = place.optional_member("origin")) family.origin = origin_at(*origin);
+    if (const auto scales = place.optional_member("scales")) family.field_scales = scales_at(*scales);
+    if (const auto timeline = place.optional_member("timeline"))
+        if (const auto unit = timeline->optional_member("unit_name"))
+            family.time_unit = written_unit_at(*unit);
 }
 
 std::vector<fs::path> key_files(const fs::path& path) {

@@ -229,28 +229,31 @@ void choose_lines(Display& display) {
           "Show a line along the normal at each vertex, or at some of very many (N)", true);
 }
 
-void choose_color(Display& display, const Legend& legend) {
+void choose_color(Display& display, const Legend& legend, bool& asks_for_unit) {
     coloring_choice(display.coloring, !legend.fields.empty());
     if (display.coloring == Coloring::level) level_legend(legend.levels);
     if (display.coloring == Coloring::origin) origin_legend(legend);
     if (display.coloring == Coloring::common) common_legend(legend);
     if (is_measured(display.coloring)) measured_legend(display.coloring, legend);
     if (display.coloring == Coloring::field)
-        display = field_panel(display, legend.fields, legend.key_without_field.value_or(""), legend.is_flat);
+        display = field_panel(display, legend.fields, legend.key_without_field.value_or(""), legend.is_flat,
+                              asks_for_unit);
     if (display.coloring == Coloring::field && legend.curves != nullptr)
         field_curves(*legend.curves, legend.time);
 }
 
 }  // namespace
 
-Display display_panel(const Display& shown, const Legend& legend) {
-    Display display = shown;
+DisplayPanelResult display_panel(const Display& shown, const Legend& legend) {
+    DisplayPanelResult result{.display = shown};
+    Display& display = result.display;
     if (section("Shading", {}, "How the surface is lit, and what it is made of.")) choose_shading(display);
     section_gap();
     if (section("Lines", {}, "Edges, vertices and normals over the surface.")) choose_lines(display);
     section_gap();
-    if (section("Color", {}, "What the colors of the surface mean.")) choose_color(display, legend);
-    return display;
+    if (section("Color", {}, "What the colors of the surface mean."))
+        choose_color(display, legend, result.asks_for_unit);
+    return result;
 }
 
 }  // namespace interleaf

@@ -28,7 +28,11 @@ struct Legend {
     bool is_flat = false;  ///< whether the keys lie in a plane, so that a field can raise them
 };
 
-/// \return the display that the user wants: \p shown with any changes
-Display display_panel(const Display& shown, const Legend& legend);
+struct DisplayPanelResult {
+    Display display;             ///< that the user wants: the shown one with any changes
+    bool asks_for_unit = false;  ///< the user wants to type the unit of the shown field
+};
+
+DisplayPanelResult display_panel(const Display& shown, const Legend& legend);
 
 }  // namespace interleaf

@@ -219,7 +219,7 @@ class NameRow {
         if (is_pointed || is_held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
         if (is_pointed && !ImGui::IsItemActive())
             ImGui::SetTooltip("%s, %s\nDrag to move it in time", family_.keys[key.key].name.c_str(),
-                              time_text(key.time, family_.timeline->unit()).c_str());
+                              time_text(key.time, unit_name_of(family_, TimeSource::keys)).c_str());
         if (ImGui::IsItemActive()) result_.drag = is_held ? *state_.drag : TimeDrag{place, scale_.visible};
         ImGui::OpenPopupOnItemClick("time menu", ImGuiPopupFlags_MouseButtonRight);
         return is_pointed || is_held;
