@@ -55,6 +55,8 @@ struct Display {
     bool root_edges = false;  ///< the edges of the root complex
     float line_width = 1.5F;  ///< in pixels
 
+    bool transparent = false;  ///< draws no background: pixels have alpha where no surface is
+
     /// Whether hollows are darker, as less light of the sky reaches them.
     bool occlusion = true;
 

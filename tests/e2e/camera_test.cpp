@@ -98,5 +98,34 @@ TEST_CASE("a copied command draws what the window shows, and its view can be pas
     viewer.wait_for("the pasted view", [&](const State& s) { return s["view"] == turned["view"]; });
 }
 
+TEST_CASE("a picture without background is saved as the window shows the surface") {
+    const ScratchFolder folder;
+    const RunningViewer viewer;
+    const Picture seen = viewer.settled_picture();
+    viewer.press(XK_F12);
+    wait_for_question(viewer);
+    viewer.press(XK_a, XK_Control_L);
+    viewer.type((folder / "seen.png").string());
+    viewer.press(XK_Return);
+    viewer.wait_for("the dialog",
+                    [](const State& s) { return s["browsed"].is_null() && s["asking"] == true; });
+    for (const char* row : {"scale", "transparent"}) {
+        viewer.press(XK_Down);
+        viewer.wait_for("the next row", [row](const State& s) { return s["picture_row"] == row; });
+    }
+    viewer.press(XK_space);
+    viewer.press(XK_Return);
+    viewer.wait_for("the saved picture",
+                    [](const State& s) { return !message_after(s, "Made seen.png in ").empty(); });
+    const DecodedPicture saved = decode_file(folder / "seen.png");
+    const State rect = viewer.state()["rects"]["view"];
+    CHECK(saved.width == rect[2].get<int>());
+    CHECK(saved.height == rect[3].get<int>());
+    // Without its alpha, the surface is on black: only the background differs.
+    const double changed = difference_in_view(seen, saved);
+    CHECK(changed > 0.5);
+    CHECK(changed < 0.9);
+}
+
 }  // namespace
 }  // namespace interleaf

@@ -111,6 +111,7 @@ void add_render(CLI::App& program) {
         ->type_name("WxH")
         ->default_str(fmt::format("{}x{}", options->size.width, options->size.height));
     add_display(*command, options->display);
+    command->add_flag("--transparent", options->display.transparent, "Draw no background; only for .png");
     add_camera(*command, [options](const Viewpoint& viewpoint) { options->viewpoint = viewpoint; });
     add_film(*command, options->film);
     command->final_callback([options] { run_render(*options); });
