@@ -107,8 +107,8 @@ TEST_CASE("a picture without background is saved as the window shows the surface
     viewer.press(XK_a, XK_Control_L);
     viewer.type((folder / "seen.png").string());
     viewer.press(XK_Return);
-    viewer.wait_for("the dialog",
-                    [](const State& s) { return s["browsed"].is_null() && s["asking"] == true; });
+    viewer.wait_for("the dialog", [](const State& s) { return s["picture_row"] == "size"; });
+    viewer.settled_picture();
     for (const char* row : {"scale", "transparent"}) {
         viewer.press(XK_Down);
         viewer.wait_for("the next row", [row](const State& s) { return s["picture_row"] == row; });

@@ -17,6 +17,8 @@ std::string_view name_of(Driver driver) {
             return "point";
         case Driver::key:
             return "key";
+        case Driver::weights:
+            return "weights";
     }
     return "";
 }
@@ -52,6 +54,11 @@ void Session::drive_with_what_there_is() {
 void Session::replace_family(std::shared_ptr<const Family> family, double now) {
     advance(now);
     const SharedHierarchy single = family_->keys[key_].hierarchy;
+    if (driver_ == Driver::weights) {
+        weights_ = weights_in(*family, weights_);
+        first_weights_ = weights_in(*family, first_weights_);
+        if (first_weights_.empty()) first_weights_ = weights_;
+    }
     family_ = std::move(family);
 
     const auto same =
@@ -60,8 +67,7 @@ void Session::replace_family(std::shared_ptr<const Family> family, double now) {
 
     follow_interval(now);
     if (point_ && family_->domain) point_ = family_->domain->locate(point_->at, point_->triangle);
-    const bool has_lost_driver =
-        (driver_ == Driver::timeline && !has_time()) || (driver_ == Driver::point && !family_->domain);
+    const bool has_lost_driver = !can_drive(driver_) || (driver_ == Driver::weights && weights_.empty());
     if (has_lost_driver) drive_with_what_there_is();
     advance(now);
 }
@@ -82,6 +88,8 @@ void Session::advance(double now) {
             return;
         case Driver::key:
             weights_ = {{key_, 1.0}};
+            break;
+        case Driver::weights:
             break;
     }
     point_.reset();
@@ -141,6 +149,7 @@ std::vector<std::vector<std::size_t>> Session::neighboring_triangles() const {
 void Session::move_point(glm::dvec2 at, double now) {
     playback_.pause(now);
     point_ = family_->domain->locate(at, point_ ? point_->triangle : no_index);
+    driving_point_ = point_->at;
     driver_ = Driver::point;
     advance(now);
 }
@@ -150,6 +159,60 @@ void Session::show_key(std::size_t key, double now) {
     key_ = key;
     driver_ = Driver::key;
     advance(now);
+}
+
+void Session::set_weights(Weights weights, double now) {
+    advance(now);
+    playback_.pause(now);
+    if (driver_ != Driver::weights) first_weights_ = weights_;
+    weights_ = std::move(weights);
+    driver_ = Driver::weights;
+    advance(now);
+}
+
+bool Session::can_drive(Driver driver) const {
+    switch (driver) {
+        case Driver::timeline:
+            return has_time();
+        case Driver::point:
+            return family_->domain.has_value();
+        case Driver::key:
+        case Driver::weights:
+            return true;
+    }
+    return false;
+}
+
+void Session::drive_by(Driver driver, double now) {
+    advance(now);
+    switch (driver) {
+        case Driver::timeline:
+            playback_.pause(now);
+            return seek(playback_.time(now), now);
+        case Driver::point:
+            return move_point(driving_point_.value_or(family_->domain->vertices().front().at), now);
+        case Driver::key:
+            return show_key(key_, now);
+        case Driver::weights:
+            return set_weights(weights_, now);
+    }
+}
+
+Weights Session::weights_in(const Family& family, const Weights& weights) const {
+    Weights kept;
+    kept.reserve(weights.size());
+    std::vector<bool> is_taken(family.keys.size());
+    for (const Weight& weight : weights) {
+        const SharedHierarchy& hierarchy = family_->keys[weight.key].hierarchy;
+        // Two keys may share a hierarchy.
+        for (std::size_t key = 0; key < family.keys.size(); ++key) {
+            if (is_taken[key] || !family.keys[key].hierarchy.is_same(hierarchy)) continue;
+            is_taken[key] = true;
+            kept.push_back({key, weight.value});
+            break;
+        }
+    }
+    return sorted_weights(std::move(kept));
 }
 
 void Session::toggle_playing(double now, bool backward) {

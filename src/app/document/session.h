@@ -1,6 +1,6 @@
 // The session: the open family with its present time and its point in the parameter domain. No window, no GL.
 //
-// The time, the point or a single key drives the morph. The time is that of the timeline's keys or of the path
+// The time, the point, a single key or weights set by hand drive the morph. The time is that of the timeline's keys or of the path
 // through the domain, whichever the family chooses. While the keys drive, the point follows them; there is no
 // point while their weights are not those of a point of the domain. Moving the point does not change the time.
 #pragma once
@@ -9,6 +9,8 @@
 #include <optional>
 #include <string_view>
 #include <vector>
+
+#include <glm/vec2.hpp>
 
 #include "family/family.h"
 #include "family/playback.h"
@@ -21,6 +23,7 @@ enum class Driver {
     timeline,  ///< the time: keys or path, by source_of_time() (family_time.h)
     point,     ///< the point of the parameter domain
     key,       ///< a single key
+    weights,   ///< weights set by hand
 };
 
 /// The name of \p driver, such as "timeline".
@@ -36,7 +39,8 @@ class Session {
     const Family& family() const { return *family_; }
 
     /// Continues with \p family, an edited version, at the same or the nearest time and point. A single key
-    /// remains the key with the same hierarchy, or becomes the first key. If the family has lost what drove
+    /// remains the key with the same hierarchy, or becomes the first key. Weights set by hand stay with the
+    /// hierarchies of their keys. If the family has lost what drove
     /// the morph, the time drives; without a timeline and a path the point; without a domain the first key.
     /// \pre check(*family) finds nothing
     void replace_family(std::shared_ptr<const Family> family, double now);
@@ -62,6 +66,19 @@ class Session {
 
     /// Lets the single key \p key drive. Pauses playback.
     void show_key(std::size_t key, double now);
+
+    /// Sets the weights by hand, and lets them drive. Pauses playback.
+    /// \param weights  keys ascending, each once and below the number of keys; at least one; finite values
+    void set_weights(Weights weights, double now);
+
+    /// The weights from which set_weights() has departed; null while other weights drive.
+    const Weights* first_weights() const { return driver_ == Driver::weights ? &first_weights_ : nullptr; }
+
+    /// Lets \p driver drive from what it had last: the present time; the last point that drove, or the first
+    /// vertex; the last single key; or the present weights. Pauses playback.
+    /// \pre can_drive(driver)
+    void drive_by(Driver driver, double now);
+    bool can_drive(Driver driver) const;
 
     bool has_timeline() const { return family_->timeline.has_value(); }
 
@@ -106,6 +123,9 @@ class Session {
     std::vector<std::vector<std::size_t>> next_intervals() const;
     std::vector<std::vector<std::size_t>> neighboring_triangles() const;
 
+    /// The weights of the keys with the same hierarchies in \p family; empty if it has none of them.
+    Weights weights_in(const Family& family, const Weights& weights) const;
+
     /// Lets the time drive; without one the point, which starts at the first vertex if there was
     /// none; without either the first key.
     void drive_with_what_there_is();
@@ -123,6 +143,8 @@ class Session {
     Driver driver_ = Driver::key;
     std::size_t key_ = 0;  ///< the key that drives under Driver::key
     std::optional<DomainPoint> point_;
+    std::optional<glm::dvec2> driving_point_;  ///< the last point that drove
+    Weights first_weights_;                    ///< the weights before the first of set_weights()
     Weights weights_{{0, 1.0}};
 };
 

@@ -82,6 +82,7 @@ struct ViewerState {
     std::optional<std::filesystem::path> film_wish;  ///< a film or picture to make
     std::optional<TextQuestion> question;
     bool help_shown = false;
+    bool search_wanted = false;  ///< the search for commands is to open
     CameraChoices camera;
     CameraWishes camera_wishes{};
     ViewTarget view_target = ViewTarget::all_keys;

@@ -70,6 +70,12 @@ enum class CommandId : std::uint8_t {
     show_all_times,
     go_to_place,
     use_arrows_in_domain,
+    drive_by_timeline,
+    drive_by_domain,
+    show_one_key,
+    drive_by_weights,
+    sum_to_one,
+    reset_weights,
     frame_model,
     view_front,
     view_back,
@@ -105,6 +111,7 @@ enum class CommandId : std::uint8_t {
     follow_camera,
     compare_with_mesh,
     reload_shaders,
+    search_commands,
     help,
     dismiss,
 };
@@ -145,6 +152,9 @@ void run_command(CommandId id, ViewerState& state, double now);
 /// Whether the scope of \p command and its own condition allow the command now.
 bool is_enabled(const Command& command, const ViewerState& state);
 bool is_enabled(CommandId id, const ViewerState& state);
+
+/// Why \p command is not enabled, "select a key first"; empty if it is enabled.
+std::string_view obstacle_of(const Command& command, const ViewerState& state);
 
 /// The shortcuts of \p command as text, "Ctrl+Q" or "W or 1"; empty if there are none.
 std::string shortcut_text(const Command& command);

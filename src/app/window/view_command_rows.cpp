@@ -147,6 +147,12 @@ constexpr Command view_table[] = {
      .description = "Read the shader files again",
      .run = [](ViewerState& state, double) { state.reload_wanted = true; }},
 
+    {.id = CommandId::search_commands,
+     .menu = "Help",
+     .name = "Find command...",
+     .shortcuts = {{{GLFW_KEY_P, GLFW_MOD_CONTROL}}},
+     .description = "Search commands, keys and recent files by name, and run what is found",
+     .run = [](ViewerState& state, double) { state.search_wanted = true; }},
     {.id = CommandId::help,
      .menu = "Help",
      .name = "Keys and mouse",

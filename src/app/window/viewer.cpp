@@ -16,24 +16,22 @@
 
 #include "app/document/document_title.h"
 #include "app/document/edit_commands.h"
-#include "app/document/path_commands.h"
-#include "app/document/shown_field.h"
 #include "app/storage/document_files.h"
 #include "app/window/camera_control.h"
+#include "app/window/command_search.h"
 #include "app/window/commands.h"
 #include "app/window/document_views.h"
 #include "app/window/film_export.h"
 #include "app/window/frame_failures.h"
 #include "app/window/frame_layout.h"
 #include "app/window/frame_stats.h"
+#include "app/window/initial_state.h"
 #include "app/window/redraw.h"
 #include "app/window/trace.h"
 #include "app/window/view_clipboard.h"
 #include "app/window/window_actions.h"
 #include "app/window/window_input.h"
 #include "app/window/window_panels.h"
-#include "family/family_time.h"
-#include "hierarchy/error.h"
 #include "io/file/safe_write.h"
 #include "io/mesh/mesh_file.h"
 #include "render/context.h"
@@ -83,7 +81,7 @@ class Viewer {
 
     FrameInput read_input();
     bool has_keyboard() const;
-    bool is_asking() const { return files_.is_asking() || film_.is_open(); }
+    bool is_asking() const { return files_.is_asking() || film_.is_open() || search_.is_open(); }
 
     void update(const FrameInput& input, double now);
     void apply_actions(const WindowActions& actions, double now);
@@ -104,6 +102,7 @@ class Viewer {
     ViewerState state_;
     DocumentFiles files_;
     FilmExport film_;
+    CommandSearch search_;
     std::vector<std::filesystem::path> meshes_;  ///< not opened yet
     Gui gui_;
     MouseHolds holds_;
@@ -139,11 +138,7 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
     if (options.stats) stats_.emplace(*options.stats);
     if (const auto last = files_.window_size(); last && !options.size)
         glfwSetWindowSize(window_.handle(), last->x, last->y);
-    state_.session.display = options.display;
-    if (options.viewpoint) take_viewpoint(state_, *options.viewpoint);
-    if (options.along) choose_time_source(state_, *options.along, glfwGetTime());
-    if (options.time) state_.session.seek(*options.time, glfwGetTime());
-    if (options.at) state_.session.move_point(*options.at, glfwGetTime());
+    begin_with(options, state_, glfwGetTime());
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(window_.handle(), 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
 }
@@ -245,6 +240,7 @@ void Viewer::update(const FrameInput& input, double now) {
     apply_actions(input.actions, now);
     for (const Shortcut shortcut : input.pressed)
         if (!belongs_to_domain(shortcut, state_)) run_command(*find_command(shortcut), state_, now);
+    if (const auto file = search_.act(state_, now)) files_.open({files_.recent_files()[*file]});
     update_files(input, now);
     update_clipboard(now);
     follow_state(now);
@@ -339,6 +335,7 @@ ShownWindow Viewer::show_panels() {
                                      .has_keyboard = has_keyboard()});
     files_.show(frame.content, now_);
     film_.show(frame.content, now_);
+    search_.show(frame.content, state_, files_.recent_files());
     return shown;
 }
 
@@ -385,10 +382,7 @@ void Viewer::save_picture() {
 
 void run_viewer(Family family, std::vector<std::filesystem::path> sources,
                 std::vector<std::filesystem::path> meshes, const ViewerOptions& options) {
-    if (options.at && !family.domain) throw UsageError("--at: the family has no parameter domain");
-    require_field(options.display, fields_of(family.keys));
-    if (options.time && !source_of_time(family))
-        throw UsageError("--time: the family has neither a timeline nor a path");
+    require_for(options, family);
     // Otherwise a software renderer allocates and returns its memory in every frame, which costs most of its
     // speed.
     mallopt(M_TRIM_THRESHOLD, 256 << 20);

@@ -179,6 +179,7 @@ void apply_to_state(const WindowActions& actions, ViewerState& state, MouseHolds
         apply_to_track(actions.timeline->track, state, now);
         holds.time = actions.timeline->track.drag;
     }
+    if (actions.blend) apply_to_blend(*actions.blend, state, now);
     if (actions.keys) apply_to_keys(*actions.keys, state, now);
     if (actions.menu.chosen) run_command(commands()[*actions.menu.chosen], state, now);
 }

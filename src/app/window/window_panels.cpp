@@ -9,7 +9,6 @@
 #include "ui/panels/display_panel.h"
 #include "ui/panels/help_overlay.h"
 #include "ui/panels/status_line.h"
-#include "ui/panels/weights_panel.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -47,6 +46,8 @@ std::vector<glm::dvec2> path_through_domain(const Family& family) {
 }
 
 const char* remark_of(const Session& session) {
+    if (session.driver() == Driver::weights)
+        return "Sliders set the weights: scrub or press Space to follow the timeline again";
     if (session.driver() == Driver::key)
         return "One key is shown alone: scrub or press Space to follow the timeline again";
     return source_of_time(session.family()) == TimeSource::path
@@ -173,7 +174,7 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
     }
     show_detail(shown, result);
     section_gap();
-    weights_panel(family, weights);
+    result.actions.blend = show_blend(shown.state);
     if (!panels.left) {
         section_gap();
         show_keys_and_display(shown, result);

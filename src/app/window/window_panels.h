@@ -15,6 +15,7 @@
 #include "app/document/viewer_state.h"
 #include "app/pictures/key_portraits.h"
 #include "app/pictures/morph_surface.h"
+#include "app/window/blend_panel.h"
 #include "app/window/commands.h"
 #include "app/window/comparison_view.h"
 #include "app/window/frame_layout.h"
@@ -66,6 +67,7 @@ struct WindowActions {
     std::optional<ViewInput> view;
     std::optional<AxesResult> axes;
     std::optional<KeysPanelResult> keys;
+    std::optional<BlendActions> blend;
     std::optional<Display> display;  ///< the new display, if the user changed it
     std::optional<ParameterDomainResult> domain;
     std::optional<TimelineResult> timeline;

@@ -276,7 +276,11 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const DomainP
     const float margin = scaled(38);
     const float side_margin = scaled(24);
     const float width = ImGui::GetContentRegionAvail().x;
-    const Rect widest{corner.x + side_margin, corner.y + heading_height + margin, width - 2 * side_margin,
+    // The height must not depend on the scrollbar of the panel: the panel would show and hide it in turns.
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float narrow = ImGui::GetWindowWidth() - 2 * style.WindowPadding.x - style.ScrollbarSize;
+    const Rect widest{corner.x + (width - narrow) / 2 + side_margin, corner.y + heading_height + margin,
+                      narrow - 2 * side_margin,
                       std::max(0.5F * ImGui::GetWindowHeight() - margin, scaled(60))};
     const DomainBox whole = box_of(family.domain->vertices());
     const DomainBox box = panel.drag ? panel.drag->box : shown_part(whole, panel.view);

@@ -107,6 +107,7 @@ TEST_CASE("no command has a key that is not in the table, nor one with other mod
 TEST_CASE("what is on or off changes with its command and comes back with the second") {
     for (const Command& command : commands()) {
         if (command.is_on == nullptr) continue;
+        if (command.menu == "Blend") continue;               // a choice of several: the test after this one
         if (command.id == CommandId::follow_path) continue;  // needs a path: path_commands_test.cpp
         CAPTURE(command.name);
         ViewerState state = sample_state();
@@ -115,6 +116,16 @@ TEST_CASE("what is on or off changes with its command and comes back with the se
         CHECK(command.is_on(state) != before);
         command.run(state, 0);
         CHECK(command.is_on(state) == before);
+    }
+}
+
+TEST_CASE("one of the drivers is on, the one whose command ran last") {
+    using enum CommandId;
+    for (const CommandId chosen : {drive_by_domain, drive_by_weights, show_one_key, drive_by_timeline}) {
+        ViewerState state = sample_state();
+        run_command(chosen, state, 0);
+        for (const CommandId id : {drive_by_timeline, drive_by_domain, show_one_key, drive_by_weights})
+            CHECK(command_of(id).is_on(state) == (id == chosen));
     }
 }
 
@@ -177,7 +188,8 @@ TEST_CASE("no command fails without timeline and domain") {
     family.domain.reset();
     ViewerState state(std::move(family));
     for (const Command& command : commands()) run_command(command, state, 0);
-    CHECK(state.session.weights() == Weights{{0, 1}});
+    REQUIRE(state.session.weights().size() == 1);
+    CHECK(state.session.weights().front().value == 1);
     CHECK(state.session.time() == 0);
 }
 

@@ -1,0 +1,47 @@
+#include "app/document/blend_commands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/document/edit_commands.h"
+#include "family/weight_edits.h"
+
+namespace interleaf {
+
+namespace {
+
+/// Difference from 1 that rounding may leave.
+constexpr double sum_tolerance = 1e-12;
+
+}  // namespace
+
+void choose_driver(ViewerState& state, Driver driver, double now) {
+    if (!state.session.can_drive(driver)) return;
+    if (driver != Driver::key) return state.session.drive_by(driver, now);
+    const Weights& weights = state.session.weights();
+    const auto largest = std::ranges::max_element(weights, {}, &Weight::value);
+    select_key(state, state.selected_key.value_or(largest->key), now);
+}
+
+void make_weights_sum_to_one(ViewerState& state, double now) {
+    if (auto weights = summed_to_one(state.session.weights()))
+        state.session.set_weights(*std::move(weights), now);
+}
+
+void reset_weights(ViewerState& state, double now) {
+    if (!can_reset_weights(state)) return;
+    state.session.set_weights(Weights(*state.session.first_weights()), now);
+}
+
+bool can_make_weights_sum_to_one(const ViewerState& state) {
+    const Weights& weights = state.session.weights();
+    return summed_to_one(weights) && std::abs(sum_of(weights) - 1) > sum_tolerance;
+}
+
+bool can_reset_weights(const ViewerState& state) {
+    const Weights* const first = state.session.first_weights();
+    return first != nullptr && *first != state.session.weights();
+}
+
+}  // namespace interleaf

@@ -1,0 +1,27 @@
+#include "app/window/initial_state.h"
+
+#include "app/document/path_commands.h"
+#include "app/document/shown_field.h"
+#include "app/window/view_clipboard.h"
+#include "family/family_fields.h"
+#include "family/family_time.h"
+#include "hierarchy/error.h"
+
+namespace interleaf {
+
+void require_for(const ViewerOptions& options, const Family& family) {
+    if (options.at && !family.domain) throw UsageError("--at: the family has no parameter domain");
+    require_field(options.display, fields_of(family.keys));
+    if (options.time && !source_of_time(family))
+        throw UsageError("--time: the family has neither a timeline nor a path");
+}
+
+void begin_with(const ViewerOptions& options, ViewerState& state, double now) {
+    state.session.display = options.display;
+    if (options.viewpoint) take_viewpoint(state, *options.viewpoint);
+    if (options.along) choose_time_source(state, *options.along, now);
+    if (options.time) state.session.seek(*options.time, now);
+    if (options.at) state.session.move_point(*options.at, now);
+}
+
+}  // namespace interleaf

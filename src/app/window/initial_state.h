@@ -1,0 +1,17 @@
+// The state in which the window begins, from the options of `view`.
+#pragma once
+
+#include "app/document/viewer_state.h"
+#include "app/window/viewer.h"
+#include "family/family.h"
+
+namespace interleaf {
+
+/// \throw UsageError if \p family lacks the domain, the timeline or the field that \p options need
+void require_for(const ViewerOptions& options, const Family& family);
+
+/// Gives \p state the display, the view, the time and the point of \p options.
+/// \pre require_for() accepts the family
+void begin_with(const ViewerOptions& options, ViewerState& state, double now);
+
+}  // namespace interleaf
