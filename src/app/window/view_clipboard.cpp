@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "text/shown_text.h"
 #include <fmt/core.h>
@@ -49,7 +52,14 @@ std::string remark_on_command(const ViewerState& state) {
 std::string seen_command(const Session& session, const SeenPicture& seen) {
     Display display = session.display;
     display.line_width *= seen.line_scale;
-    return picture_command(seen.files, session, display, viewpoint_of(seen.camera), seen.size);
+    std::vector<std::filesystem::path> files;
+    files.reserve(seen.files.size());
+    for (const std::filesystem::path& file : seen.files) {
+        std::error_code error;
+        std::filesystem::path whole = std::filesystem::absolute(file, error);
+        files.push_back(error ? file : std::move(whole));
+    }
+    return picture_command(files, session, display, viewpoint_of(seen.camera), seen.size);
 }
 
 void tell_copied(ViewerState& state, const char* what, const std::string& text, std::string_view remark,
