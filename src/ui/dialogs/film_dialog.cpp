@@ -16,6 +16,7 @@
 
 #include "ui/widgets/modal.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 namespace {
@@ -211,7 +212,7 @@ void FilmDialog::show_check_row(std::size_t row) {
     const CheckRow& check = check_rows[row - first_check_row];
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + film_label_width());
     if (ImGui::Checkbox(check.label, &(choices_.*check.flag))) focus(row);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", check.tip);
+    tooltip(check.tip);
     if (focus_ == row) draw_focus();
 }
 
@@ -221,7 +222,7 @@ void FilmDialog::show_text_row(std::size_t row, const FilmOfferShown& shown) {
     const std::string name = fmt::format("##{}", row_names[row]);
     const TextFieldResult result = fields_[row].show(name.c_str(), "", scaled(96), focus_ == row);
     text_of(row) = fields_[row].text();
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text_rows[row].tip);
+    tooltip(text_rows[row].tip);
     if (result.clicked) focus_ = row;
     if (result.entered) {
         press(true, shown);
