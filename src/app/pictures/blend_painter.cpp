@@ -9,6 +9,7 @@
 #include "hierarchy/error.h"
 #include "hierarchy/morph.h"
 #include "hierarchy/vertex_normals.h"
+#include "render/straight_alpha.h"
 #include "render/surface_values.h"
 
 namespace interleaf {
@@ -76,6 +77,7 @@ std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Came
     }
     occlusion_.darken(target_, camera, display_.occlusion_strength());
     std::vector<std::uint8_t> rgba = target_.read_rgba();
+    if (display_.transparent) make_alpha_straight(rgba);
     const int width = target_.width();
     const int height = target_.height();
     if (arrows_.are_shown()) {

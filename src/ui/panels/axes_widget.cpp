@@ -63,7 +63,7 @@ std::array<PlacedEnd, 6> placed_ends(glm::vec2 center, const glm::mat3& axes) {
         const glm::vec3 seen = glm::transpose(axes) * axis_ends[i].towards;
         placed[i] = {&axis_ends[i], center + scaled(axes_arm) * glm::vec2(seen.x, -seen.y), seen.z};
     }
-    std::ranges::stable_sort(placed, {}, &PlacedEnd::depth);
+    std::ranges::sort(placed, {}, &PlacedEnd::depth);
     return placed;
 }
 
