@@ -67,6 +67,7 @@ std::string settings_text(const Settings& settings) {
     if (settings.window_size)
         document["window"] = {{"width", settings.window_size->x}, {"height", settings.window_size->y}};
     document["camera"] = {{"trackball", settings.trackball}, {"axes", settings.axes}};
+    if (!settings.shortcuts.empty()) document["shortcuts"] = settings.shortcuts;
     return document.dump(2) + "\n";
 }
 
@@ -136,6 +137,11 @@ Settings parse_settings(std::string_view json, std::string_view name) {
             settings.trackball = trackball->boolean();
         if (const auto axes = camera->optional_member("axes")) settings.axes = axes->boolean();
     }
+    if (const auto shortcuts = root.optional_member("shortcuts"))
+        for (std::string& command : shortcuts->member_names()) {
+            std::string text = shortcuts->member(command).string();
+            settings.shortcuts.emplace(std::move(command), std::move(text));
+        }
     return settings;
 }
 

@@ -234,7 +234,7 @@ void show_heading(const Family& family, const DomainPanel& panel, ParameterDomai
     const glm::vec2 size = text_size(remark);
     ImGui::PopFont();
     ImGui::SetCursorScreenPos({right - size.x, corner.y});
-    if (ImGui::InvisibleButton("place", {size.x, size.y})) result.asks_for_place = true;
+    if (mouse_area("place", {size.x, size.y})) result.asks_for_place = true;
     if (!ImGui::IsItemHovered()) return;
     ImGui::GetWindowDrawList()->AddLine({right - size.x, corner.y + size.y}, {right, corner.y + size.y},
                                         colors::dim_text);
@@ -289,7 +289,7 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const DomainP
     const PlotFrame frame(box, {plot.x, widest.y, plot.width, plot.height});
 
     ImGui::SetCursorScreenPos({area.x, area.y});
-    ImGui::InvisibleButton("domain", {area.width, area.height});
+    mouse_area("domain", {area.width, area.height});
     const bool is_hovered = ImGui::IsItemHovered();
     ParameterDomainResult result;
     const glm::vec2 low = frame.pixel(whole.low);

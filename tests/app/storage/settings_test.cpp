@@ -23,7 +23,8 @@ Settings sample_settings() {
             .last_folder = "/b/ä",
             .window_size = glm::ivec2(1280, 800),
             .trackball = true,
-            .axes = false};
+            .axes = false,
+            .shortcuts = {{"Play", "K or Space"}, {"no command", "no key"}}};
 }
 
 std::string error_of(std::string_view json) {
