@@ -59,16 +59,18 @@ class AdaptiveMesh {
     /// \param rule       places new vertices
     template <MidpointRule Rule>
     AdaptiveMesh(const RootComplex& roots, std::span<const glm::vec3> positions, Rule rule)
-        : AdaptiveMesh(roots, positions,
-                       PlaceVertices([this, rule](std::span<const NewVertex> vertices) mutable {
-                           for (const auto& [a, b, midpoint] : vertices)
-                               positions_[midpoint] = rule(a, b, midpoint);
-                       })) {}
+        : AdaptiveMesh(roots, positions, placing(*this, rule)) {}
 
     /// As above, with new vertices at the mean of the ends of their edge.
     AdaptiveMesh(const RootComplex& roots, std::span<const glm::vec3> positions)
         : AdaptiveMesh(roots, positions,
                        [this](Index a, Index b, Index) { return (positions_[a] + positions_[b]) * 0.5F; }) {}
+
+    /// The leaves of \p key. The vertices keep their numbers, so fields of \p key can be kept beside the mesh.
+    /// \param rule  places new vertices
+    /// \pre \p key passes check()
+    template <MidpointRule Rule>
+    AdaptiveMesh(const Hierarchy& key, Rule rule) : AdaptiveMesh(key, placing(*this, rule)) {}
 
     Index leaf_count() const { return leaf_bound() - static_cast<Index>(free_leaves_.size()); }
     Index vertex_count() const { return vertex_bound() - static_cast<Index>(free_vertices_.size()); }
@@ -136,8 +138,16 @@ class AdaptiveMesh {
     /// Places vertices in their order. One call places many vertices, with the caller's rule inlined.
     using PlaceVertices = std::function<void(std::span<const NewVertex>)>;
 
+    template <MidpointRule Rule>
+    static PlaceVertices placing(AdaptiveMesh& mesh, Rule rule) {
+        return [&mesh, rule](std::span<const NewVertex> vertices) mutable {
+            for (const auto& [a, b, midpoint] : vertices) mesh.positions_[midpoint] = rule(a, b, midpoint);
+        };
+    }
+
     AdaptiveMesh(const RootComplex& roots, std::span<const glm::vec3> positions,
                  PlaceVertices place_vertices);
+    AdaptiveMesh(const Hierarchy& key, PlaceVertices place_vertices);
 
     static constexpr std::uint8_t no_level = 0xff;
 
@@ -169,6 +179,8 @@ class AdaptiveMesh {
         Siblings split;  ///< the children of the other child
     };
 
+    void take_leaves(const Hierarchy& key);
+    void link_leaves();
     bool is_compatible(Index leaf) const;
     std::size_t collect_chain(Index leaf);
     bool has_levels_left(std::size_t cycle_begin) const;

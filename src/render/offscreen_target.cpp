@@ -109,7 +109,7 @@ float OffscreenTarget::depth_at(int x, int y) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, readable());
     float depth = 1;
     glReadPixels(x, height_ - 1 - y, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);  // resolve() has bound another one to draw into
     return depth;
 }
 

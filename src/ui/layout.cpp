@@ -5,13 +5,13 @@
 
 namespace interleaf {
 
-Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline) {
+Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline, float plots_height) {
     constexpr float narrow = 960;
     constexpr float column_width = 248;
     constexpr float first_wide = 1280;
     constexpr float max_right_width = 420;
     // A low window shows no curves of weights.
-    const float timeline_height = size.y >= 620 * scale ? 160 : 104;
+    const float timeline_height = (size.y >= 620 * scale ? 160 : 104) + plots_height;
     constexpr float status_height = 26;
     const auto pixels = [scale](float length) { return std::round(length * scale); };
 

@@ -22,6 +22,7 @@ struct Layout {
 /// \param menu_height  height of the menu bar along the top
 /// \param scale  scale of the user interface; 1 for an ordinary display
 /// \param has_timeline  whether there is a timeline to show
-Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline);
+/// \param plots_height  of the plots below the timeline, at scale 1; 0 for none
+Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline, float plots_height = 0);
 
 }  // namespace interleaf

@@ -24,7 +24,8 @@ bool is_shown(const char* name) {
 
 }  // namespace
 
-void PanelKeys::step(int step) {
+bool PanelKeys::step(int step) {
+    if (step == 0) return false;
     // The place behind the last panel means no panel.
     constexpr std::size_t places = panel_names.size() + 1;
     const auto present = std::ranges::find(panel_names, panel_);
@@ -33,15 +34,16 @@ void PanelKeys::step(int step) {
     while (place < panel_names.size() && !is_shown(panel_names.at(place)));
     panel_ = place < panel_names.size() ? panel_names.at(place) : nullptr;
     ImGui::ClearActiveID();
-    if (panel_ == nullptr) return ImGui::FocusWindow(nullptr);
-    ImGuiWindow* const window = ImGui::FindWindowByName(panel_);
+    ImGuiWindow* const window = panel_ != nullptr ? ImGui::FindWindowByName(panel_) : nullptr;
     ImGui::FocusWindow(window);
+    if (window == nullptr) return true;
     // Dear ImGui gives a focus only while its navigation is on.
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     ImGui::NavInitWindow(window, true);
     ImGuiContext& context = *ImGui::GetCurrentContext();
     context.NavDisableHighlight = false;
     context.NavDisableMouseHover = true;
+    return true;
 }
 
 void PanelKeys::follow() {

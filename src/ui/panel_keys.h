@@ -7,9 +7,10 @@ namespace interleaf {
 class PanelKeys {
   public:
     /// Gives the keyboard to the next panel that is shown (\p step 1) or to the previous one (-1); behind the last
-    /// one to none.
+    /// one to none. With \p step 0 nothing happens.
+    /// \return whether the keyboard goes elsewhere; the panels must then be shown some times to find their focus
     /// \pre within a frame
-    void step(int step);
+    bool step(int step);
 
     /// Takes the keyboard from the panels where the user has asked for it: by Esc, by a click, or because the panel
     /// is no longer shown. Call it before each frame.

@@ -109,9 +109,9 @@ TEST_CASE("Alt opens the first menu, and F6 gives the keyboard to the panels") {
 
 TEST_CASE("the search for commands runs what is found, and receives all keys meanwhile") {
     const RunningViewer viewer;
-    viewer.press(XK_p, {XK_Control_L});
+    viewer.press(XK_p, XK_Control_L);
     viewer.wait_for("the search", [](const State& s) { return s["asking"] == true; });
-    for (const unsigned long letter : {XK_w, XK_i, XK_r, XK_e}) {
+    for (const KeyName letter : {XK_w, XK_i, XK_r, XK_e}) {
         viewer.press(letter);
         wait_as_between_keys();
     }

@@ -23,6 +23,13 @@ void Document::amend(Family family) {
     states_[current_].family = std::make_shared<const Family>(std::move(family));
 }
 
+void Document::retract() {
+    assert(current_ > 0 && current_ + 1 == states_.size());
+    if (saved_ == current_) saved_.reset();
+    states_.pop_back();
+    --current_;
+}
+
 const std::string* Document::undo_step() const {
     return current_ > 0 ? &states_[current_].step : nullptr;
 }

@@ -36,6 +36,10 @@ class Document {
     /// \pre the last change was an edit() or an amend()
     void amend(Family family);
 
+    /// Takes the present step back as if it had never been: redo() does not repeat it.
+    /// \pre the last change was an edit() or an amend()
+    void retract();
+
     /// The steps that undo() would take back and redo() would repeat; null if there is no such step.
     const std::string* undo_step() const;
     const std::string* redo_step() const;

@@ -26,7 +26,8 @@ const std::string& name_of(const ViewerState& state, std::size_t key) {
 }
 
 /// The place of the selected key after the document has changed: the key with the same hierarchy and name;
-/// otherwise the key in the same place if it has the same hierarchy; otherwise the first with that hierarchy.
+/// otherwise the key in the same place if it has the same hierarchy; otherwise the first with that hierarchy;
+/// otherwise the key in the same place if it has the same name.
 void follow_selection(ViewerState& state, const Key& selected) {
     const auto& keys = state.document.family().keys;
     const auto is_selected = [&](const Key& key) { return key.hierarchy.is_same(selected.hierarchy); };
@@ -35,6 +36,7 @@ void follow_selection(ViewerState& state, const Key& selected) {
     const std::size_t place = *state.selected_key;
     if (found == keys.end() && place < keys.size() && is_selected(keys[place])) return;
     if (found == keys.end()) found = std::ranges::find_if(keys, is_selected);
+    if (found == keys.end() && place < keys.size() && keys[place].name == selected.name) return;
     state.selected_key.reset();
     if (found != keys.end()) state.selected_key = static_cast<std::size_t>(found - keys.begin());
 }
@@ -45,6 +47,7 @@ void change_document(ViewerState& state, double now, Change change) {
     std::optional<Key> selected;
     if (state.selected_key) selected = state.document.family().keys[*state.selected_key];
     change();
+    state.brush.report.clear();
     if (selected) follow_selection(state, *selected);
     if (!state.document.family().domain) state.recording.reset();
     const auto& path = state.document.family().path;
@@ -104,6 +107,12 @@ void drag_edit(ViewerState& state, std::string step, const FamilyChange& change,
 
 void end_drag(ViewerState& state) {
     state.is_dragging = false;
+}
+
+void cancel_drag(ViewerState& state, double now) {
+    if (!state.is_dragging) return;
+    end_drag(state);
+    change_document(state, now, [&] { state.document.retract(); });
 }
 
 void undo(ViewerState& state, double now) {

@@ -23,6 +23,9 @@ void edit(ViewerState& state, std::string step, const FamilyChange& change, doub
 void drag_edit(ViewerState& state, std::string step, const FamilyChange& change, double now);
 void end_drag(ViewerState& state);
 
+/// Ends the drag and takes its step back, as if it had never been.
+void cancel_drag(ViewerState& state, double now);
+
 void undo(ViewerState& state, double now);
 void redo(ViewerState& state, double now);
 

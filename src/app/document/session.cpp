@@ -53,7 +53,7 @@ void Session::drive_with_what_there_is() {
 
 void Session::replace_family(std::shared_ptr<const Family> family, double now) {
     advance(now);
-    const SharedHierarchy single = family_->keys[key_].hierarchy;
+    const Key single = family_->keys[key_];
     if (driver_ == Driver::weights) {
         weights_ = weights_in(*family, weights_);
         first_weights_ = weights_in(*family, first_weights_);
@@ -61,9 +61,13 @@ void Session::replace_family(std::shared_ptr<const Family> family, double now) {
     }
     family_ = std::move(family);
 
+    const auto& keys = family_->keys;
     const auto same =
-        std::ranges::find_if(family_->keys, [&](const Key& key) { return key.hierarchy.is_same(single); });
-    key_ = same == family_->keys.end() ? 0 : static_cast<std::size_t>(same - family_->keys.begin());
+        std::ranges::find_if(keys, [&](const Key& key) { return key.hierarchy.is_same(single.hierarchy); });
+    if (same != keys.end())
+        key_ = static_cast<std::size_t>(same - keys.begin());
+    else if (key_ >= keys.size() || keys[key_].name != single.name)
+        key_ = 0;
 
     follow_interval(now);
     if (point_ && family_->domain) point_ = family_->domain->locate(point_->at, point_->triangle);
@@ -205,12 +209,16 @@ Weights Session::weights_in(const Family& family, const Weights& weights) const 
     for (const Weight& weight : weights) {
         const SharedHierarchy& hierarchy = family_->keys[weight.key].hierarchy;
         // Two keys may share a hierarchy.
-        for (std::size_t key = 0; key < family.keys.size(); ++key) {
-            if (is_taken[key] || !family.keys[key].hierarchy.is_same(hierarchy)) continue;
-            is_taken[key] = true;
-            kept.push_back({key, weight.value});
-            break;
-        }
+        std::size_t key = 0;
+        while (key < family.keys.size() && (is_taken[key] || !family.keys[key].hierarchy.is_same(hierarchy)))
+            ++key;
+        const bool was_edited = key == family.keys.size() && weight.key < family.keys.size() &&
+                                !is_taken[weight.key] &&
+                                family.keys[weight.key].name == family_->keys[weight.key].name;
+        if (was_edited) key = weight.key;
+        if (key == family.keys.size()) continue;
+        is_taken[key] = true;
+        kept.push_back({key, weight.value});
     }
     return sorted_weights(std::move(kept));
 }

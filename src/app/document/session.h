@@ -39,8 +39,8 @@ class Session {
     const Family& family() const { return *family_; }
 
     /// Continues with \p family, an edited version, at the same or the nearest time and point. A single key
-    /// remains the key with the same hierarchy, or becomes the first key. Weights set by hand stay with the
-    /// hierarchies of their keys. If the family has lost what drove
+    /// remains the key with the same hierarchy, or else in the same place with the same name; or becomes the first
+    /// key. Weights set by hand stay with their keys in the same way. If the family has lost what drove
     /// the morph, the time drives; without a timeline and a path the point; without a domain the first key.
     /// \pre check(*family) finds nothing
     void replace_family(std::shared_ptr<const Family> family, double now);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/document/brush.h"
 #include "app/document/camera_choices.h"
 #include "app/document/document.h"
 #include "app/document/fit_comparison.h"
@@ -71,6 +72,9 @@ struct ViewerState {
     std::optional<DomainBox> shown_domain;   ///< the part of the domain that its panel shows; none for all
     std::optional<std::size_t> selected_path_point;  ///< while the domain is edited
     bool is_dragging = false;                        ///< the document's present step is a drag in progress
+
+    Brush brush;               ///< refines the selected key
+    bool plots_blend = false;  ///< area, volume and leaves of the blend below the timeline
 
     Comparisons comparisons;      ///< of keys that were fitted to meshes since the document was opened
     bool is_comparing = false;    ///< the window shows a comparison, not the document

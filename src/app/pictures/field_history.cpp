@@ -1,52 +1,56 @@
 #include "app/pictures/field_history.h"
 
-#include <new>
+#include <algorithm>
+#include <utility>
 
 namespace interleaf {
 
-void FieldHistory::follow(const std::shared_ptr<const Family>& family, const std::string* field) {
-    const bool is_same = family == family_ && field_.has_value() == (field != nullptr) &&
-                         (field == nullptr || *field_ == *field);
-    if (is_same) return;
-    thread_ = {};  // ends the work that is no longer wanted
-    family_ = family;
-    field_ = field != nullptr ? std::optional(*field) : std::nullopt;
-    curves_ = measured_ = {};
-    is_taken_ = is_over_ = field == nullptr || !family->timeline;
-    if (is_over_) return;
-    thread_ = std::jthread([this, family, name = *field](const std::stop_token& stop) {
-        try {
-            measure(stop, *family, name);
-        } catch (const std::bad_alloc&) {  // NOLINT(bugprone-empty-catch)
-            // The curves end here: without them the window still shows everything else.
-        }
-        const std::scoped_lock lock(mutex_);
-        is_over_ = true;
+bool FieldHistory::are_same(const MeasuredKeys& a, const MeasuredKeys& b) {
+    return std::ranges::equal(a, b, [](const MeasuredKey& x, const MeasuredKey& y) {
+        return x.time == y.time && x.hierarchy.is_same(y.hierarchy);
     });
 }
 
-void FieldHistory::measure(const std::stop_token& stop, const Family& family, const std::string& field) {
-    for (const TimelineKey& key : family.timeline->keys()) {
-        if (stop.stop_requested()) return;
-        const Hierarchy& hierarchy = *family.keys[key.key].hierarchy;
-        const Field* const found = find_field(hierarchy.fields, {field, FieldKind::scalar});
-        if (found != nullptr) add(key.time, figures_of(hierarchy, *found));
-    }
-}
-
-void FieldHistory::add(double time, const FieldFigures& figures) {
-    const std::scoped_lock lock(mutex_);
-    measured_.times.push_back(time);
-    measured_.integrals.push_back(figures.integral);
-    measured_.least.push_back(figures.least);
-    measured_.most.push_back(figures.most);
+void FieldHistory::follow(const std::shared_ptr<const Family>& family, const std::string* field) {
+    const std::string name = field != nullptr ? *field : std::string();
+    if (family == family_ && name == field_) return;
+    family_ = family;
+    MeasuredKeys wanted;
+    if (!name.empty() && family->timeline)
+        for (const TimelineKey& key : family->timeline->keys()) {
+            const SharedHierarchy& hierarchy = family->keys[key.key].hierarchy;
+            if (find_field(hierarchy->fields, {name, FieldKind::scalar}) != nullptr)
+                wanted.push_back({key.time, hierarchy});
+        }
+    const bool is_same_field = name == std::exchange(field_, name);
+    if (is_same_field && are_same(wanted, wanted_)) return;
+    const MeasuredKeys known = is_same_field ? measured_.series() : MeasuredKeys();
+    wanted_ = wanted;
+    if (wanted.empty()) return measured_.clear();
+    measured_.begin([wanted = std::move(wanted), known, name](
+                        const std::stop_token& stop, const MeasuredSeries<MeasuredKeys>::Publish& publish) {
+        for (MeasuredKey key : wanted) {
+            if (stop.stop_requested()) return;
+            const auto same = std::ranges::find_if(
+                known, [&](const MeasuredKey& each) { return each.hierarchy.is_same(key.hierarchy); });
+            key.figures = same != known.end()
+                              ? same->figures
+                              : figures_of(*key.hierarchy,
+                                           *find_field(key.hierarchy->fields, {name, FieldKind::scalar}));
+            publish([&](MeasuredKeys& keys) { keys.push_back(key); });
+        }
+    });
 }
 
 const FieldCurves& FieldHistory::curves() {
-    if (is_taken_) return curves_;
-    const std::scoped_lock lock(mutex_);
-    curves_ = measured_;
-    is_taken_ = is_over_;
+    const MeasuredKeys& keys = measured_.series();
+    curves_ = {};
+    for (const auto& [time, hierarchy, figures] : keys) {
+        curves_.times.push_back(time);
+        curves_.integrals.push_back(figures.integral);
+        curves_.least.push_back(figures.least);
+        curves_.most.push_back(figures.most);
+    }
     return curves_;
 }
 

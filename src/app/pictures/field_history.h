@@ -2,14 +2,10 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <span>
-#include <stop_token>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "app/pictures/measured_series.h"
 #include "family/family.h"
 #include "family/field_figures.h"
 #include "ui/panels/field_curves.h"
@@ -18,34 +14,33 @@ namespace interleaf {
 
 class FieldHistory {
   public:
-    FieldHistory() = default;
-    FieldHistory(const FieldHistory&) = delete;
-    FieldHistory& operator=(const FieldHistory&) = delete;
-    ~FieldHistory() = default;
-
-    /// Begins to measure the scalar \p field of \p family, unless that is what it measures already.
+    /// Begins to measure the scalar \p field of \p family, unless that is what it measures already: an edit that
+    /// leaves the keys on the timeline and their times as they are changes nothing here. Keys that were measured
+    /// before are not measured again.
     /// \param field  null for none
     void follow(const std::shared_ptr<const Family>& family, const std::string* field);
 
     /// The curves that are measured so far, from the first key on.
     const FieldCurves& curves();
 
-    bool is_working() const { return !is_taken_; }
+    bool is_working() const { return measured_.is_working(); }
 
   private:
-    void measure(const std::stop_token& stop, const Family& family, const std::string& field);
-    void add(double time, const FieldFigures& figures);
+    /// A key of the timeline with its figures.
+    struct MeasuredKey {
+        double time;
+        SharedHierarchy hierarchy;
+        FieldFigures figures{};
+    };
+    using MeasuredKeys = std::vector<MeasuredKey>;
+
+    static bool are_same(const MeasuredKeys& a, const MeasuredKeys& b);
 
     std::shared_ptr<const Family> family_;
-    std::optional<std::string> field_;
+    std::string field_;    ///< empty for none
+    MeasuredKeys wanted_;  ///< the keys of the timeline that have the field
+    MeasuredSeries<MeasuredKeys> measured_;
     FieldCurves curves_;
-    bool is_taken_ = true;  ///< whether curves_ are all that can be measured
-
-    std::mutex mutex_;  ///< guards the members below
-    FieldCurves measured_;
-    bool is_over_ = true;
-
-    std::jthread thread_;  ///< last member: must end before the members it uses
 };
 
 }  // namespace interleaf

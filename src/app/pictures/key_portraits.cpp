@@ -19,7 +19,8 @@ KeyPortrait portrait_of(const SharedHierarchy& hierarchy) {
             .leaves = leaves.size(),
             .deepest = std::ranges::max_element(leaves, {}, &Leaf::level)->level,
             .extent = extent_of(bounding_box(hierarchy->positions)),
-            .picture = {}};
+            .picture = {},
+            .is_old = false};
 }
 
 }  // namespace
@@ -35,20 +36,32 @@ void KeyPortraits::update(const Family& family) {
             is_changed = true;
             portraits.push_back(portrait_of(key.hierarchy));
         } else {
-            KeyPortrait portrait{known->hierarchy, known->leaves, known->deepest, known->extent, {}};
+            KeyPortrait portrait{known->hierarchy, known->leaves, known->deepest, known->extent, {},
+                                 known->is_old};
             portrait.picture = std::exchange(known->picture, {});
             portraits.push_back(std::move(portrait));
         }
     }
+    if (portraits.size() == portraits_.size()) keep_old_pictures(portraits);
     portraits_ = std::move(portraits);
     if (is_changed) extent_ = interleaf::extent(family);
 }
 
+/// Gives \p portraits, which replace those of an edited family, the pictures that nothing else has taken.
+void KeyPortraits::keep_old_pictures(std::vector<KeyPortrait>& portraits) {
+    for (std::size_t key = 0; key < portraits.size(); ++key) {
+        if (portraits[key].picture || !portraits_[key].picture) continue;
+        portraits[key].picture = std::exchange(portraits_[key].picture, {});
+        portraits[key].is_old = true;
+    }
+}
+
 bool KeyPortraits::draw_next(std::size_t begin, std::size_t end, int side) {
     end = std::min(end, portraits_.size());
-    const auto missing = std::find_if(portraits_.begin() + static_cast<std::ptrdiff_t>(std::min(begin, end)),
-                                      portraits_.begin() + static_cast<std::ptrdiff_t>(end),
-                                      [](const KeyPortrait& portrait) { return !portrait.picture; });
+    const auto missing =
+        std::find_if(portraits_.begin() + static_cast<std::ptrdiff_t>(std::min(begin, end)),
+                     portraits_.begin() + static_cast<std::ptrdiff_t>(end),
+                     [](const KeyPortrait& portrait) { return !portrait.picture || portrait.is_old; });
     if (missing == portraits_.begin() + static_cast<std::ptrdiff_t>(end)) return false;
 
     const std::array<const Hierarchy*, 1> key{&*missing->hierarchy};
@@ -56,6 +69,7 @@ bool KeyPortraits::draw_next(std::size_t begin, std::size_t end, int side) {
     LonePicture picture{.size = {side, side}, .camera = {}, .display = {}};
     picture.camera.look_from(30, 20);
     picture.camera.view_all(missing->extent, 1);
+    missing->is_old = false;
     missing->picture = texture_alone(renderer_, mesh, normal_form(mesh), picture);
     return true;
 }

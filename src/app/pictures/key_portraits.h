@@ -17,7 +17,8 @@ struct KeyPortrait {
     std::size_t leaves;
     unsigned deepest;  ///< the deepest level
     Extent extent;
-    GlTexture picture;  ///< none until drawn
+    GlTexture picture;    ///< none until drawn
+    bool is_old = false;  ///< the picture shows the key in this place before an edit
 };
 
 class KeyPortraits {
@@ -41,6 +42,8 @@ class KeyPortraits {
     const Extent& extent() const { return extent_; }
 
   private:
+    void keep_old_pictures(std::vector<KeyPortrait>& portraits);
+
     std::vector<KeyPortrait> portraits_;
     Extent extent_;
     Renderer renderer_;

@@ -7,6 +7,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/core.h>
 
+#include "app/brushing/brush_stroke.h"
 #include "app/document/edit_commands.h"
 #include "app/document/playback_commands.h"
 
@@ -131,6 +132,14 @@ constexpr Command document_table[] = {
      .shortcuts = {{{GLFW_KEY_K, GLFW_MOD_CONTROL}}},
      .description = "Add the surface that is shown as a key",
      .run = keep_blend},
+    {.id = CommandId::refine_brush,
+     .scope = CommandScope::document,
+     .menu = "Key",
+     .name = "Refine brush",
+     .shortcuts = {{{GLFW_KEY_X}}},
+     .description = "Brush over the selected key to bisect its leaves, with Shift to coarsen them",
+     .run = toggle_brush,
+     .is_on = [](const ViewerState& state) { return state.brush.is_on; }},
     {.id = CommandId::rename_key,
      .scope = CommandScope::selected_key,
      .menu = "Key",

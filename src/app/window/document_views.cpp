@@ -46,6 +46,9 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
     const FamilyField* const field = shown_field(session.display, fields_);
     const bool is_scalar = field != nullptr && field->label.kind == FieldKind::scalar;
     history_.follow(family_, is_scalar ? &field->label.name : nullptr);
+    // A drag ends with a family of its own; those on the way to it are not measured.
+    if (!state.is_dragging || !state.plots_blend)
+        blend_history_.follow(state.plots_blend ? family_ : nullptr);
     move_cameras(state, layout, now);
     surface_.follow(session, field, fields_, now);
     comparison_.follow(state, layout.content, surface_.camera());
@@ -116,6 +119,7 @@ bool DocumentViews::draw(const ViewerState& state, const FrameLayout& layout,
     }
     const bool is_good = surface_.draw(session, layout.view, gui, layout.window.y);
     surface_.draw_arrows(layout.view, gui);
+    brush_.draw(state, surface_, layout.view, gui);
     const FamilyField* const field = shown_field(session.display, fields_);
     if (field != nullptr && view && view->pointed_at && !session.is_playing())
         surface_.show_value(session, *field, gui.pointer(), layout.view);

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "app/document/viewer_state.h"
+#include "app/pictures/blend_history.h"
 #include "app/pictures/field_history.h"
 #include "app/pictures/key_portraits.h"
 #include "app/pictures/mismatch_pictures.h"
 #include "app/window/comparison_view.h"
 #include "app/window/frame_layout.h"
 #include "app/window/redraw.h"
+#include "app/window/surface_brush.h"
 #include "app/window/surface_view.h"
 #include "app/window/window_panels.h"
 #include "family/family_fields.h"
@@ -29,6 +31,13 @@ class DocumentViews {
     /// Moves the cameras, and applies the choices of a comparison's panel to \p state.
     /// \pre the panels that returned \p actions showed \p state in \p layout
     void apply_to_views(const WindowActions& actions, ViewerState& state, const FrameLayout& layout);
+
+    /// Applies the strokes of the brush to \p state.
+    /// \pre as apply_to_views()
+    void brush(const WindowActions& actions, ViewerState& state, const FrameLayout& layout, double now) {
+        if (actions.brush) brush_.apply(*actions.brush, state, surface_, layout.panels.view, now);
+    }
+    bool is_over_surface() const { return brush_.is_over_surface(); }
 
     /// Updates all views to \p state. Fulfills and clears its requests to move the camera and to reload the
     /// shaders. If the family lacks the displayed field, changes the display to one that the family supports.
@@ -55,7 +64,9 @@ class DocumentViews {
     const std::vector<WeightCurve>& curves() const { return curves_; }
     /// The figures of the shown scalar over time, as far as they are measured.
     const FieldCurves& field_curves() { return history_.curves(); }
-    bool is_measuring() const { return history_.is_working(); }
+    /// Area, volume and leaves of the blend over time, as far as they are measured.
+    const BlendCurves& blend_curves() { return blend_history_.curves(); }
+    bool is_measuring() const { return history_.is_working() || blend_history_.is_working(); }
 
     /// Whether all keys lie in one plane.
     bool is_flat() const { return surface_.is_flat(); }
@@ -89,7 +100,9 @@ class DocumentViews {
     std::vector<WeightCurve> curves_;
     std::optional<CurvesOf> curves_of_;  ///< none before curves_ are made for family_
     FieldHistory history_;
+    BlendHistory blend_history_;
     SurfaceView surface_;
+    SurfaceBrush brush_;
     ComparisonView comparison_;
     KeyPortraits portraits_;
     MismatchPictures mismatch_pictures_;

@@ -8,6 +8,8 @@
 
 #include <fmt/core.h>
 #include <glm/common.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 
 #include "app/document/shown_field.h"
 #include "app/window/camera_control.h"
@@ -247,9 +249,7 @@ void SurfaceView::draw_arrows(const Rect& view, const Gui& gui) {
 
 void SurfaceView::show_value(const Session& session, const FamilyField& field, glm::vec2 pointer,
                              const Rect& view) {
-    const glm::vec2 at = device_coordinates(view, pointer);
-    const float aspect = aspect_of(view);
-    const Ray ray{camera_.point_at(at, 0, aspect), camera_.point_at(at, 1, aspect)};
+    const Ray ray = ray_at(pointer, view);
     const std::optional<glm::vec3> value = shows_view_ ? view_.field_at(ray) : surface_.field_at(ray);
     if (!value) return;
     const bool is_scalar = field.label.kind == FieldKind::scalar;
@@ -260,6 +260,31 @@ void SurfaceView::show_value(const Session& session, const FamilyField& field, g
                 is_scalar
                     ? fmt::format("{} {:.4g}", field.label.name, value->x)
                     : fmt::format("{} #{:02x}{:02x}{:02x}", field.label.name, bytes.r, bytes.g, bytes.b));
+}
+
+Ray SurfaceView::ray_at(glm::vec2 pointer, const Rect& view) const {
+    const glm::vec2 at = device_coordinates(view, pointer);
+    const float aspect = aspect_of(view);
+    return {camera_.point_at(at, 0, aspect), camera_.point_at(at, 1, aspect)};
+}
+
+std::optional<glm::vec3> SurfaceView::point_at(glm::vec2 pointer, const Rect& view) {
+    OffscreenTarget& target = *picture_.target();
+    const auto pixel = [](float part, int count) {
+        return std::clamp(static_cast<int>(part * static_cast<float>(count)), 0, count - 1);
+    };
+    const float depth = target.depth_at(pixel((pointer.x - view.x) / view.width, target.width()),
+                                        pixel((pointer.y - view.y) / view.height, target.height()));
+    if (depth >= 1) return std::nullopt;
+    return camera_.point_at(device_coordinates(view, pointer), depth, aspect_of(view));
+}
+
+float SurfaceView::shown_length(float length, const glm::vec3& point, const Rect& view) const {
+    const glm::mat4 projection = camera_.projection(aspect_of(view));
+    const glm::vec4 seen = camera_.view() * glm::vec4(point, 1);
+    const glm::vec4 from = projection * seen;
+    const glm::vec4 to = projection * (seen + glm::vec4(0, length, 0, 0));
+    return std::abs(to.y / to.w - from.y / from.w) * view.height / 2;
 }
 
 void SurfaceView::reload_shaders() {

@@ -20,6 +20,7 @@
 #include "family/warp.h"
 #include "hierarchy/measure.h"
 #include "render/camera.h"
+#include "render/pick.h"
 #include "ui/gui.h"
 #include "ui/panels/view_area.h"
 #include "ui/widgets/rect.h"
@@ -70,6 +71,16 @@ class SurfaceView {
 
     /// Shows the value of \p field under \p pointer, or nothing if the pointer is not over the surface.
     void show_value(const Session& session, const FamilyField& field, glm::vec2 pointer, const Rect& view);
+
+    /// The ray through \p pointer, window coordinates, over \p view.
+    Ray ray_at(glm::vec2 pointer, const Rect& view) const;
+
+    /// The point of the surface under \p pointer in the last picture; none beside the surface.
+    /// \pre draw() has been called
+    std::optional<glm::vec3> point_at(glm::vec2 pointer, const Rect& view);
+
+    /// A length across the direction of view at \p point, in screen coordinates.
+    float shown_length(float length, const glm::vec3& point, const Rect& view) const;
 
     /// Reloads the shaders. The next picture is drawn again even if nothing else has changed.
     void reload_shaders();

@@ -132,6 +132,7 @@ void Trace::record(std::size_t frame, double seconds, const ViewerState& state, 
     json["view"] = text_of(viewpoint_of(record.camera));
     json["document"] = json_of(state.document);
     json["selected"] = state.selected_key ? Json(*state.selected_key) : Json();
+    json["brush"] = state.brush.is_on;
     json["edits_domain"] = state.edits_domain;
     json["domain_has_focus"] = state.domain_has_focus;
     json["help"] = state.help_shown;

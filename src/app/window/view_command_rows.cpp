@@ -132,6 +132,15 @@ constexpr Command view_table[] = {
      .description = "Show finer levels where the surface is seen large and at its silhouette",
      .run = toggle<&Display::follows_camera>,
      .is_on = is_on<&Display::follows_camera>},
+    {.id = CommandId::plot_blend,
+     .scope = CommandScope::document,
+     .menu = "View",
+     .name = "Plots over time",
+     .shortcuts = {{{GLFW_KEY_A, GLFW_MOD_SHIFT}}},
+     .description = "Plot area, volume and leaves of the blend below the timeline",
+     .run = [](ViewerState& state, double) { state.plots_blend = !state.plots_blend; },
+     .is_on = [](const ViewerState& state) { return state.plots_blend; },
+     .is_possible = [](const ViewerState& state) { return state.session.has_time(); }},
     {.id = CommandId::compare_with_mesh,
      .menu = "View",
      .name = "Compare with mesh",
@@ -198,17 +207,21 @@ constexpr Command view_table[] = {
      .menu = "Help",
      .name = "Dismiss",
      .shortcuts = {{{GLFW_KEY_ESCAPE}}},
-     .description = "Close the message, the help or the comparison",
+     .description = "Take back the brush stroke; close the message, the help or the comparison",
      .run =
          [](ViewerState& state, double) {
-             if (!state.message.empty())
+             if (state.brush.is_stroking)
+                 state.brush.wants_to_cancel = true;
+             else if (!state.message.empty())
                  state.message.clear();
              else if (state.help_shown)
                  state.help_shown = false;
              else if (state.domain_has_focus)
                  state.domain_has_focus = false;
-             else
+             else if (state.is_comparing)
                  state.is_comparing = false;
+             else
+                 state.brush.is_on = false;
          }},
 };
 

@@ -36,6 +36,7 @@
 #include "io/mesh/mesh_file.h"
 #include "render/context.h"
 #include "ui/gui.h"
+#include "ui/timeline/blend_plots.h"
 
 namespace interleaf {
 
@@ -236,12 +237,10 @@ void Viewer::update(const FrameInput& input, double now) {
     state_.session.advance(now);
     apply_actions(input.actions, now);
     for (const Shortcut shortcut : input.pressed)
-        if (!belongs_to_domain(shortcut, state_)) run_command(*input_.shortcuts.find(shortcut), state_, now);
+        if (!belongs_to_domain(shortcut, state_) && !belongs_to_brush(shortcut, state_))
+            run_command(*input_.shortcuts.find(shortcut), state_, now);
     if (const auto file = search_.act(state_, now)) files_.open({files_.recent_files()[*file]});
-    if (const int step = std::exchange(state_.panel_step, 0)) {
-        gui_.panel_keys().step(step);
-        redraw_.settle();  // the focus is found while the panels are shown
-    }
+    if (gui_.panel_keys().step(std::exchange(state_.panel_step, 0))) redraw_.settle();
     update_files(input, now);
     update_clipboard(now);
     follow_state(now);
@@ -250,6 +249,7 @@ void Viewer::update(const FrameInput& input, double now) {
 /// Applies \p actions before anything else changes the state that the panels have shown.
 void Viewer::apply_actions(const WindowActions& actions, double now) {
     views_.apply_to_views(actions, state_, layout());
+    views_.brush(actions, state_, layout(), now);
     apply_to_state(actions, state_, holds_, now);
     if (!gui_.is_button_down()) end_drag(state_);
     if (actions.menu.chosen_item) files_.open({files_.recent_files()[*actions.menu.chosen_item]});
@@ -306,8 +306,9 @@ void Viewer::follow_state(double now) {
 
 /// \param view  the mouse input over the surface
 void Viewer::draw(const std::optional<ViewInput>& view) {
-    // A list of keys that follows playback shows ever new rows; their pictures must not slow it.
-    rest_.lacks_portraits = !state_.session.is_playing() && views_.draw_portrait(drawn_, gui_);
+    // A list of keys that follows playback shows ever new rows; their pictures must not slow it, or a drag.
+    rest_.lacks_portraits =
+        !state_.session.is_playing() && !state_.is_dragging && views_.draw_portrait(drawn_, gui_);
     gui_.begin_drawing();
     drawn_ = show_panels();
     rest_.is_coarse = !views_.draw(state_, drawn_.layout, view, gui_);
@@ -328,6 +329,7 @@ ShownWindow Viewer::show_panels() {
                                      .portraits = views_.portraits(),
                                      .fields = views_.fields(),
                                      .field_curves = &views_.field_curves(),
+                                     .blend_curves = &views_.blend_curves(),
                                      .is_flat = views_.is_flat(),
                                      .curves = views_.curves(),
                                      .figures = views_.figures(),
@@ -336,6 +338,7 @@ ShownWindow Viewer::show_panels() {
                                      .measured_part = views_.measured_part(),
                                      .pictures = views_.message_pictures(),
                                      .frame_milliseconds = frame_milliseconds_,
+                                     .is_over_surface = views_.is_over_surface(),
                                      .holds = holds_,
                                      .layout = frame,
                                      .comparison = views_.comparison(),
@@ -352,7 +355,8 @@ FrameLayout Viewer::layout() const {
     FrameLayout frame;
     frame.window = size_;
     frame.content = {0, menu, frame.window.x, frame.window.y - menu};
-    frame.panels = lay_out(frame.window, menu, gui_.scale(), state_.session.has_time());
+    frame.panels = lay_out(frame.window, menu, gui_.scale(), state_.session.has_time(),
+                           state_.plots_blend ? blend_plots_height : 0);
     return frame;
 }
 

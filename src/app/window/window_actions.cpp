@@ -1,6 +1,7 @@
 #include "app/window/window_actions.h"
 
 #include "app/document/blend_commands.h"
+#include "app/document/brush.h"
 #include "app/document/edit_commands.h"
 #include "app/document/path_commands.h"
 #include "app/document/playback_commands.h"
@@ -151,6 +152,15 @@ void apply_to_help(const HelpResult& done, ViewerState& state) {
     if (done.closed) state.help_shown = false;
 }
 
+/// Applies the settings of the brush; the strokes are applied to the surface (surface_brush.h).
+void apply_to_brush(const BrushResult& done, ViewerState& state, double now) {
+    if (done.toggled) run_command(CommandId::refine_brush, state, now);
+    if (!done.settings) return;
+    state.brush.radius = done.settings->radius;
+    state.brush.refined_level = done.settings->refined_level;
+    state.brush.coarsened_level = done.settings->coarsened_level;
+}
+
 void apply_to_keys(const KeysPanelResult& done, ViewerState& state, double now) {
     if (done.chosen) select_key(state, *done.chosen, now);
     if (done.renamed) ask_for_key_name(state);
@@ -179,6 +189,10 @@ void apply_to_state(const WindowActions& actions, ViewerState& state, MouseHolds
 
     // The domain and the timeline come first, because actions on keys may change their indices.
     holds = {};
+    if (actions.brush) {
+        holds.brush = actions.brush->hold;
+        apply_to_brush(*actions.brush, state, now);
+    }
     if (actions.domain) {
         holds.domain = actions.domain->drag;
         apply_to_domain(*actions.domain, state, holds.domain, now);

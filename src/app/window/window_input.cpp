@@ -5,6 +5,8 @@
 
 #include <GLFW/glfw3.h>
 
+#include "app/brushing/brush_stroke.h"
+
 namespace interleaf {
 namespace {
 
@@ -94,6 +96,12 @@ bool belongs_to_domain(Shortcut shortcut, const ViewerState& state) {
         default:
             return false;
     }
+}
+
+bool belongs_to_brush(Shortcut shortcut, const ViewerState& state) {
+    const bool is_bracket =
+        shortcut.keyboard_key == GLFW_KEY_LEFT_BRACKET || shortcut.keyboard_key == GLFW_KEY_RIGHT_BRACKET;
+    return is_bracket && (shortcut.modifiers & ~GLFW_MOD_SHIFT) == 0 && brushed_key(state).has_value();
 }
 
 }  // namespace interleaf

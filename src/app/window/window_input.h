@@ -36,4 +36,7 @@ bool belongs_to_panel(Shortcut shortcut);
 /// Whether the parameter domain reads \p shortcut, because it has the arrow keys.
 bool belongs_to_domain(Shortcut shortcut, const ViewerState& state);
 
+/// Whether the brush reads \p shortcut: [ and ], while it is in use.
+bool belongs_to_brush(Shortcut shortcut, const ViewerState& state);
+
 }  // namespace interleaf

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/brushing/brush_stroke.h"
 #include "app/pictures/view_surface.h"
 #include "family/family_time.h"
 #include "ui/panels/detail_panel.h"
@@ -156,8 +157,23 @@ void show_timeline(const WindowShown& shown, ShownWindow& result) {
                                               .visible = shown.state.shown_times,
                                               .drag = shown.holds.time,
                                               .curves = shown.curves,
+                                              .plots = shown.state.plots_blend ? shown.blend_curves : nullptr,
                                               .weights = session.weights()});
     result.layout.timeline = result.actions.timeline->area;
+}
+
+void show_brush(const WindowShown& shown, ShownWindow& result) {
+    const Brush& brush = shown.state.brush;
+    result.actions.brush = brush_bar(shown.layout.panels.view,
+                                     {.is_on = brush.is_on,
+                                      .hint = brush_hint(shown.state),
+                                      .is_over_surface = shown.is_over_surface,
+                                      .reads_keys = shown.has_keyboard,
+                                      .settings = {brush.radius, brush.refined_level, brush.coarsened_level},
+                                      .min_radius = min_brush_radius,
+                                      .max_radius = max_brush_radius,
+                                      .deepest_level = max_brush_level},
+                                     shown.holds.brush, *result.actions.view);
 }
 
 void show_document(const WindowShown& shown, ShownWindow& result) {
@@ -167,6 +183,7 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
     result.weights = weights;
     if (shown.state.camera.shows_axes) result.actions.axes = axes_widget(panels.view, shown.camera_axes);
     result.actions.view = view_area(panels.view);
+    show_brush(shown, result);
     if (panels.left) {
         begin_panel("left", *panels.left);
         show_keys_and_display(shown, result);
@@ -193,7 +210,8 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
                  .vertices = shown.figures.vertices,
                  .measured_part = shown.measured_part,
                  .rebuild_milliseconds = shown.figures.rebuild_milliseconds,
-                 .frame_milliseconds = shown.frame_milliseconds});
+                 .frame_milliseconds = shown.frame_milliseconds,
+                 .report = shown.state.brush.report});
 }
 
 void show_message(const WindowShown& shown, const Rect& view, WindowActions& actions) {

@@ -23,6 +23,7 @@
 #include "family/family_fields.h"
 #include "ui/dialogs/message_panel.h"
 #include "ui/panels/axes_widget.h"
+#include "ui/panels/brush_bar.h"
 #include "ui/panels/field_curves.h"
 #include "ui/panels/help_overlay.h"
 #include "ui/panels/keys_panel.h"
@@ -38,6 +39,7 @@ struct MouseHolds {
     std::optional<DomainDrag> domain;
     std::optional<DomainMenu> domain_menu;
     std::optional<TimeDrag> time;
+    std::optional<BrushHold> brush;
 };
 
 /// The content that the panels show.
@@ -49,6 +51,7 @@ struct WindowShown {
     std::span<const KeyPortrait> portraits;  ///< one per key
     std::span<const FamilyField> fields;
     const FieldCurves* field_curves = nullptr;  ///< of the shown scalar over time; null for none
+    const BlendCurves* blend_curves = nullptr;  ///< area, volume and leaves over time; null for none
     bool is_flat = false;                       ///< whether all keys lie in one plane
     std::span<const WeightCurve> curves;        ///< of the timeline, in its shown times
     const SurfaceFigures& figures;
@@ -58,6 +61,7 @@ struct WindowShown {
         {};  ///< of the keys, for their detail; none if there is nothing to measure
     std::span<const MessagePicture> pictures;  ///< illustrations of the message
     double frame_milliseconds;
+    bool is_over_surface = false;  ///< the pointer, in the last frame
     MouseHolds holds;
     FrameLayout layout;                ///< window, content and panels
     const ComparisonView* comparison;  ///< shown instead of the document; null for none
@@ -68,6 +72,7 @@ struct WindowShown {
 struct WindowActions {
     MenuBarResult menu;
     std::optional<ViewInput> view;
+    std::optional<BrushResult> brush;
     std::optional<AxesResult> axes;
     std::optional<KeysPanelResult> keys;
     std::optional<BlendActions> blend;

@@ -2,71 +2,58 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <string>
 
 #include <fmt/core.h>
 #include <glm/vec2.hpp>
 #include <imgui.h>
 
+#include "ui/widgets/curve_plot.h"
+#include "ui/widgets/rect.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
 namespace {
 
-/// A plot of curves that share one scale.
-class CurvePlot {
+/// A plot as wide as the current panel, over the times of the curves.
+class PanelPlot {
   public:
     /// \param times  at least two
-    CurvePlot(std::span<const double> times, double least, double most)
+    PanelPlot(const std::vector<double>& times, double least, double most)
         : times_(times),
-          least_(least),
-          most_(most),
-          corner_(from_imgui(ImGui::GetCursorScreenPos())),
-          size_(ImGui::GetContentRegionAvail().x, scaled(48)) {
-        ImGui::GetWindowDrawList()->AddRectFilled(to_imgui(corner_), to_imgui(corner_ + size_), colors::well,
-                                                  scaled(2));
-    }
+          area_(next_area()),
+          plot_(
+              area_, [this](double at) { return pixel(at); }, least, most) {}
+    PanelPlot(const PanelPlot&) = delete;  // the plot refers to this object
+    PanelPlot& operator=(const PanelPlot&) = delete;
+    ~PanelPlot() = default;
 
-    void draw(std::span<const double> values, unsigned color) const {
-        std::vector<ImVec2> points;
-        points.reserve(values.size());
-        for (std::size_t n = 0; n < values.size(); ++n)
-            points.push_back(to_imgui(place(times_[n], values[n])));
-        ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), color, 0,
-                                                scaled(1.5F));
-    }
+    void draw(const std::vector<double>& values, unsigned color) const { plot_.draw(times_, values, color); }
 
     /// Ends the plot with a line at \p time. The pointer reads the figures at the nearest key.
     /// \return that key while the pointer is over the plot; else no key
     std::size_t end(double time) const {
-        if (time >= times_.front() && time <= times_.back()) {
-            const float x = place(time, least_).x;
-            ImGui::GetWindowDrawList()->AddLine({x, corner_.y}, {x, corner_.y + size_.y}, colors::dim_text);
-        }
-        ImGui::Dummy(to_imgui(size_));
-        if (!ImGui::IsItemHovered()) return times_.size();
-        const auto distance = [&](double each) {
-            const float away = place(each, least_).x - ImGui::GetIO().MousePos.x;
-            return away < 0 ? -away : away;
-        };
-        return static_cast<std::size_t>(std::ranges::min_element(times_, {}, distance) - times_.begin());
+        plot_.mark(time);
+        ImGui::Dummy({area_.width, area_.height});
+        return ImGui::IsItemHovered() ? plot_.nearest(times_, from_imgui(ImGui::GetIO().MousePos))
+                                      : times_.size();
     }
 
   private:
-    glm::vec2 place(double time, double value) const {
-        const float inset = scaled(3);
-        const double across = (time - times_.front()) / (times_.back() - times_.front());
-        const double up = most_ > least_ ? (value - least_) / (most_ - least_) : 0.5;
-        return {corner_.x + inset + (size_.x - 2 * inset) * static_cast<float>(across),
-                corner_.y + size_.y - inset - (size_.y - 2 * inset) * static_cast<float>(up)};
+    static Rect next_area() {
+        const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+        return {corner.x, corner.y, ImGui::GetContentRegionAvail().x, scaled(48)};
     }
 
-    std::span<const double> times_;
-    double least_;
-    double most_;
-    glm::vec2 corner_;
-    glm::vec2 size_;
+    float pixel(double time) const {
+        const float inset = scaled(3);
+        const double across = (time - times_.front()) / (times_.back() - times_.front());
+        return area_.x + inset + (area_.width - 2 * inset) * static_cast<float>(across);
+    }
+
+    const std::vector<double>& times_;
+    Rect area_;
+    CurvePlot plot_;
 };
 
 std::string range_text(double least, double most) {
@@ -79,7 +66,7 @@ void field_curves(const FieldCurves& curves, double time) {
     if (curves.times.size() < 2) return;
     const auto [low, high] = std::ranges::minmax(curves.integrals);
     heading("Integral", range_text(low, high));
-    const CurvePlot integral(curves.times, low, high);
+    const PanelPlot integral(curves.times, low, high);
     integral.draw(curves.integrals, colors::accent);
     if (const std::size_t key = integral.end(time); key < curves.times.size())
         ImGui::SetTooltip("time %.4g: %.6g", curves.times[key], curves.integrals[key]);
@@ -87,7 +74,7 @@ void field_curves(const FieldCurves& curves, double time) {
     const double least = std::ranges::min(curves.least);
     const double most = std::ranges::max(curves.most);
     heading("Least and largest", range_text(least, most));
-    const CurvePlot ends(curves.times, least, most);
+    const PanelPlot ends(curves.times, least, most);
     ends.draw(curves.least, colors::dim_text);
     ends.draw(curves.most, colors::accent);
     if (const std::size_t key = ends.end(time); key < curves.times.size())

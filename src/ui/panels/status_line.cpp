@@ -20,6 +20,7 @@ void status_line(const Rect& rect, const StatusFigures& figures) {
         figures.active_keys, figures.active_keys == 1 ? "key" : "keys", grouped(figures.leaves),
         figures.max_leaves ? fmt::format(" of at most {}", grouped(*figures.max_leaves)) : "",
         grouped(figures.vertices), figures.rebuild_milliseconds, figures.frame_milliseconds);
+    if (!figures.report.empty()) text = fmt::format("{}   ·   {}", figures.report, text);
     if (figures.measured_part)
         text += fmt::format("   ·   measuring detail, {:.0f} %", 100 * *figures.measured_part);
     const glm::vec2 corner{rect.x + scaled(12),

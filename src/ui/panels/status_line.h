@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 
 #include "ui/widgets/rect.h"
 
@@ -16,6 +17,7 @@ struct StatusFigures {
     std::optional<double> measured_part;  ///< of the keys, for their detail, 0 to 1; none for nothing to do
     double rebuild_milliseconds;          ///< duration of the last rebuild of the union
     double frame_milliseconds;
+    std::string_view report = {};  ///< what the user has done last, shown first; empty for none
 };
 
 void status_line(const Rect& rect, const StatusFigures& figures);

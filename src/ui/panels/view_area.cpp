@@ -42,6 +42,9 @@ ViewInput view_area(const Rect& rect, const char* name) {
             else
                 (pans ? input.pan : input.orbit) = from_imgui(io.MouseDelta) / rect.height;
         }
+        input.hovered = ImGui::IsItemHovered();
+        input.pressed = ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+        input.held = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
         input.pointed_at = ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown();
         if (ImGui::IsItemHovered()) {
             input.zoom = std::pow(1.12F, io.MouseWheel);

@@ -15,6 +15,9 @@ struct ViewInput {
     glm::vec2 pointer{0};     ///< window coordinates
     bool view_all = false;    ///< show the whole model
     bool pointed_at = false;  ///< the pointer is over the area, and drags nothing
+    bool hovered = false;     ///< the pointer is over the area, whatever it drags there
+    bool pressed = false;     ///< the left button went down over the area in this frame
+    bool held = false;        ///< the left button has been down since
     bool turns_flat = false;  ///< Ctrl is held: a drag also orbits a flat surface, which it pans otherwise
 };
 

@@ -63,8 +63,9 @@ TimelineResult timeline_panel(const Rect& rect, const Family& family, const Time
     layout.track = {layout.ruler.x, layout.ruler.bottom(), width, scaled(track_height)};
     layout.names = {layout.ruler.x, layout.track.bottom(), width, scaled(names_height)};
     const float curves_top = layout.names.bottom() + scaled(track_gap);
-    const Rect curves{layout.ruler.x, curves_top, width,
-                      rect.bottom() - ImGui::GetStyle().WindowPadding.y - curves_top};
+    const float bottom = rect.bottom() - ImGui::GetStyle().WindowPadding.y;
+    const float plots_height = state.plots != nullptr ? scaled(blend_plots_height) : 0;
+    const Rect curves{layout.ruler.x, curves_top, width, bottom - plots_height - curves_top};
     const bool has_curves = curves.height >= scaled(min_curves_height);
 
     const TimeRange whole = interval_of(family, state.transport.source);
@@ -85,6 +86,11 @@ TimelineResult timeline_panel(const Rect& rect, const Family& family, const Time
         if (const auto moved = moved_view(scale, whole)) result.track.visible = moved;
         draw_weight_curves(curves, scale, state.curves, state.transport.time,
                            state.drives ? state.weights : Weights{});
+    }
+    if (state.plots != nullptr && bottom - plots_height >= layout.names.y) {
+        const float gap = scaled(track_gap);
+        blend_plots({layout.ruler.x, bottom - plots_height + gap, width, plots_height - gap}, scale,
+                    *state.plots, state.transport.time);
     }
     if (!state.drives) show_remark(has_curves ? curves : layout.names, state.remark);
     if (!result.track.visible && state.transport.playing && state.visible)

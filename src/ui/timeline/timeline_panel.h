@@ -7,6 +7,7 @@
 
 #include "family/family.h"
 #include "family/playback.h"
+#include "ui/timeline/blend_plots.h"
 #include "ui/timeline/timeline_track.h"
 #include "ui/timeline/transport.h"
 #include "ui/timeline/weight_curves.h"
@@ -22,7 +23,8 @@ struct TimelineState {
     std::optional<TimeRange> visible = {};  ///< the times that are shown; none for all
     std::optional<TimeDrag> drag = {};      ///< the last result's
     std::span<const WeightCurve> curves = {};
-    const Weights& weights;  ///< at the present time
+    const BlendCurves* plots = nullptr;  ///< shown below the curves; null for none
+    const Weights& weights;              ///< at the present time
 };
 
 struct TimelineResult {

@@ -142,7 +142,8 @@ void end_panel() {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.PushClipRectFullScreen();
         list.AddRect({corner.x + line / 2, corner.y + line / 2},
-                     {corner.x + size.x - line / 2, corner.y + size.y - line / 2}, colors::accent, 0, 0, line);
+                     {corner.x + size.x - line / 2, corner.y + size.y - line / 2}, colors::accent, 0, 0,
+                     line);
         list.PopClipRect();
     }
     ImGui::End();

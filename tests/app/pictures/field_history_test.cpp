@@ -53,3 +53,21 @@ TEST_CASE("the curves have the keys of the timeline that have the field, in the 
     CHECK_FALSE(history.is_working());
     CHECK(history.curves().times.empty());
 }
+
+TEST_CASE("an edit that leaves the keys and their times as they are measures nothing anew") {
+    FieldHistory history;
+    const std::string field = "u";
+    const auto family = timed_family();
+    history.follow(family, &field);
+    CHECK(measured(history).times.size() == 2);
+    Family edited = *family;
+    edited.name = "another name";
+    history.follow(std::make_shared<const Family>(edited), &field);
+    CHECK_FALSE(history.is_working());
+    CHECK(history.curves().times.size() == 2);
+    edited.timeline = edited.timeline->with_entry({3, 1});
+    history.follow(std::make_shared<const Family>(edited), &field);
+    CHECK(history.is_working());
+    CHECK(measured(history).times == std::vector<double>{0, 2, 3});
+    CHECK(history.curves().integrals == std::vector<double>{8, 4, 8});
+}
