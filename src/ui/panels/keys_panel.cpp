@@ -237,6 +237,7 @@ KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::BeginChild("key list", {0, shown}, false, ImGuiWindowFlags_NavFlattened);
     ImGui::PopStyleVar();
+    if (result.search) ImGui::SetScrollY(0);
     if (rows.empty()) ImGui::TextDisabled("No key matches");
     if (wanted > shown) follow_active(panel, rows);
     show_rows(panel, rows, result);
