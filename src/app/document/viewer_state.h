@@ -17,6 +17,7 @@
 #include "app/document/message.h"
 #include "app/document/session.h"
 #include "ui/panels/key_search.h"
+#include "ui/widgets/appearance.h"
 
 namespace interleaf {
 
@@ -88,9 +89,10 @@ struct ViewerState {
     bool help_shown = false;
     std::string help_search;
     KeySearch key_search{};
-    bool find_wanted = false;    ///< a search field is to take the keyboard: that of the help, or of the keys
-    bool menu_wanted = false;    ///< the first menu is to open
-    int panel_step = 0;          ///< by how many panels the keyboard is to go on
+    bool find_wanted = false;  ///< a search field is to take the keyboard: that of the help, or of the keys
+    bool menu_wanted = false;  ///< the first menu is to open
+    int panel_step = 0;        ///< by how many panels the keyboard is to go on
+    Appearance appearance{};
     bool search_wanted = false;  ///< the search for commands is to open
     CameraChoices camera;
     CameraWishes camera_wishes{};

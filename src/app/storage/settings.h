@@ -12,6 +12,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "ui/widgets/appearance.h"
+
 namespace interleaf {
 
 /// Paths are absolute.
@@ -20,8 +22,9 @@ struct Settings {
     std::vector<std::filesystem::path> recent_folders;  ///< as recent_files
     std::filesystem::path last_folder;                  ///< where the file browser starts; may be empty
     std::optional<glm::ivec2> window_size;              ///< screen coordinates
-    bool trackball = false;                             ///< whether drags turn the camera as a trackball
-    bool axes = true;                                   ///< whether the view shows its axes
+    Appearance appearance{};
+    bool trackball = false;  ///< whether drags turn the camera as a trackball
+    bool axes = true;        ///< whether the view shows its axes
 
     /// Texts of shortcuts by names of commands; what they mean is not checked here (app/window/shortcuts.h).
     std::map<std::string, std::string> shortcuts;

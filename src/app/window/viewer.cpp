@@ -36,7 +36,6 @@
 #include "io/mesh/mesh_file.h"
 #include "render/context.h"
 #include "ui/gui.h"
-#include "ui/timeline/blend_plots.h"
 
 namespace interleaf {
 
@@ -94,7 +93,7 @@ class Viewer {
     void draw(const std::optional<ViewInput>& view);
 
     ShownWindow show_panels();
-    FrameLayout layout() const;
+    FrameLayout layout() const { return lay_out_frame(size_, menu_bar_height(), gui_.scale(), state_); }
     void record();
     void save_picture();
 
@@ -139,6 +138,7 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
     if (options.stats) stats_.emplace(*options.stats);
     if (const auto last = files_.window_size(); last && !options.size)
         glfwSetWindowSize(window_.handle(), last->x, last->y);
+    state_.appearance = files_.appearance();
     begin_with(options, state_, glfwGetTime());
     change_shortcuts(input_.shortcuts, files_.settings(), state_);
     glfwSwapInterval(1);
@@ -162,7 +162,7 @@ void Viewer::run() {
         files_.grant(FileWish::quit);
         redraw_.settle();
     }
-    files_.remember_window(size_);
+    files_.remember_window(size_, gui_.closed_sections());
 }
 
 /// Continues after an unexpected error, and keeps the unsaved changes.
@@ -213,6 +213,7 @@ void Viewer::frame() {
 
 FrameInput Viewer::read_input() {
     const bool has_panel = gui_.panel_keys().has_keyboard();  // Esc takes it away in this frame
+    gui_.follow(state_.appearance);
     gui_.begin_frame(std::exchange(input_.keyboard_keys, {}));
     FrameInput input;
     input.pressed = std::exchange(input_.pressed, {});
@@ -347,17 +348,6 @@ ShownWindow Viewer::show_panels() {
     film_.show(frame.content, now_);
     search_.show(frame.content, state_, input_.shortcuts, files_.recent_files());
     return shown;
-}
-
-/// The layout of the present state in the present window.
-FrameLayout Viewer::layout() const {
-    const float menu = menu_bar_height();
-    FrameLayout frame;
-    frame.window = size_;
-    frame.content = {0, menu, frame.window.x, frame.window.y - menu};
-    frame.panels = lay_out(frame.window, menu, gui_.scale(), state_.session.has_time(),
-                           state_.plots_blend ? blend_plots_height : 0);
-    return frame;
 }
 
 // ---- output to files ----

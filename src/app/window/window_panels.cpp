@@ -9,6 +9,7 @@
 #include "ui/panels/detail_panel.h"
 #include "ui/panels/display_panel.h"
 #include "ui/panels/status_line.h"
+#include "ui/splitters.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -212,6 +213,7 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
                  .rebuild_milliseconds = shown.figures.rebuild_milliseconds,
                  .frame_milliseconds = shown.frame_milliseconds,
                  .report = shown.state.brush.report});
+    result.actions.panel_sizes = splitters(panels, shown.state.appearance.panels, shown.layout.scale);
 }
 
 void show_message(const WindowShown& shown, const Rect& view, WindowActions& actions) {

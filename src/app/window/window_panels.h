@@ -76,7 +76,8 @@ struct WindowActions {
     std::optional<AxesResult> axes;
     std::optional<KeysPanelResult> keys;
     std::optional<BlendActions> blend;
-    std::optional<Display> display;  ///< the new display, if the user changed it
+    std::optional<PanelSizes> panel_sizes;  ///< the new sizes, if the user dragged an edge
+    std::optional<Display> display;         ///< the new display, if the user changed it
     std::optional<ParameterDomainResult> domain;
     std::optional<TimelineResult> timeline;
     std::optional<ComparisonActions> comparison;
