@@ -18,6 +18,7 @@
 #include "app/document/session.h"
 #include "hierarchy/nodes/node_path.h"
 #include "hierarchy/nodes/node_steps.h"
+#include "ui/panels/key_search.h"
 #include "ui/widgets/appearance.h"
 
 namespace interleaf {
@@ -95,6 +96,11 @@ struct ViewerState {
     std::optional<std::filesystem::path> film_wish;  ///< a film or picture to make
     std::optional<TextQuestion> question;
     bool help_shown = false;
+    std::string help_search;
+    KeySearch key_search{};
+    bool find_wanted = false;  ///< a search field is to take the keyboard: that of the help, or of the keys
+    bool menu_wanted = false;  ///< the first menu is to open
+    int panel_step = 0;        ///< by how many panels the keyboard is to go on
     Appearance appearance{};
     bool search_wanted = false;  ///< the search for commands is to open
     CameraChoices camera;

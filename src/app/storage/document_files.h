@@ -50,6 +50,8 @@ class DocumentFiles {
 
     const std::vector<std::filesystem::path>& recent_files() const { return settings_.recent_files; }
 
+    const Settings& settings() const { return settings_; }
+
     /// Whether a dialog, the file browser or progress has the keyboard focus.
     bool is_asking() const {
         return browser_.is_open() || dialog_.is_open() || fitting_.is_open() || importing_.is_open() ||

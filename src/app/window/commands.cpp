@@ -41,14 +41,6 @@ std::span<const Command> commands() {
     return all;
 }
 
-const Command* find_command(Shortcut shortcut) {
-    const auto found = std::ranges::find_if(commands(), [shortcut](const Command& command) {
-        return shortcut.keyboard_key != 0 &&
-               std::ranges::find(command.shortcuts, shortcut) != command.shortcuts.end();
-    });
-    return found == commands().end() ? nullptr : &*found;
-}
-
 const Command& command_of(CommandId id) {
     return commands()[static_cast<std::size_t>(id)];
 }

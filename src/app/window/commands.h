@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -133,7 +134,11 @@ enum class CommandId : std::uint8_t {
     larger_text,
     smaller_text,
     usual_look,
+    open_menu,
+    next_panel,
+    previous_panel,
     search_commands,
+    find,
     help,
     dismiss,
 };
@@ -164,9 +169,6 @@ std::span<const Command> commands();
 
 const Command& command_of(CommandId id);
 
-/// The command with \p shortcut; null if there is none.
-const Command* find_command(Shortcut shortcut);
-
 /// Runs \p command if it is enabled.
 void run_command(const Command& command, ViewerState& state, double now);
 void run_command(CommandId id, ViewerState& state, double now);
@@ -178,7 +180,10 @@ bool is_enabled(CommandId id, const ViewerState& state);
 /// Why \p command is not enabled, "select a key first"; empty if it is enabled.
 std::string_view obstacle_of(const Command& command, const ViewerState& state);
 
-/// The shortcuts of \p command as text, "Ctrl+Q" or "W or 1"; empty if there are none.
-std::string shortcut_text(const Command& command);
+/// \p shortcut as text, "Ctrl+Q".
+std::string shortcut_text(Shortcut shortcut);
+
+/// The shortcut in \p text, in any case; none if \p text is no shortcut.
+std::optional<Shortcut> parse_shortcut(std::string_view text);
 
 }  // namespace interleaf

@@ -155,10 +155,9 @@ void DocumentViews::reload_shaders(ViewerState& state) {
 bool DocumentViews::draw_portrait(const ShownWindow& shown, const Gui& gui) {
     if (!shown.actions.keys) return false;
     const int side = static_cast<int>(std::lround(key_picture_side() * gui.density()));
-    if (portraits_.draw_next(shown.actions.keys->first, shown.actions.keys->end, side)) return true;
-    if (!shown.actions.domain) return false;
-    return std::ranges::any_of(shown.actions.domain->pictured,
-                               [&](std::size_t key) { return portraits_.draw_next(key, key + 1, side); });
+    const auto draw_missing = [&](std::size_t key) { return portraits_.draw_next(key, key + 1, side); };
+    if (std::ranges::any_of(shown.actions.keys->visible, draw_missing)) return true;
+    return shown.actions.domain && std::ranges::any_of(shown.actions.domain->pictured, draw_missing);
 }
 
 bool DocumentViews::draw(const ViewerState& state, const FrameLayout& layout,

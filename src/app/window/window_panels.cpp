@@ -11,7 +11,6 @@
 #include "family/family_time.h"
 #include "ui/panels/detail_panel.h"
 #include "ui/panels/display_panel.h"
-#include "ui/panels/help_overlay.h"
 #include "ui/panels/status_line.h"
 #include "ui/splitters.h"
 #include "ui/widgets/style.h"
@@ -20,9 +19,10 @@ namespace interleaf {
 
 namespace {
 
-std::vector<MenuEntry> entries_of(const ViewerState& state) {
+std::vector<MenuEntry> entries_of(const ViewerState& state, const Shortcuts& shortcuts) {
     std::vector<MenuEntry> entries;
-    for (const Command& command : commands()) entries.push_back(menu_entry(command, state));
+    entries.reserve(commands().size());
+    for (const Command& command : commands()) entries.push_back(menu_entry(command, state, shortcuts));
     return entries;
 }
 
@@ -71,10 +71,15 @@ KeysPanelResult show_keys(const WindowShown& shown) {
                         .picture = shown.portraits[key].picture.name()});
     }
     std::vector<MenuEntry> entries;
-    for (const Command* const command : key_commands()) entries.push_back(menu_entry(*command, state));
-    return keys_panel(
-        {.keys = rows, .weights = state.session.weights(), .selected = state.selected_key, .menu = entries},
-        0.5F * shown.layout.panels.view.height);
+    for (const Command* const command : key_commands())
+        entries.push_back(menu_entry(*command, state, shown.shortcuts));
+    return keys_panel({.keys = rows,
+                       .weights = state.session.weights(),
+                       .selected = state.selected_key,
+                       .menu = entries,
+                       .search = state.key_search,
+                       .takes_focus = state.find_wanted && !state.help_shown},
+                      0.5F * shown.layout.panels.view.height);
 }
 
 void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
@@ -248,10 +253,10 @@ void show_message(const WindowShown& shown, const Rect& view, WindowActions& act
 
 }  // namespace
 
-MenuEntry menu_entry(const Command& command, const ViewerState& state) {
+MenuEntry menu_entry(const Command& command, const ViewerState& state, const Shortcuts& shortcuts) {
     return {.menu = command.menu,
             .name = command.label != nullptr ? command.label(state) : std::string(command.name),
-            .shortcut = shortcut_text(command),
+            .shortcut = shortcuts.text(command),
             .description = command.description,
             .on = command.is_on != nullptr && command.is_on(state),
             .enabled = is_enabled(command, state)};
@@ -269,13 +274,17 @@ ShownWindow show_window(const WindowShown& shown) {
     result.layout = shown.layout;
     result.layout.view = shown.comparison != nullptr ? shown.layout.content : shown.layout.panels.view;
     result.family = shown.state.document.snapshot();
-    const std::vector<MenuEntry> entries = entries_of(shown.state);
-    result.actions.menu = menu_bar(entries, recent_menu(shown.recent_files), shown.title);
+    const std::vector<MenuEntry> entries = entries_of(shown.state, shown.shortcuts);
+    result.actions.menu =
+        menu_bar(entries, recent_menu(shown.recent_files), shown.title, shown.state.menu_wanted);
     if (shown.comparison != nullptr)
         result.actions.comparison = shown.comparison->show(shown.state, shown.has_keyboard);
     else
         show_document(shown, result);
-    if (shown.state.help_shown) result.actions.closes_help = help_overlay(entries, shown.layout.content);
+    if (shown.state.help_shown)
+        result.actions.help = help_overlay(
+            {.entries = entries, .search = shown.state.help_search, .takes_focus = shown.state.find_wanted},
+            shown.layout.content);
     show_message(shown, result.layout.view, result.actions);
     return result;
 }

@@ -19,12 +19,14 @@
 #include "app/window/commands.h"
 #include "app/window/comparison_view.h"
 #include "app/window/frame_layout.h"
+#include "app/window/shortcuts.h"
 #include "family/family_fields.h"
 #include "render/color_map.h"
 #include "ui/dialogs/message_panel.h"
 #include "ui/panels/axes_widget.h"
 #include "ui/panels/brush_bar.h"
 #include "ui/panels/field_curves.h"
+#include "ui/panels/help_overlay.h"
 #include "ui/panels/inspector_panel.h"
 #include "ui/panels/keys_panel.h"
 #include "ui/panels/menu_bar.h"
@@ -46,6 +48,7 @@ struct MouseHolds {
 struct WindowShown {
     const ViewerState& state;
     std::span<const std::filesystem::path> recent_files;
+    const Shortcuts& shortcuts = table_shortcuts();
     std::string_view title;
     std::span<const KeyPortrait> portraits;  ///< one per key
     std::span<const FamilyField> fields;
@@ -85,7 +88,7 @@ struct WindowActions {
     std::optional<ComparisonActions> comparison;
     std::vector<ViewInput> key_views;  ///< the mouse input over the pictures of active keys
     std::optional<InspectorResult> inspector;
-    bool closes_help = false;
+    std::optional<HelpResult> help;
     bool dismisses_message = false;
     bool wants_landmarks = false;  ///< the button of a notice was pressed
     bool points_at_notice = false;
@@ -105,7 +108,7 @@ struct ShownWindow {
 ShownWindow show_window(const WindowShown& shown);
 
 /// The menu entry of \p command.
-MenuEntry menu_entry(const Command& command, const ViewerState& state);
+MenuEntry menu_entry(const Command& command, const ViewerState& state, const Shortcuts& shortcuts);
 
 /// The commands on the selected key, in the order of a key's context menu.
 std::vector<const Command*> key_commands();

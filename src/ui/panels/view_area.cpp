@@ -28,9 +28,9 @@ ViewInput view_area(const Rect& rect, const char* name) {
     begin_panel(name, rect);
     if (rect.width >= 1 && rect.height >= 1) {
         ImGui::SetCursorScreenPos({rect.x, rect.y});
-        ImGui::InvisibleButton("surface", {rect.width, rect.height},
-                               ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                                   ImGuiButtonFlags_MouseButtonMiddle);
+        mouse_area("surface", {rect.width, rect.height},
+                   ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                       ImGuiButtonFlags_MouseButtonMiddle);
         const ImGuiIO& io = ImGui::GetIO();
         input.pointer = from_imgui(io.MousePos);
         // In the frame of the press, the mouse delta also contains the movement before the press.
