@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/importing/import_job.h"
 #include "app/importing/series_import.h"
+#include "app/work/shown_job.h"
 #include "ui/dialogs/dialog.h"
 #include "ui/widgets/rect.h"
 
@@ -28,10 +28,10 @@ class SeriesImporting {
     void start(std::vector<std::filesystem::path> files, Receiver receiver, double now);
 
     /// Whether the progress or the question for a tolerance is in front of the window.
-    bool is_open() const { return job_.has_value() || dialog_.is_open(); }
+    bool is_open() const { return job_.is_working() || dialog_.is_open(); }
 
     /// Whether work in progress needs new frames soon, even without input.
-    bool is_working() const { return job_.has_value(); }
+    bool is_working() const { return job_.is_working(); }
 
     /// Shows the progress or the question, if open, in the middle of \p area. Call it in every frame from the same
     /// place.
@@ -42,6 +42,7 @@ class SeriesImporting {
     std::optional<std::string> update(double now);
 
   private:
+    void begin(ImportChoices choices, double now);
     std::optional<std::string> hand_on_keys();
     void ask_for_tolerance(const std::string& reason);
 
@@ -49,9 +50,7 @@ class SeriesImporting {
     Receiver receiver_;
     Dialog dialog_;
     std::optional<Answer> answer_;  ///< kept for update()
-    std::optional<ImportJob> job_;
-    bool is_work_closed_ = false;  ///< whether the progress dialog has closed after the work
-    double started_ = 0;
+    ShownJob<ImportedSeries> job_;
 };
 
 }  // namespace interleaf
