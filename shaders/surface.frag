@@ -26,6 +26,7 @@ in Corner {
 uniform mat4 projection;
 uniform bool flat_shading;
 uniform int coloring;             // 0 plain, 1 by level, 2 by origin; FIELD and CHECKER take precedence
+uniform int material;             // 0 clay, 1 porcelain, 2 steel, 3 jade, 4 normals; 0 with any coloring
 uniform bool show_wireframe;
 uniform bool show_refinement_edges;
 uniform bool show_root_edges;
@@ -136,6 +137,46 @@ vec3 lit(vec3 albedo, vec3 normal) {
     return filmic(albedo * light + shine * gloss * key_light.color);
 }
 
+float schlick(float cosine) { return 0.04 + 0.96 * pow(1.0 - clamp(cosine, 0.0, 1.0), 5.0); }
+
+// The light of a studio with a bright ceiling, a dark floor and a window to the left.
+vec3 studio(vec3 direction) {
+    float up = direction.y;
+    vec3 walls = mix(vec3(0.05, 0.05, 0.055), vec3(0.30, 0.32, 0.36), smoothstep(-0.9, -0.05, up));
+    vec3 sky = mix(vec3(0.10, 0.11, 0.13), vec3(0.78, 0.81, 0.86), smoothstep(0.0, 0.9, up));
+    float window = smoothstep(0.84, 0.97, dot(direction, key_light.towards));
+    return mix(walls, sky, smoothstep(-0.03, 0.03, up)) + 1.4 * window * key_light.color;
+}
+
+vec3 porcelain(vec3 normal, vec3 to_viewer) {
+    vec3 body = lit(vec3(0.86, 0.87, 0.88), normal);
+    float mirrored = schlick(dot(normal, to_viewer));
+    return filmic(mix(body, studio(reflect(-to_viewer, normal)), max(mirrored, 0.10)));
+}
+
+vec3 steel(vec3 normal, vec3 to_viewer) {
+    vec3 mirrored = studio(reflect(-to_viewer, normal));
+    vec3 tint = mix(vec3(0.60, 0.61, 0.64), vec3(1.0), schlick(dot(normal, to_viewer)));
+    return filmic(tint * mirrored);
+}
+
+vec3 jade(vec3 normal, vec3 to_viewer) {
+    float front = 0.5 + 0.5 * dot(normal, key_light.towards);
+    float edge = 1.0 - clamp(dot(normal, to_viewer), 0.0, 1.0);
+    vec3 body = mix(vec3(0.008, 0.050, 0.034), vec3(0.20, 0.50, 0.28), front * front);
+    body += vec3(0.06, 0.15, 0.06) * edge * edge;  // light that shines through thin parts
+    return filmic(mix(body, studio(reflect(-to_viewer, normal)), schlick(dot(normal, to_viewer))));
+}
+
+vec3 made_of(vec3 albedo, vec3 normal) {
+    vec3 to_viewer = normalize(-surface.position);
+    if (material == 1) return porcelain(normal, to_viewer);
+    if (material == 2) return steel(normal, to_viewer);
+    if (material == 3) return jade(normal, to_viewer);
+    if (material == 4) return pow(0.5 + 0.5 * normal, vec3(2.2));
+    return lit(albedo, normal);
+}
+
 #if EDGES
 vec3 flags(uint bits) { return vec3(bits & 1u, (bits >> 1) & 1u, (bits >> 2) & 1u); }
 
@@ -215,7 +256,8 @@ void main() {
     vec3 albedo = leaf_color(leaf);
 #endif
     if (!gl_FrontFacing) albedo *= vec3(0.50, 0.55, 0.65);
-    vec3 light = lit(albedo, shading_normal());
+    vec3 light = made_of(albedo, shading_normal());
+    if (material != 0 && !gl_FrontFacing) light *= vec3(0.50, 0.55, 0.65);
 #if EDGES
     light = with_edges(light, leaf);
 #endif

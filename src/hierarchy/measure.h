@@ -15,6 +15,7 @@ struct Box {
     glm::vec3 max{0};
     float diagonal() const;
     glm::vec3 center() const;
+    bool operator==(const Box&) const = default;
 };
 
 Box bounding_box(std::span<const glm::vec3> positions);

@@ -32,6 +32,22 @@ constexpr std::array<ColoringRow, 5> coloring_rows{{
     {Coloring::field, "field", "Field", ""},
 }};
 
+struct MaterialRow {
+    Material material;
+    std::string_view name;
+    const char* label;
+    std::string_view meaning;
+};
+
+/// In the order of the enumerators.
+constexpr std::array<MaterialRow, 5> material_rows{{
+    {Material::clay, "clay", "Clay", "under three soft lights"},
+    {Material::porcelain, "porcelain", "Porcelain", "glazed"},
+    {Material::steel, "steel", "Steel", "which mirrors a horizon and shows how smooth the surface is"},
+    {Material::jade, "jade", "Jade", "which light shines through"},
+    {Material::normals, "normals", "Normals", "the direction of the surface as a color"},
+}};
+
 const ColoringRow& row_of(Coloring coloring) {
     return coloring_rows.at(static_cast<std::size_t>(coloring));
 }
@@ -84,9 +100,41 @@ std::string colorings_in_words() {
     return words;
 }
 
+std::vector<Material> materials() {
+    std::vector<Material> all;
+    all.reserve(material_rows.size());
+    for (const MaterialRow& row : material_rows) all.push_back(row.material);
+    return all;
+}
+
+Material next_material(Material material) {
+    return material_rows.at((static_cast<std::size_t>(material) + 1) % material_rows.size()).material;
+}
+
+std::string_view name_of(Material material) {
+    return material_rows.at(static_cast<std::size_t>(material)).name;
+}
+
+const char* label_of(Material material) {
+    return material_rows.at(static_cast<std::size_t>(material)).label;
+}
+
+std::optional<Material> material_named(std::string_view name) {
+    const auto* const found = std::ranges::find(material_rows, name, &MaterialRow::name);
+    return found == material_rows.end() ? std::nullopt : std::optional(found->material);
+}
+
+std::string materials_in_words() {
+    std::string words;
+    for (const MaterialRow& row : material_rows)
+        words += fmt::format("{}{} ({})", words.empty() ? "" : ", ", row.name, row.meaning);
+    return words;
+}
+
 float Display::occlusion_strength() const {
     if (!occlusion) return 0;
-    return coloring == Coloring::plain ? 1.0F : 0.5F;
+    if (coloring != Coloring::plain) return 0.5F;
+    return material == Material::normals ? 0.0F : 1.0F;
 }
 
 }  // namespace interleaf

@@ -17,6 +17,25 @@ enum class Shading { smooth, flat };
 std::string_view name_of(Shading shading);
 std::optional<Shading> shading_named(std::string_view name);
 
+/// What a surface without coloring looks to be made of. With any other coloring it is of clay.
+enum class Material { clay, porcelain, steel, jade, normals };
+
+/// All materials, in the order in which they are offered.
+std::vector<Material> materials();
+
+/// The one that follows \p material in this order, around its end.
+Material next_material(Material material);
+
+/// "clay": on the command line and in traces.
+std::string_view name_of(Material material);
+std::optional<Material> material_named(std::string_view name);
+
+/// "Clay": in the window.
+const char* label_of(Material material);
+
+/// The names and what they mean, for the help.
+std::string materials_in_words();
+
 enum class Coloring {
     plain,    ///< one color
     level,    ///< by the number of bisections above the leaf
@@ -44,9 +63,10 @@ std::string colorings_in_words();
 struct Display {
     Shading shading = Shading::smooth;
     Coloring coloring = Coloring::plain;
-    std::string field;          ///< name of the field that Coloring::field shows
+    Material material = Material::clay;
+    std::string field{};        ///< name of the field that Coloring::field shows
     bool range_locked = false;  ///< whether the range of the scale stays when the field changes
-    ColorScale scale;           ///< of a scalar field
+    ColorScale scale{};         ///< of a scalar field
     bool wireframe = false;     ///< the edges of the leaves
 
     /// The edge of each leaf that a bisection would split, in a color of its own.
@@ -55,8 +75,13 @@ struct Display {
     bool root_edges = false;  ///< the edges of the root complex
     float line_width = 1.5F;  ///< in pixels
 
+    /// Whether the surface stands above a ground that it casts a soft shadow on (ground.h); the renderer draws none.
+    bool ground = false;
+
     /// Whether hollows are darker, as less light of the sky reaches them.
     bool occlusion = true;
+
+    bool light_background = false;  ///< of the picture; else it is dark
 
     /// Level of detail, from 0 for the roots alone to 1 for the whole keys; the renderer draws what it is given.
     float detail = 1;

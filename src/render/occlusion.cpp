@@ -2,13 +2,11 @@
 
 #include <string_view>
 
-#include <fmt/core.h>
 #include <glad/gl.h>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "hierarchy/error.h"
 #include "render/shader.h"
 
 namespace interleaf {
@@ -46,27 +44,6 @@ Occlusion::Occlusion()
       occlude_program_(make_pass("occlude.frag")),
       no_attributes_(GlVertexArray::create()) {}
 
-Occlusion::Layer Occlusion::make_layer(unsigned format, unsigned attachment, int width, int height) {
-    Layer layer{GlTexture::create(), GlFramebuffer::create()};
-    const bool is_depth = attachment == GL_DEPTH_ATTACHMENT;
-    glBindTexture(GL_TEXTURE_2D, layer.texture.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0,
-                 is_depth ? GL_DEPTH_COMPONENT : GL_RG, is_depth ? GL_UNSIGNED_INT : GL_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glBindTexture(GL_TEXTURE_2D, 0);
-    glBindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer.name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, layer.texture.name(), 0);
-    const GLenum buffer = is_depth ? GL_NONE : GL_COLOR_ATTACHMENT0;
-    glDrawBuffer(buffer);
-    glReadBuffer(buffer);
-    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw MachineError(fmt::format("cannot make a framebuffer for occlusion: status {:#x}", status));
-    return layer;
-}
-
 const Occlusion::Layers& Occlusion::layers_for(const OffscreenTarget& target) {
     const int width = target.width();
     const int height = target.height();
@@ -74,9 +51,10 @@ const Occlusion::Layers& Occlusion::layers_for(const OffscreenTarget& target) {
         layers_.reset();  // two sets at a time may exceed the memory
         const int half_width = (width + 1) / 2;
         const int half_height = (height + 1) / 2;
-        layers_ = Layers{width, height, make_layer(GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, width, height),
-                         make_layer(GL_RG32F, GL_COLOR_ATTACHMENT0, half_width, half_height),
-                         make_layer(GL_RG32F, GL_COLOR_ATTACHMENT0, half_width, half_height)};
+        layers_ = Layers{width, height,
+                         make_texture_layer(GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, width, height),
+                         make_texture_layer(GL_RG32F, GL_COLOR_ATTACHMENT0, half_width, half_height),
+                         make_texture_layer(GL_RG32F, GL_COLOR_ATTACHMENT0, half_width, half_height)};
     }
     return *layers_;
 }

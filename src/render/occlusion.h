@@ -7,6 +7,7 @@
 #include "render/camera.h"
 #include "render/gl_object.h"
 #include "render/offscreen_target.h"
+#include "render/texture_layer.h"
 
 namespace interleaf {
 
@@ -20,21 +21,15 @@ class Occlusion {
     void darken(OffscreenTarget& target, const Camera& camera, float strength);
 
   private:
-    /// A texture that can be drawn into.
-    struct Layer {
-        GlTexture texture;
-        GlFramebuffer framebuffer;
-    };
     /// The intermediate pictures, for targets of one size.
     struct Layers {
         int width;
         int height;
-        Layer depths;
-        Layer openness;  ///< half the size, as blurred
-        Layer blurred;
+        TextureLayer depths;
+        TextureLayer openness;  ///< half the size, as blurred
+        TextureLayer blurred;
     };
 
-    static Layer make_layer(unsigned format, unsigned attachment, int width, int height);
     const Layers& layers_for(const OffscreenTarget& target);
 
     GlProgram occlusion_program_;

@@ -14,17 +14,41 @@ constexpr std::array<glm::vec3, 7> okabe_ito = {from_hex(0xe69f00), from_hex(0x0
                                                 from_hex(0xcc79a7), from_hex(0xf0e442), from_hex(0x56b4e9),
                                                 from_hex(0xd55e00)};
 
+/// Where the part of the color map for levels begins.
+constexpr float darkest_level = 0.3F;
+
 constexpr glm::vec3 shared_by_all = from_hex(0xd9d9d9);
 
 }  // namespace
 
+std::vector<float> level_places(std::span<const std::size_t> leaves) {
+    std::vector<float> places;
+    if (leaves.size() < 2) return places;
+    // Each step from one level to the next is half an even step, and half the part of the leaves on both sides.
+    double steps = 0;
+    for (std::size_t level = 0; level + 1 < leaves.size(); ++level)
+        steps += static_cast<double>(leaves[level] + leaves[level + 1]);
+    places.reserve(leaves.size());
+    places.push_back(0);
+    double place = 0;
+    for (std::size_t level = 0; level + 1 < leaves.size(); ++level) {
+        const double part = steps > 0 ? static_cast<double>(leaves[level] + leaves[level + 1]) / steps : 0;
+        place += (part + 1 / static_cast<double>(leaves.size() - 1)) / 2;
+        places.push_back(static_cast<float>(place));
+    }
+    return places;
+}
+
 LevelRange level_range(const UnionMesh& mesh) {
     if (mesh.tags.empty()) return {};
-    LevelRange range{max_level, 0};
+    LevelRange range{.min = max_level};
+    std::vector<std::size_t> counts(max_level + 1);
     for (const LeafTag tag : mesh.tags) {
         range.min = std::min(range.min, tag.level());
         range.max = std::max(range.max, tag.level());
+        ++counts[tag.level()];
     }
+    range.places = level_places(std::span(counts).subspan(range.min, range.max - range.min + 1));
     return range;
 }
 
@@ -37,10 +61,13 @@ std::vector<KeySet> origins_of(const UnionMesh& mesh) {
     return origins;
 }
 
-glm::vec3 level_color(unsigned level, LevelRange range) {
+glm::vec3 level_color(unsigned level, const LevelRange& range) {
     if (range.max <= range.min) return color_at(ColorMap::viridis, 1);
     const unsigned above = std::clamp(level, range.min, range.max) - range.min;
-    return color_at(ColorMap::viridis, static_cast<float>(above) / static_cast<float>(range.max - range.min));
+    const float place = above < range.places.size()
+                            ? range.places[above]
+                            : static_cast<float>(above) / static_cast<float>(range.max - range.min);
+    return color_at(ColorMap::viridis, darkest_level + (1 - darkest_level) * place);
 }
 
 glm::vec3 key_color(std::size_t key) {

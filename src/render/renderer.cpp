@@ -253,7 +253,7 @@ void Renderer::draw(const OffscreenTarget& target, const Camera& camera, std::sp
     glClearDepth(1);
     glClear(GL_DEPTH_BUFFER_BIT);
 
-    draw_background();
+    draw_background(display);
     if (shown_.key_count > 0) draw_surface(target, camera, weights, display);
 
     // The values in the window are encoded already.
@@ -263,21 +263,61 @@ void Renderer::draw(const OffscreenTarget& target, const Camera& camera, std::sp
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-void Renderer::draw_background() const {
+void Renderer::draw_background(const Display& display) const {
     glDisable(GL_DEPTH_TEST);
     glUseProgram(background_program_.name());
+    glUniform1i(uniform(background_program_, "is_light"), display.light_background ? 1 : 0);
     glBindVertexArray(no_attributes_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+/// Blends on the processor if the GPU cannot.
+/// \return the weights of the streams on the GPU
+std::span<const float> Renderer::weights_on_gpu(std::span<const float> weights) {
+    static constexpr float one = 1;
+    assert(weights.size() == shown_.key_count);
+    if (!shown_.processor_blend) return weights;
+    blend_on_processor(*shown_.processor_blend, weights);
+    return {&one, 1};
+}
+
+void Renderer::bind_surface_textures() const {
+    bind_buffer_texture(3, field_texture_);
+    bind_buffer_texture(2, path_texture_);
+    bind_buffer_texture(1, palette_texture_);
+    bind_buffer_texture(0, shown_.buffers.leaf_texture());
+}
+
+void Renderer::draw_depths(std::span<const float> weights, const glm::mat4& projection) {
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_CULL_FACE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glDepthMask(GL_TRUE);
+    glClearDepth(1);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    if (shown_.key_count == 0) return;
+    weights = weights_on_gpu(weights);
+    const GlProgram& program = surface_program(
+        {.key_count = shown_.buffers.key_count(), .field_components = 0, .checker = false, .edges = false});
+    const glm::mat4 unmoved(1);
+    glUseProgram(program.name());
+    glUniformMatrix4fv(uniform(program, "view"), 1, GL_FALSE, glm::value_ptr(unmoved));
+    glUniformMatrix4fv(uniform(program, "projection"), 1, GL_FALSE, glm::value_ptr(projection));
+    glUniform1fv(uniform(program, "weights"), static_cast<GLsizei>(weights.size()), weights.data());
+    glUniform1i(uniform(program, "leaf_data"), 0);
+    glUniform1i(uniform(program, "palette"), 1);
+    bind_surface_textures();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glBindVertexArray(shown_.buffers.attributes().name());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * shown_.buffers.leaf_count()), GL_UNSIGNED_INT,
+                   nullptr);
+}
+
 void Renderer::draw_surface(const OffscreenTarget& target, const Camera& camera,
                             std::span<const float> weights, const Display& display) {
-    const float one = 1;
-    assert(weights.size() == shown_.key_count);
-    if (shown_.processor_blend) {
-        blend_on_processor(*shown_.processor_blend, weights);
-        weights = {&one, 1};
-    }
+    weights = weights_on_gpu(weights);
     const bool shows_field = display.coloring == Coloring::field && field_components_ > 0;
     const Coloring coloring =
         display.coloring == Coloring::field && !shows_field ? Coloring::plain : display.coloring;
@@ -297,6 +337,8 @@ void Renderer::draw_surface(const OffscreenTarget& target, const Camera& camera,
     glUniform1fv(uniform(program, "weights"), static_cast<GLsizei>(weights.size()), weights.data());
     glUniform1i(uniform(program, "flat_shading"), display.shading == Shading::flat);
     glUniform1i(uniform(program, "coloring"), static_cast<GLint>(coloring));
+    const Material material = coloring == Coloring::plain ? display.material : Material::clay;
+    glUniform1i(uniform(program, "material"), static_cast<GLint>(material));
     glUniform1i(uniform(program, "show_wireframe"), display.wireframe);
     glUniform1i(uniform(program, "show_refinement_edges"), display.refinement_edges);
     glUniform1i(uniform(program, "show_root_edges"), display.root_edges);
@@ -309,11 +351,7 @@ void Renderer::draw_surface(const OffscreenTarget& target, const Camera& camera,
     glUniform2f(uniform(program, "value_range"), display.scale.range.min, display.scale.range.max);
     glUniform3f(uniform(program, "placing"), base, factor, offset);
     glUniform1i(uniform(program, "is_logarithmic"), display.scale.uses_logarithm() ? 1 : 0);
-    bind_buffer_texture(3, field_texture_);
-    bind_buffer_texture(2, path_texture_);
-    bind_buffer_texture(1, palette_texture_);
-    bind_buffer_texture(0, shown_.buffers.leaf_texture());
-
+    bind_surface_textures();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glBindVertexArray(shown_.buffers.attributes().name());

@@ -14,6 +14,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
+
 #include "hierarchy/union_mesh.h"
 #include "hierarchy/vertex_normals.h"
 #include "render/camera.h"
@@ -71,6 +73,11 @@ class Renderer {
     void draw(const OffscreenTarget& target, const Camera& camera, std::span<const float> weights,
               const Display& display);
 
+    /// Draws the depths of the surface alone into the bound framebuffer, which has no colors, after clearing it.
+    /// \param weights     as in draw()
+    /// \param projection  from the surface's coordinates to those of the device
+    void draw_depths(std::span<const float> weights, const glm::mat4& projection);
+
     /// The levels, and the sets of keys, that occur on the surface; the legend explains these.
     LevelRange levels() const { return shown_.levels; }
     std::span<const KeySet> origins() const { return shown_.origins; }
@@ -117,9 +124,11 @@ class Renderer {
     void begin_sending(const UnionMesh& mesh, const SurfaceLeaves& leaves, const NormalForm& form);
     void describe_next(const UnionMesh& mesh, const SurfaceLeaves& leaves);
     void upload_field(std::span<const std::span<const float>> values, std::size_t components);
+    std::span<const float> weights_on_gpu(std::span<const float> weights);
+    void bind_surface_textures() const;
     void blend_on_processor(ProcessorBlend& blend, std::span<const float> weights);
     void upload_palette(Coloring coloring, ColorMap map);
-    void draw_background() const;
+    void draw_background(const Display& display) const;
     void draw_surface(const OffscreenTarget& target, const Camera& camera, std::span<const float> weights,
                       const Display& display);
 

@@ -14,7 +14,9 @@
 #include <imgui_internal.h>
 
 #include "hierarchy/error.h"
+#include "ui/widgets/glyphs.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/theme.h"
 
 namespace interleaf {
 
@@ -48,6 +50,7 @@ bool mouse_does_something() {
 Gui::Gui(GLFWwindow* window) : window_(window) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
+    io.UserData = &state_;
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
     io.ConfigInputTextCursorBlink = false;  // frames are drawn only after input
@@ -66,8 +69,33 @@ Gui::~Gui() {
     ImGui::DestroyContext();
 }
 
+void Gui::follow(const Appearance& appearance) {
+    text_scale_ = appearance.text_scale;
+    if (!has_sections_) {
+        state_.closed_sections.insert(appearance.closed_sections.begin(), appearance.closed_sections.end());
+        has_sections_ = true;
+    }
+    if (appearance.theme == state_.theme) return;
+    state_.theme = appearance.theme;
+    set_colors(ImGui::GetStyle());
+}
+
+std::vector<std::string> Gui::closed_sections() const {
+    return {state_.closed_sections.begin(), state_.closed_sections.end()};
+}
+
+/// Makes the characters that texts have asked for.
+/// \pre no frame has begun
+void Gui::add_glyphs() {
+    if (!state_.lacks_glyphs) return;
+    make_fonts(scale_, density_);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
 void Gui::begin_frame(std::span<const int> pressed) {
     follow_display();
+    add_glyphs();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     follow_menu();
@@ -79,6 +107,7 @@ void Gui::begin_frame(std::span<const int> pressed) {
 
 void Gui::begin_drawing() {
     ImGui::EndFrame();
+    add_glyphs();
     release_taps();
     // Skip the backends, which would read the pointer again. Dear ImGui requires that some time passes.
     ImGui::GetIO().DeltaTime = min_delta;
@@ -203,7 +232,7 @@ void Gui::follow_display() {
     if (window_width != width_after && scale_ > 0) return;    // resized between the two calls
     const float density = static_cast<float>(framebuffer_width) / static_cast<float>(window_width);
     // Where screen coordinates are coarser than pixels, they already include that part of the scale.
-    const float scale = content_scale / density;
+    const float scale = content_scale / density * text_scale_;
     if (scale == scale_ && density == density_) return;
     scale_ = scale;
     density_ = density;

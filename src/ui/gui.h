@@ -3,10 +3,13 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
+#include "ui/widgets/appearance.h"
+#include "ui/widgets/gui_state.h"
 #include "ui/widgets/rect.h"
 
 struct GLFWwindow;
@@ -23,6 +26,13 @@ class Gui {
     ~Gui();
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
+
+    /// Shows everything as \p appearance says from the next frame on, but for its sizes of panels.
+    /// Closed sections are taken from \p appearance only once: afterwards the user closes and opens them.
+    void follow(const Appearance& appearance);
+
+    /// Titles of the sections that are closed now.
+    std::vector<std::string> closed_sections() const;
 
     /// Begins a frame with the input since the last frame. Panels shown after this call read the input, but
     /// are not drawn.
@@ -70,13 +80,17 @@ class Gui {
 
   private:
     void follow_display();
+    void add_glyphs();
     void follow_menu();
     void give_keys_to_menu();
     void hold_taps(std::span<const int> pressed);
     void release_taps();
 
     GLFWwindow* window_;
-    float scale_ = 0;  ///< scale of the user interface, in screen coordinates
+    GuiState state_;
+    bool has_sections_ = false;  ///< whether state_ has the closed sections of the appearance
+    float text_scale_ = 1;
+    float scale_ = 0;  ///< scale of the user interface, in screen coordinates; includes text_scale_
     float density_ = 0;
     bool has_menu_ = false;
     bool has_mouse_input_ = false;

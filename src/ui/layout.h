@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "ui/widgets/appearance.h"
 #include "ui/widgets/rect.h"
 
 namespace interleaf {
@@ -23,6 +24,8 @@ struct Layout {
 /// \param scale  scale of the user interface; 1 for an ordinary display
 /// \param has_timeline  whether there is a timeline to show
 /// \param plots_height  of the plots below the timeline, at scale 1; 0 for none
-Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline, float plots_height = 0);
+/// \param wanted  sizes that the user has chosen; the surface keeps its part of the window all the same
+Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline, float plots_height = 0,
+               const PanelSizes& wanted = {});
 
 }  // namespace interleaf

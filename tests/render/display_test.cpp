@@ -52,3 +52,19 @@ TEST_CASE("shadings are found by their names") {
         CHECK(shading_named(name_of(shading)) == shading);
     CHECK_FALSE(shading_named("rough"));
 }
+
+TEST_CASE("every material has a name and a label, is found by its name, and leads to the next one") {
+    std::set<std::string> names;
+    Material next = Material::clay;
+    for (const Material material : materials()) {
+        CHECK(material == next);
+        next = next_material(material);
+        const std::string name(name_of(material));
+        CHECK(names.insert(name).second);
+        CHECK(material_named(name) == material);
+        CHECK(materials_in_words().find(name) != std::string::npos);
+        CHECK_FALSE(std::string(label_of(material)).empty());
+    }
+    CHECK(next == Material::clay);
+    CHECK_FALSE(material_named("gold"));
+}

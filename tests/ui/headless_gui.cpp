@@ -9,6 +9,7 @@ namespace interleaf {
 HeadlessGui::HeadlessGui(glm::vec2 size) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
+    io.UserData = &state_;
     io.IniFilename = nullptr;
     io.DisplaySize = {size.x, size.y};
     apply_style(1, 1);

@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "ui/widgets/gui_state.h"
 #include "ui/widgets/rect.h"
 
 namespace interleaf {
@@ -28,6 +29,9 @@ class HeadlessGui {
     /// Whether the last frame draws something in \p color within \p area.
     /// \param color  packed as Dear ImGui packs it
     bool has_color(unsigned color, const Rect& area) const;
+
+  private:
+    GuiState state_;
 };
 
 }  // namespace interleaf

@@ -185,6 +185,18 @@ Shading parse_shading(std::string_view text) {
     return *shading;
 }
 
+Material parse_material(std::string_view text) {
+    const std::optional<Material> material = material_named(text);
+    if (!material) expected("clay, porcelain, steel, jade or normals", text);
+    return *material;
+}
+
+Theme parse_theme(std::string_view text) {
+    const std::optional<Theme> theme = theme_named(text);
+    if (!theme) expected("dark or light", text);
+    return *theme;
+}
+
 void parse_coloring(std::string_view text, Display& display) {
     const std::optional<Coloring> coloring = coloring_named(text);
     if (coloring && *coloring != Coloring::field) {

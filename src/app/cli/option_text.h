@@ -17,6 +17,7 @@
 #include "family/interpolation.h"
 #include "hierarchy/triangle.h"
 #include "render/display.h"
+#include "ui/widgets/theme.h"
 
 namespace interleaf {
 
@@ -63,6 +64,10 @@ UpAxis parse_up(std::string_view text);
 LandmarkPlacing parse_placing(std::string_view text);
 
 Shading parse_shading(std::string_view text);
+
+Material parse_material(std::string_view text);
+
+Theme parse_theme(std::string_view text);
 
 /// A coloring: "plain", "level", "origin", "checker", or the name of a field. "field:NAME" means a field with
 /// one of the first four names.

@@ -78,6 +78,8 @@ void add_view(CLI::App& program) {
         ->excludes(at);
     add_along(*command, options->viewer.along)->excludes(at);
     add_display(*command, options->viewer.display);
+    add_theme(*command, "Colors of the window: dark or light; by default, as it was last",
+              [options](Theme theme) { options->viewer.theme = theme; });
     add_camera(*command, [options](const Viewpoint& viewpoint) { options->viewer.viewpoint = viewpoint; });
     command
         ->add_option_function<std::string>(
@@ -111,6 +113,8 @@ void add_render(CLI::App& program) {
         ->type_name("WxH")
         ->default_str(fmt::format("{}x{}", options->size.width, options->size.height));
     add_display(*command, options->display);
+    add_theme(*command, "Background of the picture: dark or light",
+              [options](Theme theme) { options->display.light_background = theme == Theme::light; });
     add_camera(*command, [options](const Viewpoint& viewpoint) { options->viewpoint = viewpoint; });
     add_film(*command, options->film);
     command->final_callback([options] { run_render(*options); });

@@ -121,6 +121,12 @@ void add_display(CLI::App& command, Display& display) {
         ->default_str("smooth");
     command.add_flag_callback(
         "--no-occlusion", [&display] { display.occlusion = false; }, "Do not darken hollows");
+    command.add_flag_callback(
+        "--ground", [&display] { display.ground = true; }, "Show a ground with the surface's soft shadow");
+    add_text_option(command, "--material", "Material of a plain surface: " + materials_in_words(),
+                    [&display](const std::string& text) { display.material = parse_material(text); })
+        ->type_name("NAME")
+        ->default_str("clay");
     CLI::Option* color = add_text_option(
         command, "--color", fmt::format("Color: {}, or a field of the keys", colorings_in_words()),
         [&display](const std::string& text) { parse_coloring(text, display); });
@@ -138,6 +144,12 @@ void add_display(CLI::App& command, Display& display) {
                     })
         ->type_name("MIN,MAX")
         ->needs(color);
+}
+
+void add_theme(CLI::App& command, const std::string& meaning, std::function<void(Theme)> choose) {
+    add_text_option(command, "--theme", meaning, [choose = std::move(choose)](const std::string& text) {
+        choose(parse_theme(text));
+    })->type_name("NAME");
 }
 
 }  // namespace interleaf

@@ -14,6 +14,7 @@
 #include "app/cli/output.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "render/display.h"
+#include "ui/widgets/theme.h"
 
 namespace interleaf {
 
@@ -41,7 +42,10 @@ void add_output(CLI::App& command, Output& output, const std::vector<std::string
 /// Adds --compress and --bits.
 void add_form(CLI::App& command, HierarchyFileOptions& form);
 
-/// Adds --show, --shading, --color, --color-map and --range.
+/// Adds --show, --shading, --no-occlusion, --ground, --material, --color, --color-map and --range.
 void add_display(CLI::App& command, Display& display);
+
+/// Adds --theme, whose value goes to \p choose.
+void add_theme(CLI::App& command, const std::string& meaning, std::function<void(Theme)> choose);
 
 }  // namespace interleaf

@@ -49,6 +49,10 @@ std::vector<std::string> display_options(const Display& display) {
     if (display.shading != Shading::smooth)
         options.push_back(fmt::format("--shading={}", name_of(display.shading)));
     if (!display.occlusion) options.emplace_back("--no-occlusion");
+    if (display.ground) options.emplace_back("--ground");
+    if (display.material != Material::clay)
+        options.push_back(fmt::format("--material={}", name_of(display.material)));
+    if (display.light_background) options.emplace_back("--theme=light");
     std::ranges::move(color_options(display), std::back_inserter(options));
     return options;
 }

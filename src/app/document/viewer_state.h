@@ -16,6 +16,7 @@
 #include "app/document/fit_comparison.h"
 #include "app/document/message.h"
 #include "app/document/session.h"
+#include "ui/widgets/appearance.h"
 
 namespace interleaf {
 
@@ -85,6 +86,7 @@ struct ViewerState {
     std::optional<std::filesystem::path> film_wish;  ///< a film or picture to make
     std::optional<TextQuestion> question;
     bool help_shown = false;
+    Appearance appearance{};
     bool search_wanted = false;  ///< the search for commands is to open
     CameraChoices camera;
     CameraWishes camera_wishes{};

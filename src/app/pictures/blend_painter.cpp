@@ -21,6 +21,10 @@ BlendPainter::BlendPainter(const Family& family, int width, int height, const Di
       target_(width, height, samples_per_pixel) {
     interleaf::require_field(display_, fields_);
     adapt_display(display_, fields_);
+    if (display_.ground) {
+        ground_.emplace();
+        box_ = extent(family).box;
+    }
     if (display_.height > 0) warp_ = warp_of(display_, fields_, extent(family).box);
 }
 
@@ -53,6 +57,10 @@ void BlendPainter::unite_keys(const Weights& weights) {
 std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Camera& camera) {
     unite_keys(weights);
     renderer_.draw(target_, camera, weight_values(weights), display_);
+    if (ground_) {
+        ground_->cast_shadow(renderer_, weight_values(weights), box_);
+        ground_->draw(target_, camera, display_.light_background);
+    }
     occlusion_.darken(target_, camera, display_.occlusion_strength());
     return target_.read_rgba();
 }

@@ -10,8 +10,10 @@
 #include "family/family.h"
 #include "family/family_fields.h"
 #include "family/warp.h"
+#include "hierarchy/measure.h"
 #include "render/camera.h"
 #include "render/display.h"
+#include "render/ground.h"
 #include "render/occlusion.h"
 #include "render/offscreen_target.h"
 #include "render/renderer.h"
@@ -45,6 +47,8 @@ class BlendPainter {
     Renderer renderer_;
     OffscreenTarget target_;
     Occlusion occlusion_;
+    std::optional<Ground> ground_;  ///< none if it is not shown
+    Box box_;                       ///< of all keys
     std::optional<Warp> warp_;
     WarpedFamily warped_;
     std::vector<std::size_t> keys_;  ///< whose union the renderer has

@@ -53,6 +53,12 @@ void KeyPortraits::update(const Family& family) {
     if (is_changed) extent_ = interleaf::extent(family);
 }
 
+void KeyPortraits::set_background(bool is_light) {
+    if (is_light == is_light_) return;
+    is_light_ = is_light;
+    for (KeyPortrait& portrait : portraits_) portrait.is_old = true;
+}
+
 /// Gives \p portraits, which replace those of an edited family, the pictures that nothing else has taken.
 void KeyPortraits::keep_old_pictures(std::vector<KeyPortrait>& portraits) {
     for (std::size_t key = 0; key < portraits.size(); ++key) {
@@ -77,6 +83,7 @@ bool KeyPortraits::draw_next(std::size_t begin, std::size_t end, int side) {
     const std::array<const Hierarchy*, 1> key{coarse ? &*coarse : &whole};
     const UnionMesh mesh = unite(key);
     LonePicture picture{.size = {side, side}, .camera = {}, .display = {}};
+    picture.display.light_background = is_light_;
     picture.camera.look_from(30, 20);
     picture.camera.view_all(missing->extent, 1);
     missing->is_old = false;

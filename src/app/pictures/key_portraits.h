@@ -30,6 +30,9 @@ class KeyPortraits {
     /// pictures that are no longer needed are deleted at once.
     void update(const Family& family);
 
+    /// Chooses the background of the pictures. draw_next() draws all of them anew when it changes.
+    void set_background(bool is_light);
+
     /// Draws the first missing picture among the keys from \p begin to \p end - 1.
     /// \param side  width and height of the picture, in pixels
     /// \return      whether a picture was missing
@@ -46,6 +49,7 @@ class KeyPortraits {
 
     std::vector<KeyPortrait> portraits_;
     Extent extent_;
+    bool is_light_ = false;
     Renderer renderer_;
 };
 

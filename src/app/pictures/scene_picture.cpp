@@ -25,6 +25,7 @@ bool ScenePicture::update(Renderer& renderer, const Scene& scene) {
 
 void ScenePicture::reload_shaders() {
     occlusion_.reset();
+    ground_.reset();
     drawn_.reset();
 }
 
@@ -44,6 +45,7 @@ void ScenePicture::draw(Renderer& renderer, const Scene& scene, Quality quality)
     }
     const Clock::time_point start = Clock::now();
     renderer.draw(*target_, scene.camera, scene.weights, scene.display);
+    if (scene.display.ground) draw_ground(renderer, scene, quality);
     target_->finish();
     const Clock::duration taken = Clock::now() - start;
     milliseconds_ = std::chrono::duration<double, std::milli>(taken).count();
@@ -58,6 +60,22 @@ void ScenePicture::draw(Renderer& renderer, const Scene& scene, Quality quality)
     }
     quality_ = quality;
     drawn_ = scene;
+}
+
+/// While a slow surface moves, the ground keeps its last shadow.
+void ScenePicture::draw_ground(Renderer& renderer, const Scene& scene, Quality quality) {
+    const auto has_same_surface = [&](const Scene& other) {
+        return other.weights == scene.weights && other.surface == scene.surface && other.view == scene.view &&
+               other.box == scene.box;
+    };
+    const bool is_new = !ground_;
+    if (is_new) ground_.emplace();
+    const bool has_shadow = shadow_of_ && has_same_surface(*shadow_of_);
+    if (is_new || (!has_shadow && quality != Quality::coarse)) {
+        ground_->cast_shadow(renderer, scene.weights, scene.box);
+        shadow_of_ = scene;
+    }
+    ground_->draw(*target_, scene.camera, scene.display.light_background);
 }
 
 }  // namespace interleaf

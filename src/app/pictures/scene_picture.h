@@ -11,8 +11,10 @@
 
 #include <glm/mat4x4.hpp>
 
+#include "hierarchy/measure.h"
 #include "render/camera.h"
 #include "render/display.h"
+#include "render/ground.h"
 #include "render/occlusion.h"
 #include "render/offscreen_target.h"
 #include "render/renderer.h"
@@ -27,6 +29,7 @@ struct Scene {
     std::vector<float> weights;
     Display display;
     std::size_t surface;  ///< version number of the uploaded surface
+    Box box;              ///< of all keys; the ground lies at its bottom
     std::size_t view;     ///< version number of the surface for the view; 0 if it is not drawn
     bool operator==(const Scene&) const = default;
 };
@@ -57,9 +60,12 @@ class ScenePicture {
 
     Quality quality_while_moving() const;
     void draw(Renderer& renderer, const Scene& scene, Quality quality);
+    void draw_ground(Renderer& renderer, const Scene& scene, Quality quality);
 
     std::unique_ptr<OffscreenTarget> target_;
     std::optional<Occlusion> occlusion_;  ///< made when first needed
+    std::optional<Ground> ground_;        ///< made when first needed
+    std::optional<Scene> shadow_of_;      ///< whose surface cast the shadow on the ground
     std::optional<Scene> drawn_;
     Quality quality_ = Quality::coarse;  ///< of the drawn picture
     int samples_ = 0;                    ///< per pixel of target_

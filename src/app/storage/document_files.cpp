@@ -195,15 +195,18 @@ void DocumentFiles::keep_unsaved() {
     if (recovery_) recovery_->keep(state_.document);
 }
 
-void DocumentFiles::remember_window(glm::ivec2 size) {
-    const bool trackball = state_.camera.orbit == OrbitStyle::trackball;
-    const bool axes = state_.camera.shows_axes;
-    if (settings_.window_size == size && settings_.trackball == trackball && settings_.axes == axes) return;
-    change_settings([&](Settings& settings) {
+void DocumentFiles::remember_window(glm::ivec2 size, std::vector<std::string> closed_sections) {
+    state_.appearance.closed_sections = std::move(closed_sections);
+    Settings now = settings_;
+    const auto take = [&](Settings& settings) {
         settings.window_size = size;
-        settings.trackball = trackball;
-        settings.axes = axes;
-    });
+        settings.appearance = state_.appearance;
+        settings.trackball = state_.camera.orbit == OrbitStyle::trackball;
+        settings.axes = state_.camera.shows_axes;
+    };
+    take(now);
+    if (now == settings_) return;
+    change_settings([&](Settings& settings) { take(settings); });
 }
 
 // ---- questions ----
@@ -250,6 +253,7 @@ void DocumentFiles::replace_document(Family family, std::vector<fs::path> source
     opened.help_shown = state_.help_shown;
     opened.plots_blend = state_.plots_blend;
     opened.camera = state_.camera;
+    opened.appearance = state_.appearance;
     state_ = std::move(opened);
     set_sources(std::move(sources));
 }

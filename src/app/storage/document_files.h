@@ -93,8 +93,11 @@ class DocumentFiles {
     /// The size of the window when the program last ended, in screen coordinates.
     std::optional<glm::ivec2> window_size() const { return settings_.window_size; }
 
-    /// Keeps the size of the window and the choices of the camera for the next run.
-    void remember_window(glm::ivec2 size);
+    /// How the window looked when the program last ended.
+    const Appearance& appearance() const { return settings_.appearance; }
+
+    /// Keeps the size and the look of the window and the choices of the camera for the next run.
+    void remember_window(glm::ivec2 size, std::vector<std::string> closed_sections);
 
   private:
     using Action = std::function<void()>;  ///< null for no action

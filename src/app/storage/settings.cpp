@@ -22,8 +22,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr std::uint64_t max_file_size = 1 << 20;
-constexpr std::size_t max_window_size =
-    32'768;  // what GLFW and X11 can express, and more than any screen has
+constexpr int max_window_size = 32'768;  // what GLFW and X11 can express, and more than any screen has
 
 fs::path path_at(const JsonPlace& place) {
     const std::string text = place.string();
@@ -48,6 +47,51 @@ int length_at(const JsonPlace& place) {
     return static_cast<int>(length);
 }
 
+/// The number at \p place, within [\p low, \p high].
+float number_at(const JsonPlace& place, float low, float high) {
+    const double number = place.number();
+    if (!(number >= low && number <= high))
+        place.fail_expecting(fmt::format("a number from {:g} to {:g}", low, high));
+    return static_cast<float>(number);
+}
+
+Appearance appearance_at(const JsonPlace& place) {
+    Appearance appearance;
+    if (const auto theme = place.optional_member("theme")) {
+        const auto named = theme_named(theme->string());
+        if (!named) theme->fail_expecting("\"dark\" or \"light\"");
+        appearance.theme = *named;
+    }
+    if (const auto scale = place.optional_member("text size"))
+        appearance.text_scale = number_at(*scale, min_text_scale, max_text_scale);
+    if (const auto panels = place.optional_member("panels")) {
+        const auto size_of = [&](const char* name) {
+            const auto size = panels->optional_member(name);
+            return size ? std::optional(number_at(*size, 0, max_window_size)) : std::nullopt;
+        };
+        appearance.panels = {
+            .left = size_of("left"), .right = size_of("right"), .timeline = size_of("timeline")};
+    }
+    if (const auto closed = place.optional_member("closed"))
+        for (std::size_t i = 0; i < closed->size(); ++i)
+            appearance.closed_sections.push_back(closed->element(i).string());
+    return appearance;
+}
+
+ordered_json appearance_json(const Appearance& appearance) {
+    ordered_json panels = ordered_json::object();
+    const auto put = [&](const char* name, const std::optional<float>& size) {
+        if (size) panels[name] = *size;
+    };
+    put("left", appearance.panels.left);
+    put("right", appearance.panels.right);
+    put("timeline", appearance.panels.timeline);
+    return {{"theme", name_of(appearance.theme)},
+            {"text size", appearance.text_scale},
+            {"panels", panels},
+            {"closed", appearance.closed_sections}};
+}
+
 /// A JSON array of the \p paths that JSON can hold.
 ordered_json array_of(const std::vector<fs::path>& paths) {
     ordered_json array = ordered_json::array();
@@ -66,6 +110,7 @@ std::string settings_text(const Settings& settings) {
     if (!last.empty() && is_utf8(last)) document["last folder"] = last;
     if (settings.window_size)
         document["window"] = {{"width", settings.window_size->x}, {"height", settings.window_size->y}};
+    if (settings.appearance != Appearance{}) document["appearance"] = appearance_json(settings.appearance);
     document["camera"] = {{"trackball", settings.trackball}, {"axes", settings.axes}};
     return document.dump(2) + "\n";
 }
@@ -131,6 +176,8 @@ Settings parse_settings(std::string_view json, std::string_view name) {
     if (const auto folder = root.optional_member("last folder")) settings.last_folder = path_at(*folder);
     if (const auto window = root.optional_member("window"))
         settings.window_size = {length_at(window->member("width")), length_at(window->member("height"))};
+    if (const auto appearance = root.optional_member("appearance"))
+        settings.appearance = appearance_at(*appearance);
     if (const auto camera = root.optional_member("camera")) {
         if (const auto trackball = camera->optional_member("trackball"))
             settings.trackball = trackball->boolean();

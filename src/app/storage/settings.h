@@ -11,6 +11,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "ui/widgets/appearance.h"
+
 namespace interleaf {
 
 /// Paths are absolute.
@@ -19,8 +21,9 @@ struct Settings {
     std::vector<std::filesystem::path> recent_folders;  ///< as recent_files
     std::filesystem::path last_folder;                  ///< where the file browser starts; may be empty
     std::optional<glm::ivec2> window_size;              ///< screen coordinates
-    bool trackball = false;                             ///< whether drags turn the camera as a trackball
-    bool axes = true;                                   ///< whether the view shows its axes
+    Appearance appearance{};
+    bool trackball = false;  ///< whether drags turn the camera as a trackball
+    bool axes = true;        ///< whether the view shows its axes
 
     bool operator==(const Settings&) const = default;
 };

@@ -12,5 +12,7 @@ std::span<const Command> playback_commands();
 std::span<const Command> blend_commands();
 std::span<const Command> camera_commands();
 std::span<const Command> view_commands();
+std::span<const Command> appearance_commands();
+std::span<const Command> help_commands();
 
 }  // namespace interleaf

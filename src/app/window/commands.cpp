@@ -26,7 +26,8 @@ bool is_in_scope(CommandScope scope, const ViewerState& state) {
 std::vector<Command> all_commands() {
     std::vector<Command> all;
     for (const std::span<const Command> menu :
-         {document_commands(), playback_commands(), blend_commands(), camera_commands(), view_commands()})
+         {document_commands(), playback_commands(), blend_commands(), camera_commands(), view_commands(),
+          appearance_commands(), help_commands()})
         all.insert(all.end(), menu.begin(), menu.end());
     for (std::size_t place = 0; place < all.size(); ++place)
         assert(static_cast<std::size_t>(all[place].id) == place && "commands are in the order of their ids");

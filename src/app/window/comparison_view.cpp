@@ -175,8 +175,10 @@ bool ComparisonView::draw(const Display& display, const Gui& gui, float window_h
                     .weights = {one[0]},
                     .display = display,
                     .surface = surface_,
+                    .box = {},
                     .view = 0};
         scene.display.detail = 1;
+        scene.display.ground = false;
         scene.display.follows_camera = false;
         scene.display.line_width *= gui.scale() * gui.density();
         scene.display.coloring = has_colors_ ? Coloring::field : Coloring::plain;

@@ -40,6 +40,8 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
         surface_.set_extent(portraits_.extent());
         curves_of_.reset();
     }
+    state.session.display.light_background = state.appearance.theme == Theme::light;
+    portraits_.set_background(state.session.display.light_background);
     follow_curves(state, layout.panels.timeline.width);
     Session& session = state.session;
     adapt_display(session.display, fields_);

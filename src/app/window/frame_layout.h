@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/document/viewer_state.h"
 #include "ui/layout.h"
 #include "ui/widgets/rect.h"
 
@@ -12,6 +13,7 @@ namespace interleaf {
 
 struct FrameLayout {
     glm::vec2 window{0};           ///< size
+    float scale = 1;               ///< of the user interface
     Rect content;                  ///< everything below the menu bar
     Layout panels;                 ///< of the document
     Rect view;                     ///< of the surface; or of a comparison, with both surfaces and their panel
@@ -19,5 +21,10 @@ struct FrameLayout {
     std::optional<Rect> domain;    ///< the bounding box of the domain's vertices
     std::optional<Rect> timeline;  ///< the track from begin to end
 };
+
+/// The layout of \p state in a window of the size \p window.
+/// \param menu_height  height of the menu bar
+/// \param scale        scale of the user interface
+FrameLayout lay_out_frame(glm::vec2 window, float menu_height, float scale, const ViewerState& state);
 
 }  // namespace interleaf

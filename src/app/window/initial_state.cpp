@@ -18,6 +18,7 @@ void require_for(const ViewerOptions& options, const Family& family) {
 
 void begin_with(const ViewerOptions& options, ViewerState& state, double now) {
     state.session.display = options.display;
+    if (options.theme) state.appearance.theme = *options.theme;
     if (options.viewpoint) take_viewpoint(state, *options.viewpoint);
     if (options.along) choose_time_source(state, *options.along, now);
     if (options.time) state.session.seek(*options.time, now);

@@ -225,6 +225,7 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
                 .weights = shows_view_ ? std::vector{1.0F} : surface_.weights(),
                 .display = session.display,
                 .surface = surface_.figures().rebuilds,
+                .box = all_keys_.box,
                 .view = shows_view_ ? view_.version() : 0};
     // What the renderer is given has its detail already.
     scene.display.detail = 1;

@@ -29,6 +29,8 @@ Json json_of(const Display& display) {
             {"color_map", name_of(display.scale.map)},
             {"range", {display.scale.range.min, display.scale.range.max}},
             {"occlusion", display.occlusion},
+            {"ground", display.ground},
+            {"material", name_of(display.material)},
             {"wireframe", display.wireframe},
             {"refinement_edges", display.refinement_edges},
             {"root_edges", display.root_edges},

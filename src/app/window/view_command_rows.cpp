@@ -1,4 +1,4 @@
-// The commands of the menus View and Help.
+// The commands of the menu View.
 #include "app/window/command_rows.h"
 
 // GLFW must not include OpenGL headers of its own.
@@ -21,6 +21,13 @@ void cycle_coloring(ViewerState& state, double) {
     }
     Display& display = state.session.display;
     display.coloring = next_coloring(display.coloring, !display.field.empty());
+}
+
+/// A material is seen only on a plain surface, so the first step shows it plainly.
+void cycle_material(ViewerState& state, double) {
+    Display& display = state.session.display;
+    if (display.coloring == Coloring::plain) display.material = next_material(display.material);
+    display.coloring = Coloring::plain;
 }
 
 /// Step of the commands that change the detail.
@@ -84,6 +91,19 @@ constexpr Command view_table[] = {
      .description = "Darken hollows, where less light arrives",
      .run = toggle<&Display::occlusion>,
      .is_on = is_on<&Display::occlusion>},
+    {.id = CommandId::ground,
+     .menu = "View",
+     .name = "Ground",
+     .shortcuts = {{{GLFW_KEY_G, GLFW_MOD_CONTROL}}},
+     .description = "Show a ground below the surface, with its soft shadow",
+     .run = toggle<&Display::ground>,
+     .is_on = is_on<&Display::ground>},
+    {.id = CommandId::next_material,
+     .menu = "View",
+     .name = "Next material",
+     .shortcuts = {{{GLFW_KEY_M, GLFW_MOD_CONTROL}}},
+     .description = "Show a plain surface as clay, porcelain, steel, jade, or by its normals",
+     .run = cycle_material},
     {.id = CommandId::wireframe,
      .menu = "View",
      .name = "Wireframe",
@@ -155,40 +175,6 @@ constexpr Command view_table[] = {
      .shortcuts = {{{GLFW_KEY_F5}}},
      .description = "Read the shader files again",
      .run = [](ViewerState& state, double) { state.reload_wanted = true; }},
-
-    {.id = CommandId::search_commands,
-     .menu = "Help",
-     .name = "Find command...",
-     .shortcuts = {{{GLFW_KEY_P, GLFW_MOD_CONTROL}}},
-     .description = "Search commands, keys and recent files by name, and run what is found",
-     .run = [](ViewerState& state, double) { state.search_wanted = true; }},
-    {.id = CommandId::help,
-     .menu = "Help",
-     .name = "Keys and mouse",
-     .shortcuts = {{{GLFW_KEY_F1}, {GLFW_KEY_H}}},
-     .description = "Show or hide this help",
-     .run = [](ViewerState& state, double) { state.help_shown = !state.help_shown; },
-     .is_on = [](const ViewerState& state) { return state.help_shown; }},
-    {.id = CommandId::dismiss,
-     .menu = "Help",
-     .name = "Dismiss",
-     .shortcuts = {{{GLFW_KEY_ESCAPE}}},
-     .description = "Take back the brush stroke; close the message, the help or the comparison",
-     .run =
-         [](ViewerState& state, double) {
-             if (state.brush.is_stroking)
-                 state.brush.wants_to_cancel = true;
-             else if (!state.message.empty())
-                 state.message.clear();
-             else if (state.help_shown)
-                 state.help_shown = false;
-             else if (state.domain_has_focus)
-                 state.domain_has_focus = false;
-             else if (state.is_comparing)
-                 state.is_comparing = false;
-             else
-                 state.brush.is_on = false;
-         }},
 };
 
 }  // namespace

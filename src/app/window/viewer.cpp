@@ -36,7 +36,6 @@
 #include "io/mesh/mesh_file.h"
 #include "render/context.h"
 #include "ui/gui.h"
-#include "ui/timeline/blend_plots.h"
 
 namespace interleaf {
 
@@ -94,7 +93,7 @@ class Viewer {
     void draw(const std::optional<ViewInput>& view);
 
     ShownWindow show_panels();
-    FrameLayout layout() const;
+    FrameLayout layout() const { return lay_out_frame(size_, menu_bar_height(), gui_.scale(), state_); }
     void record();
     void save_picture();
 
@@ -139,6 +138,7 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
     if (options.stats) stats_.emplace(*options.stats);
     if (const auto last = files_.window_size(); last && !options.size)
         glfwSetWindowSize(window_.handle(), last->x, last->y);
+    state_.appearance = files_.appearance();
     begin_with(options, state_, glfwGetTime());
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(window_.handle(), 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
@@ -161,7 +161,7 @@ void Viewer::run() {
         files_.grant(FileWish::quit);
         redraw_.settle();
     }
-    files_.remember_window(size_);
+    files_.remember_window(size_, gui_.closed_sections());
 }
 
 /// Continues after an unexpected error, and keeps the unsaved changes.
@@ -211,6 +211,7 @@ void Viewer::frame() {
 // ---- input ----
 
 FrameInput Viewer::read_input() {
+    gui_.follow(state_.appearance);
     gui_.begin_frame(std::exchange(input_.keyboard_keys, {}));
     FrameInput input;
     input.pressed = std::exchange(input_.pressed, {});
@@ -348,17 +349,6 @@ ShownWindow Viewer::show_panels() {
     film_.show(frame.content, now_);
     search_.show(frame.content, state_, files_.recent_files());
     return shown;
-}
-
-/// The layout of the present state in the present window.
-FrameLayout Viewer::layout() const {
-    const float menu = menu_bar_height();
-    FrameLayout frame;
-    frame.window = size_;
-    frame.content = {0, menu, frame.window.x, frame.window.y - menu};
-    frame.panels = lay_out(frame.window, menu, gui_.scale(), state_.session.has_time(),
-                           state_.plots_blend ? blend_plots_height : 0);
-    return frame;
 }
 
 // ---- output to files ----

@@ -10,6 +10,7 @@
 #include "app/document/viewpoint.h"
 #include "family/family.h"
 #include "render/display.h"
+#include "ui/widgets/theme.h"
 
 namespace interleaf {
 
@@ -19,6 +20,7 @@ struct ViewerOptions {
     std::optional<double> time;       ///< initial time, seconds; needs a timeline
     std::optional<TimeSource> along;  ///< what drives the blend; another choice than the family's is an edit
     Display display;                  ///< initial display
+    std::optional<Theme> theme{};     ///< of the window; by default the last one
     std::optional<Viewpoint> viewpoint;  ///< initial view; by default all keys
     std::optional<std::filesystem::path>
         picture;  ///< PNG file that receives the resting window, which then closes

@@ -171,6 +171,7 @@ void apply_to_keys(const KeysPanelResult& done, ViewerState& state, double now) 
 
 void apply_to_state(const WindowActions& actions, ViewerState& state, MouseHolds& holds, double now) {
     if (actions.display) state.session.display = *actions.display;
+    if (actions.panel_sizes) state.appearance.panels = *actions.panel_sizes;
     if (actions.view && actions.view->view_all) state.view_target = ViewTarget::surface;
     if (actions.points_at_notice) state.message.seen = now;
     if (actions.dismisses_message) state.message.clear();

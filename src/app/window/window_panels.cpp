@@ -10,6 +10,7 @@
 #include "ui/panels/display_panel.h"
 #include "ui/panels/help_overlay.h"
 #include "ui/panels/status_line.h"
+#include "ui/splitters.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -207,6 +208,7 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
                  .rebuild_milliseconds = shown.figures.rebuild_milliseconds,
                  .frame_milliseconds = shown.frame_milliseconds,
                  .report = shown.state.brush.report});
+    result.actions.panel_sizes = splitters(panels, shown.state.appearance.panels, shown.layout.scale);
 }
 
 void show_message(const WindowShown& shown, const Rect& view, WindowActions& actions) {

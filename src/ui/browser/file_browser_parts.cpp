@@ -59,7 +59,7 @@ bool place_row(const FilePlace& place, float width, bool is_here, bool is_focuse
     if (is_here) {
         list.AddRectFilled(corner, end, ImGui::GetColorU32(ImGuiCol_FrameBg), scaled(4));
     } else if (is_hovered) {
-        list.AddRectFilled(corner, end, IM_COL32(255, 255, 255, 14), scaled(4));
+        list.AddRectFilled(corner, end, colors::hover, scaled(4));
     }
     if (is_hovered) ImGui::SetTooltip("%s", shown_name(place.folder.native()).c_str());
     draw_text({corner.x + scaled(8), corner.y + scaled(4)}, width - 2 * scaled(8), colors::text, place.name);

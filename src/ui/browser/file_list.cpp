@@ -124,7 +124,7 @@ void draw_row_background(ImVec2 corner, ImVec2 end, const RowLook& look) {
         list.AddRectFilled(
             corner, end, ImGui::GetColorU32(look.is_focused ? ImGuiCol_Header : ImGuiCol_FrameBg), rounding);
     } else if (look.is_hovered) {
-        list.AddRectFilled(corner, end, IM_COL32(255, 255, 255, 14), rounding);
+        list.AddRectFilled(corner, end, colors::hover, rounding);
     }
     if (look.has_cursor)
         list.AddRect({corner.x + 0.5F, corner.y + 0.5F}, {end.x - 0.5F, end.y - 0.5F}, colors::accent,

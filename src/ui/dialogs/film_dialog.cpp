@@ -14,6 +14,7 @@
 
 #include "ui/widgets/modal.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 namespace {
@@ -84,6 +85,7 @@ std::optional<bool> FilmDialog::show(const Rect& area, const FilmOfferShown& sho
             ImGui::SetCursorPosX(ImGui::GetCursorPosX() + film_label_width());
             if (ImGui::Checkbox("Loop: leave out a last frame that equals the first", &choices_.is_loop))
                 focus(loop_row);
+            tooltip("A film that is repeated then does not show the same frame twice");
             if (focus_ == loop_row) draw_focus();
         }
         const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());

@@ -15,12 +15,14 @@
 #include "ui/widgets/choice.h"
 #include "ui/widgets/modal.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 
 namespace {
 
 constexpr const char* limits[] = {"Leaves", "Tolerance"};
+constexpr const char* limit_tips[] = {"At most so many leaves", "As many leaves as the tolerance needs"};
 constexpr const char* axes[] = {"x", "y", "z"};
 constexpr const char* ups[] = {"X", "Y", "Z"};
 
@@ -246,7 +248,7 @@ void FitDialog::show_number(TextField& field, const char* name, float width, Pla
 
 void FitDialog::show_limit(const FitOfferShown& shown) {
     row_label("Limit");
-    const std::size_t now = choice("limit", limits, choices_.by_tolerance ? 1 : 0, scaled(180));
+    const std::size_t now = choice("limit", limits, choices_.by_tolerance ? 1 : 0, scaled(180), limit_tips);
     mark_focus(Place::limit);
     if (now != static_cast<std::size_t>(choices_.by_tolerance)) {
         choices_.by_tolerance = now == 1;
@@ -272,38 +274,43 @@ void FitDialog::show_roots(const FitOfferShown& shown) {
     for (const std::string& name : shown.roots) labels.push_back(name.c_str());
     const std::size_t now =
         choice("roots", labels, choices_.roots, std::min(scaled(320), ImGui::GetContentRegionAvail().x));
+    tooltip("The root triangles that the keys bisect; keys of one family share them");
     mark_focus(Place::roots);
     if (now != std::exchange(choices_.roots, now)) focus(Place::roots);
 }
 
-void FitDialog::show_toggle(const char* label, bool& value, Place place) {
+void FitDialog::show_toggle(const char* label, bool& value, Place place, const char* tip) {
     if (ImGui::Checkbox(label, &value)) focus(place);
+    tooltip(tip);
     mark_focus(place);
 }
 
 void FitDialog::show_matching(const FitOfferShown& shown) {
     row_label("Match");
-    show_toggle("Match parts", choices_.match_parts, Place::match);
+    show_toggle("Match parts", choices_.match_parts, Place::match,
+                "Let parts that look alike correspond, such as limbs");
     ImGui::SameLine(0, scaled(16));
     if (ImGui::Button("Landmarks...", {modal_button_width("Landmarks..."), 0})) {
         focus(Place::landmarks);
         wants_landmarks_ = true;
     }
+    tooltip("Name points that correspond on two meshes");
     mark_focus(Place::landmarks);
     row_remark(shown.landmarks.empty() ? "points that correspond" : shown.landmarks);
 }
 
 void FitDialog::show_placing() {
     row_label("Place");
-    show_toggle("Same size", choices_.same_size, Place::size);
+    show_toggle("Same size", choices_.same_size, Place::size, "Scale all meshes to the same size");
     ImGui::SameLine(0, scaled(16));
-    show_toggle("Same center", choices_.same_center, Place::center);
+    show_toggle("Same center", choices_.same_center, Place::center, "Move all meshes to the same center");
 }
 
 void FitDialog::show_up(const FitOfferShown& shown) {
     row_label("Up");
     std::size_t& up = choices_.ups[mesh_];
     const std::size_t now = choice("up", ups, up, scaled(180));
+    tooltip("The axis of the mesh that points up");
     mark_focus(Place::up);
     if (now != std::exchange(up, now)) focus(Place::up);
     row_remark(shown.meshes.size() == 1 ? "is up" : fmt::format("is up in {}", shown.meshes[mesh_].name));
@@ -313,12 +320,13 @@ void FitDialog::show_up(const FitOfferShown& shown) {
 void FitDialog::show_changes(const FitOfferShown& shown) {
     if (!shown.parts_remark.empty()) {
         row_label("Parts");
-        show_toggle("Keep only the largest", choices_.keep_largest, Place::parts);
+        show_toggle("Keep only the largest", choices_.keep_largest, Place::parts,
+                    "Leave out all other parts of the mesh");
         row_remark(shown.parts_remark);
     }
     if (!shown.holes_remark.empty()) {
         row_label("Holes");
-        show_toggle("Fill", choices_.fill_holes, Place::holes);
+        show_toggle("Fill", choices_.fill_holes, Place::holes, "Close the holes of the mesh");
         row_remark(shown.holes_remark);
     }
 }
@@ -327,6 +335,7 @@ void FitDialog::show_turn(const FitOfferShown& shown) {
     row_label("Turn");
     FitChoices::Turn& turn = choices_.turns[mesh_];
     const std::size_t now = choice("axis", axes, static_cast<std::size_t>(turn.axis), scaled(180));
+    tooltip("The axis that the mesh is turned about, by the degrees beside it");
     mark_focus(Place::axis);
     if (static_cast<int>(now) != std::exchange(turn.axis, static_cast<int>(now))) focus(Place::axis);
     ImGui::SameLine();

@@ -123,7 +123,7 @@ class FitDialog {
     void show_up(const FitOfferShown& shown);
     void show_turn(const FitOfferShown& shown);
     void show_changes(const FitOfferShown& shown);
-    void show_toggle(const char* label, bool& value, Place place);
+    void show_toggle(const char* label, bool& value, Place place, const char* tip);
     void show_buttons(const FitOfferShown& shown);
     void show_number(TextField& field, const char* name, float width, Place place, std::string& text,
                      const FitOfferShown& shown);

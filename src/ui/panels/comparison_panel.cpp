@@ -12,13 +12,17 @@
 #include "ui/widgets/choice.h"
 #include "ui/widgets/modal.h"
 #include "ui/widgets/scale_legend.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 
 namespace {
 
 constexpr const char* mesh_colorings[] = {"Distance", "Plain"};
+constexpr const char* mesh_coloring_tips[] = {"Color each surface by its distance to the other one (C)",
+                                              "Show both surfaces in one color (C)"};
 constexpr const char* back = "Back to document";
 
 /// From this width on, the legend stands beside the figures.
@@ -60,17 +64,21 @@ void show_figures(const ComparisonShown& shown) {
     next("Least angle", fmt::format("{:.3g}\u00b0", shown.min_angle));
     next("Flipped leaves", fmt::format("{}", shown.flipped_leaves));
     ImGui::Dummy({4 * figure_width(), figures_height()});
+    tooltip(
+        "The largest and the mean distance between key and mesh, as parts of the box diagonal;\n"
+        "the smallest angle of a leaf; leaves that the fit has turned over");
 }
 
 void choose_pair(const ComparisonShown& shown, float width, std::size_t& chosen) {
     ImGui::SetNextItemWidth(width);
-    if (!ImGui::BeginCombo("##pair", shown.names[shown.chosen].c_str())) return;
+    if (!ImGui::BeginCombo("##pair", shown.names[shown.chosen].c_str()))
+        return tooltip("The fitted key that is compared (Left, Right)");
     for (std::size_t pair = 0; pair < shown.names.size(); ++pair) {
         const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
         // Draw the name by hand: Dear ImGui does not show the part of a label after "##".
         ImGui::PushID(static_cast<int>(pair));
         if (ImGui::Selectable("", pair == shown.chosen)) chosen = pair;
-        draw_text(corner, ImGui::GetItemRectSize().x, colors::text, shown.names[pair]);
+        draw_name(corner, ImGui::GetItemRectSize().x, colors::text, shown.names[pair]);
         ImGui::PopID();
     }
     ImGui::EndCombo();
@@ -104,11 +112,12 @@ ComparisonResult comparison_panel(const Rect& rect, const ComparisonShown& shown
         choose_pair(shown, std::min(scaled(200), room * 0.34F), result.chosen);
         ImGui::SameLine();
     }
-    result.has_colors = choice("coloring", mesh_colorings, shown.has_colors ? 0 : 1, scaled(170)) == 0;
+    result.has_colors =
+        choice("coloring", mesh_colorings, shown.has_colors ? 0 : 1, scaled(170), mesh_coloring_tips) == 0;
     const float button = modal_button_width(back);
     ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - button);
     result.is_over = modal_button({.label = back, .width = button, .is_main = true});
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Esc");
+    tooltip("Show the document again (Esc)");
     ImGui::Spacing();
     show_figures(shown);
     if (shown.has_colors) {

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "ui/widgets/number_text.h"
+#include "ui/widgets/section.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -22,7 +23,9 @@ std::string part_in_words(const DetailChoice& choice, bool is_coarse) {
 }  // namespace
 
 DetailChoice detail_panel(DetailChoice choice, std::size_t leaves, bool is_coarse) {
-    heading("Detail", fmt::format("{}, {} leaves", part_in_words(choice, is_coarse), grouped(leaves)));
+    if (!section("Detail", fmt::format("{}, {} leaves", part_in_words(choice, is_coarse), grouped(leaves)),
+                 "How fine the keys are shown, from their roots to all of their leaves."))
+        return choice;
     ImGui::BeginDisabled(choice.follows_camera);
     ImGui::SetNextItemWidth(-1);
     ImGui::SliderFloat("##detail", &choice.detail, 0, 1, "", ImGuiSliderFlags_AlwaysClamp);

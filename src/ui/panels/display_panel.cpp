@@ -11,41 +11,94 @@
 
 #include "ui/panels/field_panel.h"
 #include "ui/widgets/choice.h"
+#include "ui/widgets/section.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 
 namespace {
 
-/// Buttons side by side, as wide as the panel. One of them is chosen.
-template <typename Choice, std::size_t count>
-void choice(const char* name, Choice& value, const std::pair<const char*, Choice> (&options)[count]) {
-    std::array<const char*, count> labels{};
-    std::size_t chosen = count;
-    for (std::size_t i = 0; i < count; ++i) {
-        labels[i] = options[i].first;
-        if (options[i].second == value) chosen = i;
+const char* tip_of(Coloring coloring) {
+    switch (coloring) {
+        case Coloring::plain:
+            return "One color, of the chosen material (C)";
+        case Coloring::level:
+            return "By the level of each leaf: the number of bisections above it (C)";
+        case Coloring::origin:
+            return "By the keys that bisect this far (C)";
+        case Coloring::checker:
+            return "A pattern over the roots, which shows what corresponds in the keys (C)";
+        case Coloring::field:
+            return "By a field of the keys (C)";
     }
-    const std::size_t now = interleaf::choice(name, labels, chosen, ImGui::GetContentRegionAvail().x);
-    if (now < count) value = options[now].second;
+    return "";
 }
 
-/// Shows the colorings in rows of three buttons.
+/// Shows the colorings, in two rows if there are many.
 void coloring_choice(Coloring& value, bool has_fields) {
-    constexpr std::size_t columns = 3;
+    constexpr std::size_t columns = 4;
     const std::vector<Coloring> all = colorings(has_fields);
-    for (std::size_t begin = 0; begin < all.size(); begin += columns) {
-        const auto row = std::span(all).subspan(begin, std::min(columns, all.size() - begin));
+    const std::size_t in_row = all.size() > columns ? (all.size() + 1) / 2 : all.size();
+    for (std::size_t begin = 0; begin < all.size(); begin += in_row) {
+        const auto row = std::span(all).subspan(begin, std::min(in_row, all.size() - begin));
         std::vector<const char*> labels;
-        for (const Coloring coloring : row) labels.push_back(label_of(coloring));
+        std::vector<const char*> tips;
+        labels.reserve(row.size());
+        tips.reserve(row.size());
+        for (const Coloring coloring : row) {
+            labels.push_back(label_of(coloring));
+            tips.push_back(tip_of(coloring));
+        }
         const auto chosen = static_cast<std::size_t>(std::ranges::find(row, value) - row.begin());
         const float width = ImGui::GetContentRegionAvail().x;
-        const std::size_t now = interleaf::choice(labels.front(), labels, chosen, width);
+        const std::size_t now = choice(labels.front(), labels, chosen, width, tips);
         if (now < row.size()) value = row[now];
     }
 }
 
-void level_legend(LevelRange levels) {
+/// A check box in one of two columns.
+void check(const char* label, bool& value, const char* tip, bool is_second = false) {
+    if (is_second) {
+        const float left = ImGui::GetStyle().WindowPadding.x;
+        const float column = (ImGui::GetContentRegionAvail().x + ImGui::GetStyle().ItemSpacing.x) / 2;
+        ImGui::SameLine(left + std::round(column));
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {scaled(2), scaled(2)});
+    ImGui::Checkbox(label, &value);
+    ImGui::PopStyleVar();
+    tooltip(tip);
+}
+
+void choose_material(Display& display) {
+    ImGui::SetNextItemWidth(-1);
+    const bool is_open = ImGui::BeginCombo("##material", label_of(display.material));
+    if (!is_open) return tooltip("What a plain surface looks to be made of (Ctrl+M)");
+    for (const Material material : materials()) {
+        if (!ImGui::Selectable(label_of(material), material == display.material)) continue;
+        display.material = material;
+        display.coloring = Coloring::plain;
+    }
+    ImGui::EndCombo();
+}
+
+/// The number below each swatch for which there is room.
+void level_ticks(glm::vec2 corner, const LevelRange& levels, float step) {
+    ImGui::PushFont(small_font());
+    const float room = text_size("00").x + scaled(5);
+    const auto every = static_cast<unsigned>(std::max(std::ceil(room / step), 1.0F));
+    for (unsigned level = levels.min; level <= levels.max; ++level) {
+        if ((level - levels.min) % every != 0) continue;
+        const std::string text = fmt::format("{}", level);
+        const float middle = corner.x + (static_cast<float>(level - levels.min) + 0.5F) * step;
+        draw_text({std::round(middle - text_size(text).x / 2), corner.y}, room, colors::dim_text, text);
+    }
+    ImGui::Dummy({1, ImGui::GetTextLineHeight()});
+    ImGui::PopFont();
+}
+
+void level_legend(const LevelRange& levels) {
     const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
     const float width = ImGui::GetContentRegionAvail().x;
     const float height = scaled(10);
@@ -58,8 +111,8 @@ void level_legend(LevelRange levels) {
                                                   to_color(level_color(levels.min + step, levels)));
     }
     ImGui::Dummy({width, height});
-    heading(fmt::format("level {}", levels.min),
-            levels.max > levels.min ? fmt::format("{}", levels.max) : "");
+    tooltip("Level: the number of bisections above a leaf. Levels of many leaves differ more in color.");
+    level_ticks({corner.x, corner.y + height + scaled(1)}, levels, width / static_cast<float>(count));
 }
 
 /// Many active keys can make thousands of origins.
@@ -75,23 +128,33 @@ std::string origin_name(KeySet origin, const Legend& legend) {
     return name;
 }
 
-void origin_legend(const Legend& legend) {
-    ImGui::PushFont(small_font());
-    const float width = ImGui::GetContentRegionAvail().x;
+/// One row of the legend. A long name is cut; the tooltip has all of it.
+void origin_row(KeySet origin, const Legend& legend, float width) {
     const float swatch = scaled(10);
-    const float indent = scaled(18);
+    const float indent = scaled(16);
+    const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+    const float height = ImGui::GetTextLineHeight();
+    const float top = corner.y + std::round((height - swatch) / 2);
+    ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + swatch, top + swatch},
+                                              to_color(origin_color(origin, legend.active_keys)), scaled(2));
+    const std::string name = origin_name(origin, legend);
+    draw_text({corner.x + indent, corner.y}, width - indent, colors::text, shortened(name, width - indent));
+    ImGui::Dummy({width, height});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Leaves that are bisected this far in %s", name.c_str());
+}
+
+/// In two columns, where the names have room in them or the column would be long.
+void origin_legend(const Legend& legend) {
+    constexpr std::size_t long_from = 5;
+    ImGui::PushFont(small_font());
     const std::size_t shown = std::min(legend.origins.size(), max_origin_rows);
-    for (const KeySet origin : legend.origins.first(shown)) {
-        const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
-        const float height = ImGui::GetTextLineHeight();
-        const float top = corner.y + std::round((height - swatch) / 2);
-        ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + swatch, top + swatch},
-                                                  to_color(origin_color(origin, legend.active_keys)),
-                                                  scaled(2));
-        const std::string name = origin_name(origin, legend);
-        draw_text({corner.x + indent, corner.y}, width - indent, colors::text, name);
-        ImGui::Dummy({width, height});
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Bisected this far in %s", name.c_str());
+    const bool has_columns = shown >= long_from;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float width = has_columns ? std::floor((room - gap) / 2) : room;
+    for (std::size_t row = 0; row < shown; ++row) {
+        if (has_columns && row % 2 == 1) ImGui::SameLine();
+        origin_row(legend.origins[row], legend, width);
     }
     if (shown < legend.origins.size())
         wrapped_text(fmt::format("and {} other sets of keys", legend.origins.size() - shown),
@@ -99,20 +162,27 @@ void origin_legend(const Legend& legend) {
     ImGui::PopFont();
 }
 
-}  // namespace
+void choose_shading(Display& display) {
+    constexpr std::array<const char*, 2> labels{"Smooth", "Flat"};
+    constexpr std::array<const char*, 2> tips{"Shade smoothly, with the exact normals of the blend (S)",
+                                              "Shade each leaf flat, so that its shape is seen (S)"};
+    const float width = std::round(ImGui::GetContentRegionAvail().x * 0.54F);
+    const std::size_t chosen = display.shading == Shading::smooth ? 0 : 1;
+    display.shading = choice("shading", labels, chosen, width, tips) == 0 ? Shading::smooth : Shading::flat;
+    ImGui::SameLine();
+    choose_material(display);
+    check("Occlusion", display.occlusion, "Darken hollows, where less light arrives (A)");
+    check("Ground", display.ground, "Show a ground below the surface, with its soft shadow (Ctrl+G)", true);
+}
 
-Display display_panel(const Display& shown, const Legend& legend) {
-    Display display = shown;
-    heading("Shading");
-    choice("shading", display.shading, {{"Smooth", Shading::smooth}, {"Flat", Shading::flat}});
-    ImGui::Checkbox("Ambient occlusion", &display.occlusion);
-    section_gap();
-    heading("Lines");
-    ImGui::Checkbox("Wireframe", &display.wireframe);
-    ImGui::Checkbox("Refinement edges", &display.refinement_edges);
-    ImGui::Checkbox("Root edges", &display.root_edges);
-    section_gap();
-    heading("Color");
+void choose_lines(Display& display) {
+    check("Wireframe", display.wireframe, "Show the edges of the leaves (W)");
+    check("Roots", display.root_edges, "Show the edges of the root complex, which all keys share (E)", true);
+    check("Refinement edges", display.refinement_edges,
+          "Show the edge of each leaf that bisection would split next (R)");
+}
+
+void choose_color(Display& display, const Legend& legend) {
     coloring_choice(display.coloring, !legend.fields.empty());
     if (display.coloring == Coloring::level) level_legend(legend.levels);
     if (display.coloring == Coloring::origin) origin_legend(legend);
@@ -120,6 +190,17 @@ Display display_panel(const Display& shown, const Legend& legend) {
         display = field_panel(display, legend.fields, legend.key_without_field.value_or(""), legend.is_flat);
     if (display.coloring == Coloring::field && legend.curves != nullptr)
         field_curves(*legend.curves, legend.time);
+}
+
+}  // namespace
+
+Display display_panel(const Display& shown, const Legend& legend) {
+    Display display = shown;
+    if (section("Shading", {}, "How the surface is lit, and what it is made of.")) choose_shading(display);
+    section_gap();
+    if (section("Lines", {}, "Edges over the surface.")) choose_lines(display);
+    section_gap();
+    if (section("Color", {}, "What the colors of the surface mean.")) choose_color(display, legend);
     return display;
 }
 

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "render/palette.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -155,9 +156,8 @@ std::vector<std::size_t> draw_vertices(const DomainDrawing& drawing) {
         const Rect place = name_place(vertices[i], radii[i], size, drawing.area, middle);
         if (std::ranges::any_of(taken, [&](const Rect& other) { return overlap(place, other); })) continue;
         taken.push_back(place);
-        list.AddRectFilled({place.x, place.y}, {place.right(), place.bottom()}, IM_COL32(12, 13, 16, 170),
-                           scaled(4));
-        draw_text({place.x + scaled(4), place.y}, size.x + 1, colors::text, name);
+        list.AddRectFilled({place.x, place.y}, {place.right(), place.bottom()}, colors::label, scaled(4));
+        draw_name({place.x + scaled(4), place.y}, size.x, colors::text, name);
     }
     ImGui::PopFont();
     return pictured;

@@ -8,7 +8,9 @@
 
 #include "family/vector_field.h"
 #include "ui/widgets/scale_legend.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 
@@ -16,7 +18,8 @@ namespace {
 
 void choose_field(Display& display, std::span<const FamilyField> fields) {
     ImGui::SetNextItemWidth(-1);
-    if (!ImGui::BeginCombo("##field", display.field.c_str())) return;
+    if (!ImGui::BeginCombo("##field", display.field.c_str()))
+        return tooltip("The field that colors the surface");
     for (const FamilyField& field : fields) {
         const std::string& name = field.label.name;
         const bool chosen = name == display.field;
@@ -25,7 +28,7 @@ void choose_field(Display& display, std::span<const FamilyField> fields) {
         ImGui::PushID(&field);
         if (ImGui::Selectable("", chosen)) display.field = name;
         if (chosen) ImGui::SetItemDefaultFocus();
-        draw_text(corner, ImGui::GetItemRectSize().x, colors::text, name);
+        draw_name(corner, ImGui::GetItemRectSize().x, colors::text, name);
         ImGui::PopID();
     }
     ImGui::EndCombo();
@@ -34,7 +37,8 @@ void choose_field(Display& display, std::span<const FamilyField> fields) {
 /// Offers the color maps, each with its colors beside its name.
 void choose_map(ColorMap& map) {
     ImGui::SetNextItemWidth(-1);
-    if (!ImGui::BeginCombo("##map", std::string(name_of(map)).c_str())) return;
+    if (!ImGui::BeginCombo("##map", std::string(name_of(map)).c_str()))
+        return tooltip("Colors of the field; coolwarm has its middle at 0");
     for (const ColorMap each : color_maps()) {
         const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
         if (ImGui::Selectable(std::string(name_of(each)).c_str(), each == map)) map = each;
@@ -56,7 +60,9 @@ void lock_range(Display& display) {
     if (!display.range_locked) return;
     float ends[] = {display.scale.range.min, display.scale.range.max};
     ImGui::SetNextItemWidth(-1);
-    if (!ImGui::InputFloat2("##range", ends, "%.5g")) return;
+    const bool is_changed = ImGui::InputFloat2("##range", ends, "%.5g");
+    tooltip("Values of the first and the last color");
+    if (!is_changed) return;
     if (std::isfinite(ends[0]) && std::isfinite(ends[1]) && ends[0] < ends[1])
         display.scale.range = {ends[0], ends[1]};
 }
@@ -90,11 +96,7 @@ Display field_panel(const Display& shown, std::span<const FamilyField> fields, s
     const FamilyField* const field = find_field(fields, display.field);
     if (field == nullptr) return display;
     if (!key_without.empty()) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::PushStyleColor(ImGuiCol_Text, colors::notice);
-        ImGui::TextUnformatted(fmt::format("{} does not have this field.", key_without).c_str());
-        ImGui::PopStyleColor();
-        ImGui::PopTextWrapPos();
+        wrapped_text(fmt::format("{} does not have this field.", key_without), colors::notice);
     }
     if (field->label.kind == FieldKind::color) return display;
     choose_map(display.scale.map);

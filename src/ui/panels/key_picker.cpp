@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "ui/widgets/row_clipper.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -43,7 +44,7 @@ std::optional<std::size_t> key_picker(const char* label, const Family& family, c
         for (auto i = static_cast<std::size_t>(clipper.DisplayStart);
              i < static_cast<std::size_t>(clipper.DisplayEnd); ++i) {
             ImGui::PushID(static_cast<int>(offered[i]));
-            if (ImGui::Selectable(family.keys[offered[i]].name.c_str())) chosen = offered[i];
+            if (name_item(family.keys[offered[i]].name, scaled(216))) chosen = offered[i];
             ImGui::PopID();
         }
     }

@@ -10,12 +10,18 @@
 #include "render/palette.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/row_clipper.h"
+#include "ui/widgets/section.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 
 namespace {
 
+constexpr const char* keys_meaning =
+    "The surfaces that are blended. Click a key to show it alone, double-click to rename it,\n"
+    "drag it in the list, to the timeline or into the domain. Active keys are bright.";
 constexpr const char* payload_type = "key";
 constexpr const char* menu_name = "key menu";
 
@@ -49,7 +55,7 @@ void draw_row(const KeyRow& row, std::size_t key, glm::vec2 corner, float width,
     list.AddCircleFilled({left + dot, top + line / 2 + 1}, dot,
                          to_color(key_color(key), is_active ? 1.0F : 0.45F));
     const float name_left = left + scaled(15);
-    draw_text({name_left, top}, corner.x + width - name_left - scaled(6),
+    draw_name({name_left, top}, corner.x + width - name_left - scaled(6),
               is_active || is_selected ? colors::text : colors::dim_text, row.name);
     ImGui::PushFont(small_font());
     draw_text({left, top + line + scaled(2)}, corner.x + width - left - scaled(6),
@@ -135,7 +141,7 @@ void show_rows(const KeysPanel& panel, KeysPanelResult& result) {
 }  // namespace
 
 float key_picture_side() {
-    return scaled(40);
+    return scaled(36);
 }
 
 std::optional<std::size_t> dropped_key(std::size_t key_count) {
@@ -152,7 +158,7 @@ std::optional<std::size_t> dropped_key(std::size_t key_count) {
 
 KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
     KeysPanelResult result;
-    heading("Keys", fmt::format("{}", panel.keys.size()));
+    if (!section("Keys", fmt::format("{}", panel.keys.size()), keys_meaning)) return result;
     const float wanted = key_row_height() * static_cast<float>(panel.keys.size());
     const float shown = std::min(wanted, std::max(height, key_row_height()));
     const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
@@ -169,9 +175,10 @@ KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
     const float gap = scaled(2);
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
     result.add = ImGui::Button("Add...", {width, 0});
+    tooltip("Add keys or meshes from files (Ctrl+I)");
     ImGui::SameLine(0, gap);
     result.keep_blend = ImGui::Button("Keep blend", {width, 0});
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Add the shown surface as a key (Ctrl+K)");
+    tooltip("Add the shown surface as a key (Ctrl+K)");
     return result;
 }
 

@@ -5,14 +5,35 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "ui/widgets/glyphs.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
 
 namespace {
 
+/// Of an entry that is a name, at scale 1.
+constexpr float max_item_width = 460;
+
+/// Shows \p text beside the menu while the pointer is at its last entry; the entries stay visible.
+void describe(std::string_view text) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const ImVec2 corner = ImGui::GetWindowPos();
+    const float right = corner.x + ImGui::GetWindowWidth() + scaled(4);
+    const float width = text_size(text).x + 2 * ImGui::GetStyle().WindowPadding.x;
+    const bool has_room = right + width <= ImGui::GetIO().DisplaySize.x;
+    ImGui::SetNextWindowPos({has_room ? right : corner.x - scaled(4), ImGui::GetItemRectMin().y},
+                            ImGuiCond_Always, {has_room ? 0.0F : 1.0F, 0.25F});
+    ImGui::SetTooltip("%.*s", static_cast<int>(text.size()), text.data());
+}
+
 bool menu_item(const MenuEntry& entry) {
-    return ImGui::MenuItem(entry.name.c_str(), entry.shortcut.c_str(), entry.on, entry.enabled);
+    need_glyphs(entry.name);
+    const bool is_chosen =
+        ImGui::MenuItem(entry.name.c_str(), entry.shortcut.c_str(), entry.on, entry.enabled);
+    describe(entry.description);
+    return is_chosen;
 }
 
 std::optional<std::size_t> show_submenu(const Submenu& submenu) {
@@ -20,7 +41,7 @@ std::optional<std::size_t> show_submenu(const Submenu& submenu) {
     if (!ImGui::BeginMenu(submenu.name.c_str(), !submenu.items.empty())) return chosen;
     for (std::size_t item = 0; item < submenu.items.size(); ++item) {
         ImGui::PushID(static_cast<int>(item));
-        if (ImGui::MenuItem(submenu.items[item].c_str())) chosen = item;
+        if (name_item(submenu.items[item], scaled(max_item_width))) chosen = item;
         ImGui::PopID();
     }
     ImGui::EndMenu();
@@ -79,7 +100,7 @@ MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submen
     const float width = std::min(text_size(title).x, right - left);
     if (width > 0) {
         const float top = ImGui::GetWindowPos().y + ImGui::GetStyle().FramePadding.y;
-        draw_text({right - width, top}, width + 1, colors::dim_text, title);
+        draw_name({right - width, top}, width, colors::dim_text, title);
     }
     ImGui::EndMainMenuBar();
     return result;

@@ -15,6 +15,8 @@
 #include "ui/panels/domain_view.h"
 #include "ui/panels/keys_panel.h"
 #include "ui/widgets/plot_frame.h"
+#include "ui/widgets/section.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -51,7 +53,7 @@ std::optional<std::size_t> choose_key(const Family& family, std::optional<std::s
     std::optional<std::size_t> chosen;
     for (std::size_t key = 0; key < family.keys.size(); ++key) {
         ImGui::PushID(static_cast<int>(key));
-        if (ImGui::MenuItem(family.keys[key].name.c_str(), nullptr, present == key)) chosen = key;
+        if (name_item(family.keys[key].name, scaled(240), present == key)) chosen = key;
         ImGui::PopID();
     }
     return chosen;
@@ -224,21 +226,29 @@ std::string remark_of(const Family& family, const DomainPanel& panel) {
 }
 
 /// The heading above the domain. A click on the coordinates asks for others.
-void show_heading(const Family& family, const DomainPanel& panel, ParameterDomainResult& result) {
+/// \return whether the domain is to be shown below it
+bool show_heading(const Family& family, const DomainPanel& panel, ParameterDomainResult& result) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float right = corner.x + ImGui::GetContentRegionAvail().x;
     const std::string remark = remark_of(family, panel);
-    heading("Parameter domain", remark);
-    if (panel.edits || panel.is_recording || remark.empty()) return;
+    const bool is_open = section(
+        "Parameter domain", remark,
+        "Each vertex is a key. The point blends the keys of its triangle: drag it, or click to place it.\n"
+        "The wheel zooms. Right-click to add, move or remove vertices.");
+    if (panel.edits || panel.is_recording || remark.empty()) return is_open;
+    const ImVec2 after = ImGui::GetCursorScreenPos();
     ImGui::PushFont(small_font());
     const glm::vec2 size = text_size(remark);
     ImGui::PopFont();
     ImGui::SetCursorScreenPos({right - size.x, corner.y});
     if (ImGui::InvisibleButton("place", {size.x, size.y})) result.asks_for_place = true;
-    if (!ImGui::IsItemHovered()) return;
-    ImGui::GetWindowDrawList()->AddLine({right - size.x, corner.y + size.y}, {right, corner.y + size.y},
-                                        colors::dim_text);
-    ImGui::SetTooltip("Type the place of the point (Shift+G)");
+    if (ImGui::IsItemHovered()) {
+        ImGui::GetWindowDrawList()->AddLine({right - size.x, corner.y + size.y}, {right, corner.y + size.y},
+                                            colors::dim_text);
+        ImGui::SetTooltip("Type the place of the point (Shift+G)");
+    }
+    ImGui::SetCursorScreenPos(after);
+    return is_open;
 }
 
 void draw_canvas(const Family& family, const DomainPanel& panel, const DomainDrawing& drawing,
@@ -269,8 +279,9 @@ void draw_canvas(const Family& family, const DomainPanel& panel, const DomainDra
 }  // namespace
 
 ParameterDomainResult parameter_domain_panel(const Family& family, const DomainPanel& panel) {
+    ParameterDomainResult result;
+    if (!show_heading(family, panel, result)) return result;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float heading_height = ImGui::GetTextLineHeightWithSpacing();
 
     // Leave room for pictures and names of the vertices.
     const float margin = scaled(38);
@@ -279,19 +290,18 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const DomainP
     // The height must not depend on the scrollbar of the panel: the panel would show and hide it in turns.
     const ImGuiStyle& style = ImGui::GetStyle();
     const float narrow = ImGui::GetWindowWidth() - 2 * style.WindowPadding.x - style.ScrollbarSize;
-    const Rect widest{corner.x + (width - narrow) / 2 + side_margin, corner.y + heading_height + margin,
+    const Rect widest{corner.x + (width - narrow) / 2 + side_margin, corner.y + margin,
                       narrow - 2 * side_margin,
                       std::max(0.5F * ImGui::GetWindowHeight() - margin, scaled(60))};
     const DomainBox whole = box_of(family.domain->vertices());
     const DomainBox box = panel.drag ? panel.drag->box : shown_part(whole, panel.view);
     const Rect plot = PlotFrame(box, widest).rect();
-    const Rect area{corner.x, corner.y + heading_height, width, std::round(plot.height) + 2 * margin};
+    const Rect area{corner.x, corner.y, width, std::round(plot.height) + 2 * margin};
     const PlotFrame frame(box, {plot.x, widest.y, plot.width, plot.height});
 
     ImGui::SetCursorScreenPos({area.x, area.y});
     ImGui::InvisibleButton("domain", {area.width, area.height});
     const bool is_hovered = ImGui::IsItemHovered();
-    ParameterDomainResult result;
     const glm::vec2 low = frame.pixel(whole.low);
     const glm::vec2 high = frame.pixel(whole.high);
     result.plot = {low.x, high.y, high.x - low.x, low.y - high.y};
@@ -309,10 +319,6 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const DomainP
                 {family, frame, area, panel.edits ? std::span<const unsigned>() : panel.pictures}, is_hovered,
                 result);
 
-    const ImVec2 after = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos(corner);
-    show_heading(family, panel, result);
-    ImGui::SetCursorScreenPos(after);
     show_buttons(panel, whole, width, result);
     return result;
 }

@@ -1,5 +1,6 @@
 #include "ui/panels/status_line.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -7,6 +8,7 @@
 
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 
@@ -26,7 +28,13 @@ void status_line(const Rect& rect, const StatusFigures& figures) {
     const glm::vec2 corner{rect.x + scaled(12),
                            rect.y + std::round((rect.height - ImGui::GetTextLineHeight()) / 2)};
     draw_text(corner, rect.width - 2 * scaled(12), colors::dim_text, text);
+    ImGui::SetCursorScreenPos({rect.x, rect.y});
+    ImGui::Dummy(
+        {std::max(std::min(text_size(text).x + scaled(24), rect.width), 1.0F), std::max(rect.height, 1.0F)});
     ImGui::PopFont();
+    tooltip(
+        "Keys that have a part in the blend, the leaves and vertices of their union,\n"
+        "and the time that the last union and the last frame took");
     end_panel();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();

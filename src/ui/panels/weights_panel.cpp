@@ -12,6 +12,8 @@
 #include "family/weight_edits.h"
 #include "render/palette.h"
 #include "ui/panels/key_picker.h"
+#include "ui/widgets/section.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -25,8 +27,6 @@ constexpr std::size_t max_slider_rows = 12;
 constexpr double shown_weight = 0.0005;
 
 constexpr float grab_width = 4;
-
-constexpr ImU32 chosen_driver_hovered = IM_COL32(66, 118, 184, 255);
 
 std::string sum_text(const WeightsPanel& panel) {
     const double sum = sum_of(panel.weights);
@@ -53,7 +53,7 @@ std::optional<std::size_t> driver_buttons(const WeightsPanel& panel) {
         const bool is_chosen = i == panel.driver;
         if (is_chosen) {
             ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-            ImGui::PushStyleColor(ImGuiCol_ButtonHovered, chosen_driver_hovered);
+            ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colors::chosen_hovered);
         }
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Button(button.label, {std::floor(text_size(button.label).x + padding), 0})) pressed = i;
@@ -162,7 +162,7 @@ void weight_row(const WeightsPanel& panel, std::size_t key, WeightsPanelResult& 
     const float name_width = std::round(width * 0.48F) - scaled(16);
     const std::string& name = panel.family.keys[key].name;
     draw_text({corner.x, corner.y + ImGui::GetStyle().FramePadding.y}, name_width - scaled(8),
-              is_active ? colors::text : colors::dim_text, name);
+              is_active ? colors::text : colors::dim_text, shortened(name, name_width - scaled(8)));
     ImGui::Dummy({name_width, height});
     if (ImGui::IsItemHovered() && text_size(name).x > name_width - scaled(8))
         ImGui::SetTooltip("%s", name.c_str());
@@ -204,7 +204,9 @@ void weight_buttons(const WeightsPanel& panel, WeightsPanelResult& result) {
 
 WeightsPanelResult weights_panel(const WeightsPanel& panel) {
     WeightsPanelResult result;
-    heading("Weights", sum_text(panel));
+    if (!section("Weights", sum_text(panel),
+                 "The part of each key in the blend. Drag a weight, or double-click to type it."))
+        return result;
     result.driver = driver_buttons(panel);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {scaled(6), scaled(1)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, scaled(3)});

@@ -45,7 +45,7 @@ void show_mark(const TrackLayout& layout, const DomainPath& path, std::size_t pl
     ImGui::PopID();
     ImGui::GetWindowDrawList()->AddTriangleFilled({x - half + 1, top + scaled(7)},
                                                   {x + half - 1, top + scaled(7)}, {x, top + scaled(1)},
-                                                  is_pointed ? colors::white : colors::dim_text);
+                                                  is_pointed ? colors::ink : colors::dim_text);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ void show_remark(const Rect& area, std::string_view remark) {
     const float width = std::min(text_size(remark).x, area.width - scaled(16));
     ImGui::GetWindowDrawList()->AddRectFilled({area.x + scaled(4), top - scaled(2)},
                                               {area.x + width + scaled(14), top + height + scaled(2)},
-                                              colors::dark, scaled(3));
+                                              colors::rim, scaled(3));
     draw_text({area.x + scaled(9), top}, width + 1, colors::notice, remark);
     ImGui::PopFont();
 }

@@ -13,6 +13,7 @@
 #include "ui/panels/keys_panel.h"
 #include "ui/timeline/path_marks.h"
 #include "ui/widgets/number_text.h"
+#include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -22,6 +23,9 @@ namespace {
 /// Distance between two labels of the ruler, and between two marks; at scale 1.
 constexpr float label_distance = 76;
 constexpr float mark_distance = 8;
+
+/// A longer name is cut in the middle; at scale 1.
+constexpr float max_name_width = 150;
 
 /// A key within this distance of the pointer attracts it; at scale 1.
 constexpr float snap_distance = 4;
@@ -130,7 +134,7 @@ void draw_keys(ImDrawList& list, const Timeline& timeline, const TimeScale& scal
             list.AddLine({x, middle - scaled(5)}, {x, middle + scaled(5)}, to_color(key_color(key.key)));
             continue;
         }
-        list.AddCircleFilled({x, middle}, scaled(6), colors::dark);
+        list.AddCircleFilled({x, middle}, scaled(6), colors::rim);
         list.AddCircleFilled({x, middle}, scaled(5), to_color(key_color(key.key)));
         last = x;
     }
@@ -140,10 +144,10 @@ void draw_playhead(ImDrawList& list, const TrackLayout& layout, const TimeScale&
                    const TrackState& state) {
     const float x = scale.pixel(state.time);
     if (x < layout.track.x - 1 || x > layout.track.right() + 1) return;
-    const ImU32 color = state.drives ? colors::white : colors::dim_text;
+    const ImU32 color = state.drives ? colors::ink : colors::dim_text;
     const float half = scaled(5);
     const float top = layout.ruler.bottom() - scaled(6);
-    list.AddRectFilled({x - scaled(2), top}, {x + scaled(2), layout.track.bottom()}, colors::dark);
+    list.AddRectFilled({x - scaled(2), top}, {x + scaled(2), layout.track.bottom()}, colors::rim);
     list.AddRectFilled({x - scaled(1), top}, {x + scaled(1), layout.track.bottom()}, color);
     list.AddTriangleFilled({x - half, top - scaled(1)}, {x + half, top - scaled(1)}, {x, top + half}, color);
 }
@@ -180,7 +184,7 @@ class NameRow {
         if (x < layout_.track.x - 1 || x > layout_.track.right() + 1) return;
         if (x - last_mark_ < scaled(mark_distance) && !is_held) return;
         last_mark_ = x;
-        const std::string& name = family_.keys[key.key].name;
+        const std::string name = shortened(family_.keys[key.key].name, scaled(max_name_width));
         const Rect& row = layout_.names;
         const float width = text_size(name).x;
         const float left = std::clamp(x - width / 2, row.x - scaled(12),
@@ -200,7 +204,7 @@ class NameRow {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const ImU32 color = to_color(key_color(key.key));
         list.AddTriangleFilled({x - half + 1, row.y + scaled(7)}, {x + half - 1, row.y + scaled(7)},
-                               {x, row.y + scaled(1)}, is_pointed ? colors::white : color);
+                               {x, row.y + scaled(1)}, is_pointed ? colors::ink : color);
         if (!has_name) return;
         draw_text({left, name_top}, width + 1, is_pointed ? colors::text : colors::dim_text, name);
         name_end_ = left + width;

@@ -115,7 +115,7 @@ void draw_weight_curves(const Rect& area, const TimeScale& scale, std::span<cons
     list.AddLine({x, area.y}, {x, area.bottom()}, weights.empty() ? colors::faint_line : colors::dim_text);
     for (const Weight& weight : weights) {
         const ImVec2 at{x, height_of(weight.value)};
-        list.AddCircleFilled(at, scaled(4), colors::dark);
+        list.AddCircleFilled(at, scaled(4), colors::rim);
         list.AddCircleFilled(at, scaled(3), to_color(key_color(weight.key)));
     }
     list.PopClipRect();

@@ -27,7 +27,7 @@ void dim_behind() {
     list.PushClipRectFullScreen();
     list.AddRectFilled({0, 0}, ImGui::GetIO().DisplaySize, IM_COL32(0, 0, 0, 130));
     list.AddRectFilled(corner, end, ImGui::GetColorU32(ImGuiCol_PopupBg), rounding);
-    list.AddRect(corner, end, IM_COL32(66, 73, 86, 255), rounding);
+    list.AddRect(corner, end, colors::faint_line, rounding);
     list.PopClipRect();
 }
 

@@ -7,46 +7,11 @@
 
 #include <imgui_internal.h>
 
-#include "ui/widgets/typeface.h"
+#include "ui/widgets/glyphs.h"
 
 namespace interleaf {
 
 namespace {
-
-constexpr float text_height = 15;
-constexpr float small_text_height = 13;
-
-ImVec4 color(int red, int green, int blue, int alpha = 255) {
-    const auto part = [](int value) { return static_cast<float>(value) / 255.0F; };
-    return {part(red), part(green), part(blue), part(alpha)};
-}
-
-void set_colors(ImGuiStyle& style) {
-    ImVec4* const c = style.Colors;
-    c[ImGuiCol_Text] = ImGui::ColorConvertU32ToFloat4(colors::text);
-    c[ImGuiCol_TextDisabled] = ImGui::ColorConvertU32ToFloat4(colors::dim_text);
-    c[ImGuiCol_WindowBg] = color(30, 33, 40);
-    c[ImGuiCol_PopupBg] = color(36, 40, 48);
-    c[ImGuiCol_MenuBarBg] = color(24, 26, 32);
-    c[ImGuiCol_Border] = color(14, 15, 19);
-    c[ImGuiCol_FrameBg] = color(46, 51, 61);
-    c[ImGuiCol_FrameBgHovered] = color(60, 67, 80);
-    c[ImGuiCol_FrameBgActive] = color(54, 102, 163);
-    c[ImGuiCol_Button] = color(46, 51, 61);
-    c[ImGuiCol_ButtonHovered] = color(60, 67, 80);
-    c[ImGuiCol_ButtonActive] = color(54, 102, 163);
-    c[ImGuiCol_Header] = color(48, 76, 112);
-    c[ImGuiCol_HeaderHovered] = color(52, 88, 134);
-    c[ImGuiCol_HeaderActive] = color(54, 102, 163);
-    c[ImGuiCol_CheckMark] = ImGui::ColorConvertU32ToFloat4(colors::accent);
-    c[ImGuiCol_ModalWindowDimBg] = color(0, 0, 0, 0);  // begin_modal() dims the background itself
-    c[ImGuiCol_Separator] = color(48, 53, 63);
-    c[ImGuiCol_ScrollbarBg] = color(0, 0, 0, 0);
-    c[ImGuiCol_ScrollbarGrab] = color(62, 68, 80);
-    c[ImGuiCol_ScrollbarGrabHovered] = color(78, 86, 101);
-    c[ImGuiCol_ScrollbarGrabActive] = color(92, 164, 255);
-    c[ImGuiCol_TextSelectedBg] = color(54, 102, 163, 160);
-}
 
 void set_sizes(ImGuiStyle& style) {
     style.WindowPadding = {12, 10};
@@ -61,26 +26,6 @@ void set_sizes(ImGuiStyle& style) {
     style.GrabRounding = 4;
     style.WindowBorderSize = 1;
     style.FrameBorderSize = 0;
-}
-
-void make_fonts(float scale, float density) {
-    static constexpr ImWchar ranges[] = {0x20,   0x24f,       // Latin
-                                         0x370,  0x4ff,       // Greek, Cyrillic
-                                         0x2010, 0x2044, 0};  // dashes, ellipsis
-    ImGuiIO& io = ImGui::GetIO();
-    io.Fonts->Clear();
-    const auto bytes = typeface();
-    for (const float height : {text_height, small_text_height}) {
-        ImFontConfig config;
-        config.FontDataOwnedByAtlas = false;
-        // With FontDataOwnedByAtlas off, Dear ImGui does not write to the bytes; its parameter merely lacks
-        // the const.
-        void* const data =
-            const_cast<unsigned char*>(bytes.data());  // NOLINT(cppcoreguidelines-pro-type-const-cast)
-        io.Fonts->AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()),
-                                       std::round(height * scale * density), &config, ranges);
-    }
-    io.FontGlobalScale = 1 / density;
 }
 
 }  // namespace
@@ -138,10 +83,11 @@ void end_panel() {
 }
 
 void section_gap() {
-    ImGui::Dummy({0, scaled(6)});
+    ImGui::Dummy({0, scaled(3)});
 }
 
 void heading(std::string_view title, std::string_view remark) {
+    need_glyphs(title);
     ImGui::PushFont(small_font());
     ImGui::PushStyleColor(ImGuiCol_Text, colors::dim_text);
     ImGui::TextUnformatted(title.data(), title.data() + title.size());
@@ -154,6 +100,7 @@ void heading(std::string_view title, std::string_view remark) {
 }
 
 void draw_text(glm::vec2 position, float max_width, ImU32 color, std::string_view text) {
+    need_glyphs(text);
     const float right = position.x + max_width;
     // Descenders reach below the line.
     const ImVec2 end{right, position.y + ImGui::GetTextLineHeight() + scaled(3)};
@@ -164,10 +111,12 @@ void draw_text(glm::vec2 position, float max_width, ImU32 color, std::string_vie
 }
 
 glm::vec2 text_size(std::string_view text) {
+    need_glyphs(text);
     return from_imgui(ImGui::CalcTextSize(text.data(), text.data() + text.size()));
 }
 
 void wrapped_text(std::string_view text, ImU32 color) {
+    need_glyphs(text);
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(text.data(), text.data() + text.size());

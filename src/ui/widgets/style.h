@@ -1,5 +1,5 @@
-// The look of the user interface: colors, spacing, the two sizes of its typeface, and the elements that all
-// panels share.
+// The look of the user interface: spacing, the two sizes of its typeface, and the elements that all panels share.
+// theme.h has the colors.
 #pragma once
 
 #include <string_view>
@@ -9,20 +9,9 @@
 #include <imgui.h>
 
 #include "ui/widgets/rect.h"
+#include "ui/widgets/theme.h"
 
 namespace interleaf {
-
-/// Colors of everything that is drawn by hand.
-namespace colors {
-inline constexpr ImU32 text = IM_COL32(222, 226, 232, 255);
-inline constexpr ImU32 dim_text = IM_COL32(146, 154, 168, 255);
-inline constexpr ImU32 well = IM_COL32(20, 22, 27, 255);  ///< behind bars and canvases
-inline constexpr ImU32 faint_line = IM_COL32(62, 68, 80, 255);
-inline constexpr ImU32 accent = IM_COL32(92, 164, 255, 255);
-inline constexpr ImU32 notice = IM_COL32(240, 190, 90, 255);
-inline constexpr ImU32 dark = IM_COL32(12, 13, 16, 255);
-inline constexpr ImU32 white = IM_COL32(255, 255, 255, 255);
-}  // namespace colors
 
 /// Sets Dear ImGui's style and makes the fonts.
 /// \param scale  scale of the user interface

@@ -8,6 +8,7 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
+#include "ui/widgets/glyphs.h"
 #include "ui/widgets/modal.h"
 
 namespace interleaf {
@@ -95,6 +96,7 @@ TextFieldResult TextField::show(const char* name, const char* hint, float width,
     if (!std::exchange(is_set_now_, false) && focused && !was_active_) take_early_letters();
     Edit edit{.field = *this, .completion = completion};
     if (has_new_text_) forget_steps();  // before the widget reads a Ctrl+Z that is already down
+    need_glyphs(text_);
     // The callback may replace the widget's text by text_, although the widget also writes to text_.
     ImGui::SetNextItemWidth(width);
     TextFieldResult result;

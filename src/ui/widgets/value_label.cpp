@@ -24,7 +24,7 @@ void value_label(glm::vec2 pointer, const Rect& area, glm::vec3 color, std::stri
     const glm::vec2 corner(place(pointer.x, offset.x, size.x, area.x, area.right()),
                            place(pointer.y, offset.y, size.y, area.y, area.bottom()));
     ImDrawList& list = *ImGui::GetForegroundDrawList();
-    list.AddRectFilled(to_imgui(corner), to_imgui(corner + size), IM_COL32(20, 22, 27, 235), scaled(4));
+    list.AddRectFilled(to_imgui(corner), to_imgui(corner + size), colors::label, scaled(4));
     const glm::vec2 square(corner.x + padding.x, corner.y + std::round((size.y - swatch) / 2));
     list.AddRectFilled(to_imgui(square), to_imgui(square + swatch), to_color(color), scaled(2));
     list.AddText(to_imgui(corner + padding + glm::vec2(swatch + gap, 0)), colors::text, text.data(),

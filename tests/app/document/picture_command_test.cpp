@@ -46,6 +46,8 @@ TEST_CASE("only options that differ from the defaults are named") {
     CHECK(display_options(display).back() == "--range=-1,2.5");
     display.field = "heat";
     CHECK(display_options(display)[4] == "--color=heat");
+    const Display made{.material = Material::steel, .ground = true, .light_background = true};
+    CHECK(display_options(made) == std::vector<std::string>{"--ground", "--material=steel", "--theme=light"});
 }
 
 TEST_CASE("a word of a shell needs quotes where the shell would read more than the word") {

@@ -97,6 +97,7 @@ TEST_CASE("opening replaces a document without changes, and what the window show
     ViewerState state(named("first"));
     state.session.display.wireframe = !state.session.display.wireframe;
     state.help_shown = true;
+    state.appearance.theme = Theme::light;
     const Display display = state.session.display;
     DocumentFiles files(state, {}, true);
     files.open({folder / "second"});
@@ -107,6 +108,7 @@ TEST_CASE("opening replaces a document without changes, and what the window show
     CHECK(state.document.undo_step() == nullptr);
     CHECK(state.session.display == display);
     CHECK(state.help_shown);
+    CHECK(state.appearance.theme == Theme::light);
     CHECK(files.recent_files().front() == folder / "second");
 }
 

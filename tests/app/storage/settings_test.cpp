@@ -22,6 +22,10 @@ Settings sample_settings() {
             .recent_folders = {"/a/five keys", "/b"},
             .last_folder = "/b/ä",
             .window_size = glm::ivec2(1280, 800),
+            .appearance = {.theme = Theme::light,
+                           .text_scale = 1.25F,
+                           .panels = {.left = 300, .right = std::nullopt, .timeline = 200},
+                           .closed_sections = {"Lines", "Weights"}},
             .trackball = true,
             .axes = false};
 }
@@ -123,6 +127,13 @@ TEST_CASE("damage is named with its place") {
     CHECK(error_of(R"({"recent folders": ["a"]})") ==
           "FILE: recent folders[0]: is \"a\", expected an absolute path");
     CHECK(error_of("{\"last folder\": \"/a\\u0000b\"}").ends_with("expected an absolute path"));
+    CHECK(error_of(R"({"appearance": {"theme": "pink"}})") ==
+          "FILE: appearance.theme: is \"pink\", expected \"dark\" or \"light\"");
+    CHECK(error_of(R"({"appearance": {"text size": 40}})") ==
+          "FILE: appearance.text size: is 40, expected a number from 0.75 to 2");
+    CHECK(error_of(R"({"appearance": {"panels": {"left": -1}}})")
+              .ends_with("expected a number from 0 to 32768"));
+    CHECK(error_of(R"({"appearance": {"closed": [1]}})").ends_with("expected a text"));
     CHECK(error_of(R"({"window": {"width": 640}})") == "FILE: window: has no \"height\"");
     for (const char* size : {"0", "-1", "1e9", "40000", "1.5", "\"640\"", "null"}) {
         CAPTURE(size);

@@ -59,7 +59,7 @@ TEST_CASE("every command can be found in a menu and in the help, and by its keys
 
 TEST_CASE("each id leads to its own command") {
     for (const Command& command : commands()) CHECK(&command_of(command.id) == &command);
-    CHECK(command_of(CommandId::add_keys).name == "Add keys");
+    CHECK(command_of(CommandId::add_keys).name == "Add keys...");
 }
 
 TEST_CASE("the scope of a command says when it is enabled, whatever menu it is in") {

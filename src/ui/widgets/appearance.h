@@ -1,0 +1,33 @@
+// How the window looks, as far as the user decides: kept in the settings.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/widgets/theme.h"
+
+namespace interleaf {
+
+/// Sizes of the panels that the user has dragged, in screen coordinates at scale 1; none for the usual size.
+struct PanelSizes {
+    std::optional<float> left{};      ///< width
+    std::optional<float> right{};     ///< width
+    std::optional<float> timeline{};  ///< height
+    bool operator==(const PanelSizes&) const = default;
+};
+
+/// Limits of the size of the text, relative to that of the display, and one step of it.
+inline constexpr float min_text_scale = 0.75F;
+inline constexpr float max_text_scale = 2;
+inline constexpr float text_scale_step = 0.125F;
+
+struct Appearance {
+    Theme theme = Theme::dark;
+    float text_scale = 1;  ///< size of text and controls, from min_text_scale to max_text_scale
+    PanelSizes panels{};
+    std::vector<std::string> closed_sections{};  ///< titles of the closed parts of panels
+    bool operator==(const Appearance&) const = default;
+};
+
+}  // namespace interleaf

@@ -1,0 +1,27 @@
+// What all widgets of a window share: its theme, the characters its typeface must have, and which sections are
+// closed. Gui owns it; Dear ImGui's context leads to it.
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+
+#include <imgui.h>
+
+#include "ui/widgets/theme.h"
+
+namespace interleaf {
+
+struct GuiState {
+    Theme theme = Theme::dark;
+    std::set<std::string, std::less<>> closed_sections{};  ///< titles
+    std::set<ImWchar> glyphs{};  ///< characters beyond those that the typeface always has
+    bool lacks_glyphs = false;   ///< whether some of them are not in the typeface yet
+};
+
+/// The state of the present context; null for none, as in a test of one widget.
+inline GuiState* gui_state() {
+    return static_cast<GuiState*>(ImGui::GetIO().UserData);
+}
+
+}  // namespace interleaf

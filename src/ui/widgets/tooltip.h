@@ -1,0 +1,9 @@
+// The explanation of a control.
+#pragma once
+
+namespace interleaf {
+
+/// Shows \p text beside the pointer while the pointer is at the last item, also if the item is disabled.
+void tooltip(const char* text);
+
+}  // namespace interleaf
