@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/importing/import_job.h"
 #include "app/importing/series_import.h"
+#include "app/work/shown_job.h"
 #include "ui/dialogs/dialog.h"
 #include "ui/dialogs/import_dialog.h"
 #include "ui/widgets/rect.h"
@@ -35,13 +35,13 @@ class SeriesImporting {
     void offer(std::vector<std::filesystem::path> files, Receiver receiver);
 
     /// Whether the options, the progress or the question for a tolerance is in front of the window.
-    bool is_open() const { return job_.has_value() || dialog_.is_open() || options_.is_open(); }
+    bool is_open() const { return job_.is_working() || dialog_.is_open() || options_.is_open(); }
 
     /// Whether work in progress needs new frames soon, even without input.
-    bool is_working() const { return job_.has_value(); }
+    bool is_working() const { return job_.is_working(); }
 
-    /// Shows the options, the progress or the question, if open, in the middle of \p area. Call it in every frame from the same
-    /// place.
+    /// Shows the options, the progress or the question, if open, in the middle of \p area. Call it in every frame from
+    /// the same place.
     void show(const Rect& area, double now);
 
     /// Acts on the user's answer, and hands on the keys when the work is done. Call it in every frame.
@@ -61,9 +61,7 @@ class SeriesImporting {
     std::optional<bool> is_wanted_;  ///< the user's answer to the options, kept for update()
     Dialog dialog_;
     std::optional<Answer> answer_;  ///< kept for update()
-    std::optional<ImportJob> job_;
-    bool is_work_closed_ = false;  ///< whether the progress dialog has closed after the work
-    double started_ = 0;
+    ShownJob<ImportedSeries> job_;
 };
 
 }  // namespace interleaf

@@ -68,7 +68,7 @@ class DocumentViews {
     const FieldCurves& field_curves() { return history_.curves(); }
     /// Area, volume and leaves of the blend over time, as far as they are measured.
     const BlendCurves& blend_curves() { return blend_history_.curves(); }
-    bool is_measuring() const { return history_.is_working() || blend_history_.is_working(); }
+    bool is_measuring() const { return history_.is_working(); }
 
     /// The scale of a coloring by values that the blend determines.
     const ColorScale& measured_scale() const { return surface_.measured_scale(); }
@@ -80,7 +80,7 @@ class DocumentViews {
     std::optional<double> measured_part() const { return surface_.measured_part(); }
 
     /// Whether the views will change soon without any input.
-    bool is_working() const { return surface_.is_working(); }
+    bool is_working() const { return surface_.is_working() || blend_history_.is_working(); }
 
     const std::vector<MessagePicture>& message_pictures() const { return mismatch_pictures_.shown(); }
 

@@ -23,6 +23,7 @@ constexpr std::pair<std::string_view, std::string_view> mouse[] = {
     {"Ctrl+right drag", "Roll"},
     {"Wheel", "Zoom towards the pointer, or away from it"},
     {"Double click", "See the whole surface"},
+    {"Drag with the brush", "Refine; with Shift or Alt coarsen. The wheel with Shift changes the radius"},
     {"Drag in the domain", "Move the point; a click jumps"},
     {"Wheel in the domain", "Show a smaller or larger part"},
     {"Drag on the timeline", "Go to a time"},
