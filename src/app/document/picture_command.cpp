@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "text/shell_word.h"
 #include <fmt/core.h>
 
 #include "app/document/family_extent.h"
@@ -39,7 +40,7 @@ std::vector<std::string> color_options(const Display& display) {
     return options;
 }
 
-std::vector<std::string> shown_edges(const Display& display) {
+std::vector<std::string> shown_edge_names(const Display& display) {
     std::vector<std::string> edges;
     if (display.wireframe) edges.emplace_back("wireframe");
     if (display.refinement_edges) edges.emplace_back("refinement-edges");
@@ -53,7 +54,7 @@ std::vector<std::string> shown_edges(const Display& display) {
 
 std::vector<std::string> display_options(const Display& display) {
     std::vector<std::string> options;
-    if (const auto edges = shown_edges(display); !edges.empty())
+    if (const auto edges = shown_edge_names(display); !edges.empty())
         options.push_back("--show=" + joined(edges, ","));
     if (display.line_width != Display{}.line_width)
         options.push_back(fmt::format("--line-width={}", display.line_width));
@@ -101,14 +102,7 @@ std::string shell_word(std::string_view text) {
                std::string_view("-_./,:=+@%").find(c) != std::string_view::npos;
     };
     if (!text.empty() && std::ranges::all_of(text, is_plain)) return std::string(text);
-    std::string word = "'";
-    for (const char c : text) {
-        if (c == '\'')
-            word += "'\\''";
-        else
-            word += c;
-    }
-    return word + "'";
+    return quoted_shell_word(text);
 }
 
 std::string picture_command(std::span<const std::filesystem::path> files, const Session& session,

@@ -31,7 +31,8 @@ struct ImportChoices {
     std::optional<ChosenWarp> warp{};
     std::vector<NamedUnit> units{};  ///< of scalars of the keys
     std::string time_unit{};         ///< of the times; empty if unknown
-    std::size_t every = 1;  ///< takes the steps 0, every, 2 every, ... (every_step(); only import_work() does)
+    std::size_t every =
+        1;  ///< takes the steps 0, every, 2 every, ... (every_step(); only import_work() does)
     std::filesystem::path roots{};  ///< a key whose roots are those of all keys; none if empty
 };
 

@@ -68,8 +68,7 @@ void BlendPainter::unite_keys(const Weights& weights) {
 std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Camera& camera) {
     unite_keys(weights);
     if (is_measured(display_.coloring))
-        renderer_.set_values(
-            surface_values(display_.coloring, mesh_, morph(mesh_, weight_values(weights))));
+        renderer_.set_values(surface_values(display_.coloring, mesh_, morph(mesh_, weight_values(weights))));
     renderer_.draw(target_, camera, weight_values(weights), display_);
     if (ground_) {
         ground_->cast_shadow(renderer_, weight_values(weights), box_);
