@@ -92,8 +92,8 @@ bool KeyViews::draw(const Display& display, const ColorScale& scale, const Camer
                     .weights = {whole_weight[0]},
                     .display = display,
                     .surface = view.number,
-                    .view = 0,
-                    .box = {}};
+                    .box = {},
+                    .view = 0};
         scene.display.ground = false;
         scene.display.detail = 1;
         scene.display.follows_camera = false;
