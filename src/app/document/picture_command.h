@@ -26,7 +26,7 @@ std::vector<std::string> field_options(const Session& session, const Display& di
 std::string blend_option(const Session& session);
 
 /// \p text as one word of a POSIX shell.
-std::string shell_word(std::string_view text);
+std::string command_word(std::string_view text);
 
 /// The whole line.
 /// \param files      of the family; empty for the built-in one

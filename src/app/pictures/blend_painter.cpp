@@ -8,6 +8,7 @@
 #include "app/pictures/picture_legend.h"
 #include "hierarchy/error.h"
 #include "hierarchy/vertex_normals.h"
+#include "render/straight_alpha.h"
 
 namespace interleaf {
 namespace {
@@ -70,6 +71,7 @@ std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Came
     }
     occlusion_.darken(target_, camera, display_.occlusion_strength());
     std::vector<std::uint8_t> rgba = target_.read_rgba();
+    if (display_.transparent) make_alpha_straight(rgba);
     const int width = target_.width();
     const int height = target_.height();
     if (arrows_.are_shown()) {
