@@ -106,13 +106,13 @@ struct Display {
     float height = 0;
 
     /// The scalar by which the surface is raised; the shown one if empty.
-    std::string raised_by;
+    std::string raised_by{};
 
     bool arrows = false;  ///< arrows of the vector whose component is shown; the renderer draws none
 
     /// The scalars that are the components of another vector for the arrows; the third may be empty. All are empty for
     /// the vector whose component is shown.
-    std::array<std::string, 3> arrow_parts;
+    std::array<std::string, 3> arrow_parts{};
 
     bool legend = false;  ///< of the shown scalar, in pictures that are written to files
 
