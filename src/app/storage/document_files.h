@@ -115,6 +115,7 @@ class DocumentFiles {
     void browse_to_open();
     void browse_to_add();
     void browse_to_export();
+    void browse_to_save_picture();
     void export_as(const std::filesystem::path& file);
     std::optional<Opening> opened(const std::vector<std::filesystem::path>& paths);
     bool show_opened(const std::vector<std::filesystem::path>& paths);
