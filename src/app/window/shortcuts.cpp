@@ -15,8 +15,17 @@ namespace {
 
 constexpr std::string_view separator = " or ";
 
+/// \p name without the dots of a command that asks something.
+std::string_view without_dots(std::string_view name) {
+    constexpr std::string_view dots = "...";
+    if (name.ends_with(dots)) name.remove_suffix(dots.size());
+    return name;
+}
+
 const Command* command_named(std::string_view name) {
-    const auto found = std::ranges::find(commands(), name, &Command::name);
+    const auto found = std::ranges::find_if(commands(), [name](const Command& command) {
+        return without_dots(command.name) == without_dots(name);
+    });
     return found == commands().end() ? nullptr : &*found;
 }
 

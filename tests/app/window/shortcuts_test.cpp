@@ -52,7 +52,7 @@ TEST_CASE("a command loses a shortcut that the settings give to another one, and
 
     Shortcuts twice;
     CHECK(twice.change({{"Save", "J"}, {"Open", "J"}}) ==
-          Remarks{"shortcuts: J is for Open, so Save loses it"});
+          Remarks{"shortcuts: J is for Open..., so Save loses it"});
     CHECK(twice.find({GLFW_KEY_J, 0}) == &command_of(CommandId::open));
 }
 
