@@ -71,7 +71,7 @@ KeysPanelResult show_keys(const WindowShown& shown) {
     for (const Command* const command : key_commands()) entries.push_back(menu_entry(*command, state));
     return keys_panel(
         {.keys = rows, .weights = state.session.weights(), .selected = state.selected_key, .menu = entries},
-        0.5F * shown.layout.panels.view.height);
+        0.4F * shown.layout.panels.view.height);
 }
 
 void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
