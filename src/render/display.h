@@ -75,6 +75,8 @@ struct Display {
     bool root_edges = false;  ///< the edges of the root complex
     float line_width = 1.5F;  ///< in pixels
 
+    bool transparent = false;  ///< draws no background: pixels have alpha where no surface is
+
     /// Whether the surface stands above a ground that it casts a soft shadow on (ground.h); the renderer draws none.
     bool ground = false;
 

@@ -253,7 +253,12 @@ void Renderer::draw(const OffscreenTarget& target, const Camera& camera, std::sp
     glClearDepth(1);
     glClear(GL_DEPTH_BUFFER_BIT);
 
-    draw_background(display);
+    if (display.transparent) {
+        glClearColor(0, 0, 0, 0);
+        glClear(GL_COLOR_BUFFER_BIT);
+    } else {
+        draw_background(display);
+    }
     if (shown_.key_count > 0) draw_surface(target, camera, weights, display);
 
     // The values in the window are encoded already.

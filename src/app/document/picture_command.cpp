@@ -69,7 +69,7 @@ std::string blend_option(const Session& session) {
     return "--weights=" + joined(weights, ",");
 }
 
-std::string shell_word(std::string_view text) {
+std::string command_word(std::string_view text) {
     const auto is_plain = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                std::string_view("-_./,:=+@%").find(c) != std::string_view::npos;
@@ -88,10 +88,10 @@ std::string shell_word(std::string_view text) {
 std::string picture_command(std::span<const std::filesystem::path> files, const Session& session,
                             const Display& display, const Viewpoint& viewpoint, glm::ivec2 size) {
     std::vector<std::string> words{"interleaf", "render"};
-    for (const std::filesystem::path& file : files) words.push_back(shell_word(file.native()));
-    words.push_back(shell_word(blend_option(session)));
-    for (const std::string& option : display_options(display)) words.push_back(shell_word(option));
-    words.push_back(shell_word("--camera=" + text_of(viewpoint)));
+    for (const std::filesystem::path& file : files) words.push_back(command_word(file.native()));
+    words.push_back(command_word(blend_option(session)));
+    for (const std::string& option : display_options(display)) words.push_back(command_word(option));
+    words.push_back(command_word("--camera=" + text_of(viewpoint)));
     words.push_back(fmt::format("--size={}x{}", size.x, size.y));
     words.emplace_back("-o");
     words.emplace_back("picture.png");

@@ -23,7 +23,7 @@ std::vector<std::string> display_options(const Display& display);
 std::string blend_option(const Session& session);
 
 /// \p text as one word of a POSIX shell.
-std::string shell_word(std::string_view text);
+std::string command_word(std::string_view text);
 
 /// The whole line.
 /// \param files      of the family; empty for the built-in one

@@ -28,6 +28,7 @@ enum class FileWish : std::uint8_t {
     save,
     save_as,
     export_as,
+    save_picture,
     add_keys,
     set_landmarks,
     quit

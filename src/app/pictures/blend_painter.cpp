@@ -6,6 +6,7 @@
 #include "app/document/shown_field.h"
 #include "hierarchy/error.h"
 #include "hierarchy/vertex_normals.h"
+#include "render/straight_alpha.h"
 
 namespace interleaf {
 namespace {
@@ -62,7 +63,9 @@ std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Came
         ground_->draw(target_, camera, display_.light_background);
     }
     occlusion_.darken(target_, camera, display_.occlusion_strength());
-    return target_.read_rgba();
+    std::vector<std::uint8_t> rgba = target_.read_rgba();
+    if (display_.transparent) make_alpha_straight(rgba);
+    return rgba;
 }
 
 }  // namespace interleaf

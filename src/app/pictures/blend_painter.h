@@ -33,7 +33,7 @@ class BlendPainter {
     /// \throw UsageError if a key with a place in \p weights lacks the field that the display shows
     void require_field(const Weights& weights) const;
 
-    /// The picture: 8-bit RGBA, sRGB-encoded, top row first. It is a function of the arguments alone.
+    /// The picture: 8-bit RGBA, sRGB-encoded, with straight alpha, top row first. It is a function of the arguments alone.
     /// \throw UsageError as require_field()
     std::vector<std::uint8_t> paint(const Weights& weights, const Camera& camera);
 

@@ -13,9 +13,6 @@
 #include "hierarchy/error.h"
 #include "io/family/family_file.h"
 #include "io/file/file_pattern.h"
-#include "io/film/film_encoder.h"
-#include "io/formats.h"
-#include "io/text/joined_text.h"
 #include "ui/browser/typed_path.h"
 
 namespace interleaf {
@@ -44,33 +41,6 @@ std::vector<fs::path> watched_files(const std::vector<fs::path>& sources) {
         }
     }
     return files;
-}
-
-std::vector<std::string> film_extensions() {
-    std::vector<std::string> extensions;
-    for (const FilmFormat& format : film_formats()) extensions.emplace_back(format.extension);
-    return extensions;
-}
-
-/// The kinds of files that the file browser offers to export to: all, then each.
-std::vector<FileType> exported_types() {
-    std::vector<FileType> types = {{"Everything that is exported", extensions_of(&Format::is_exported)}};
-    const auto add = [&](std::string_view title, std::string_view extension) {
-        types.push_back({std::string(title), {std::string(extension)}});
-    };
-    for (const Format& format : formats())
-        if (format.is_exported()) add(format.title, format.extension);
-    add("PNG picture", ".png");
-    for (const FilmFormat& format : film_formats()) add(format.title, format.extension);
-    types.front().extensions.emplace_back(".png");
-    for (const std::string& extension : film_extensions()) types.front().extensions.push_back(extension);
-    return types;
-}
-
-std::string folder_name(std::string name) {
-    std::ranges::replace_if(
-        name, [](char c) { return c == '/' || c == '\0'; }, '-');
-    return name.empty() ? "family" : name;
 }
 
 }  // namespace
@@ -118,6 +88,9 @@ void DocumentFiles::grant(FileWish wish) {
             break;
         case FileWish::save_as:
             save_as({});
+            break;
+        case FileWish::save_picture:
+            browse_to_save_picture();
             break;
         case FileWish::export_as:
             browse_to_export();
@@ -316,30 +289,6 @@ bool DocumentFiles::finish_saving() {
     remember(saved.folder);
     set_sources({saved.folder});
     return true;
-}
-
-// ---- exporting ----
-
-void DocumentFiles::browse_to_export() {
-    FileRequest request;
-    request.title = "Export";
-    request.action = "Export";
-    request.purpose = FilePurpose::save;
-    request.types = exported_types();
-    request.name = folder_name(state_.document.family().name) + ".obj";
-    browse(std::move(request), [this](const FileChoice& choice) { export_as(choice.files.front()); });
-}
-
-void DocumentFiles::export_as(const fs::path& file) {
-    const std::string extension = lower_case_extension(file);
-    if (extension == ".png" || film_format_with_extension(extension) != nullptr)
-        state_.film_wish = file;
-    else if (is_called(file, &Format::is_exported))
-        exporting_.begin(state_.document.snapshot(), state_.session.weights(), file, now_);
-    else
-        complain(fmt::format("{}: expected the name of an {} file, a picture .png, or a film {}",
-                             file.filename().string(), extensions_in_words(&Format::is_exported),
-                             either_of(film_extensions())));
 }
 
 // ---- protection of unsaved work ----

@@ -117,6 +117,7 @@ class DocumentFiles {
     void browse_to_open();
     void browse_to_add();
     void browse_to_export();
+    void browse_to_save_picture();
     void export_as(const std::filesystem::path& file);
     void read(std::vector<std::filesystem::path> paths, std::function<void(Opening&)> receiver);
     void take_opened();

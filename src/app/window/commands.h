@@ -25,6 +25,7 @@ enum class CommandId : std::uint8_t {
     save,
     save_as,
     export_as,
+    save_picture,
     quit,
     undo,
     redo,

@@ -142,6 +142,7 @@ void Trace::record(std::size_t frame, double seconds, const ViewerState& state, 
     json["asking"] = record.is_asking;
     json["takes_text"] = record.takes_text;
     json["browsed"] = record.browsed ? Json(record.browsed->string()) : Json();
+    json["picture_row"] = record.picture_row;
     json["comparing"] = state.is_comparing;
     json["compared"] = state.compared ? Json(state.compared->mesh_name) : Json();
     json["offer"] = record.offer != nullptr ? json_of(*record.offer) : Json();

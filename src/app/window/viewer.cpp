@@ -12,12 +12,12 @@
 
 #include <GLFW/glfw3.h>
 #include <fmt/core.h>
-#include <glm/common.hpp>
 #include <malloc.h>
 
 #include "app/document/document_title.h"
 #include "app/document/edit_commands.h"
 #include "app/storage/document_files.h"
+#include "app/window/camera_control.h"
 #include "app/window/command_search.h"
 #include "app/window/commands.h"
 #include "app/window/document_views.h"
@@ -270,23 +270,18 @@ void Viewer::update_files(const FrameInput& input, double now) {
 
 void Viewer::update_film(double now) {
     if (const auto file = std::exchange(state_.film_wish, std::nullopt))
-        film_.offer(*file, state_.document.snapshot(), state_.session, views_.camera());
+        film_.offer(*file, state_.document.snapshot(), state_.session, views_.camera(),
+                    pixels_of(layout().panels.view, gui_.density()));
     if (auto message = film_.update(gui_.density(), now)) state_.message = *std::move(message);
 }
 
 void Viewer::update_clipboard(double now) {
     const ClipboardWish wish = std::exchange(state_.camera_wishes.clipboard, ClipboardWish::none);
-    if (wish == ClipboardWish::none) return;
-    const Rect view = layout().panels.view;
-    const glm::vec2 size = gui_.density() * glm::vec2(view.width, view.height);
-    Display display = state_.session.display;
-    display.line_width *= gui_.scale() * gui_.density();
-    use_clipboard(wish, state_,
-                  {.files = files_.sources(),
-                   .camera = views_.camera(),
-                   .display = std::move(display),
-                   .size = glm::max(glm::ivec2(glm::round(size)), 1)},
-                  now);
+    const SeenPicture seen{.files = files_.sources(),
+                           .camera = views_.camera(),
+                           .line_scale = gui_.scale() * gui_.density(),
+                           .size = pixels_of(layout().panels.view, gui_.density())};
+    use_clipboard(wish, state_, seen, now);
 }
 
 /// Updates everything that is derived from the state.
@@ -368,6 +363,7 @@ void Viewer::record() {
          .takes_text = gui_.takes_text(),
          .popup = gui_.popup(),
          .browsed = files_.browsed(),
+         .picture_row = film_.dialog().is_open() ? film_.dialog().row() : "",
          .offer = files_.fitting().offered(),
          .landmarks = files_.fitting().landmarks().is_open() ? &files_.fitting().landmarks() : nullptr});
 }

@@ -74,7 +74,7 @@ struct WindowActions {
     std::optional<KeysPanelResult> keys;
     std::optional<BlendActions> blend;
     std::optional<PanelSizes> panel_sizes;  ///< the new sizes, if the user dragged an edge
-    std::optional<Display> display;  ///< the new display, if the user changed it
+    std::optional<Display> display;         ///< the new display, if the user changed it
     std::optional<ParameterDomainResult> domain;
     std::optional<TimelineResult> timeline;
     std::optional<ComparisonActions> comparison;

@@ -51,10 +51,10 @@ TEST_CASE("only options that differ from the defaults are named") {
 }
 
 TEST_CASE("a word of a shell needs quotes where the shell would read more than the word") {
-    CHECK(shell_word("/a/b-c_1.ilh") == "/a/b-c_1.ilh");
-    CHECK(shell_word("") == "''");
-    CHECK(shell_word("a b") == "'a b'");
-    CHECK(shell_word("$(x)`y`\"\\\n;#*?") == "'$(x)`y`\"\\\n;#*?'");
-    CHECK(shell_word("it's") == "'it'\\''s'");
-    CHECK(shell_word("\xe5\xae\xb6") == "'\xe5\xae\xb6'");
+    CHECK(command_word("/a/b-c_1.ilh") == "/a/b-c_1.ilh");
+    CHECK(command_word("") == "''");
+    CHECK(command_word("a b") == "'a b'");
+    CHECK(command_word("$(x)`y`\"\\\n;#*?") == "'$(x)`y`\"\\\n;#*?'");
+    CHECK(command_word("it's") == "'it'\\''s'");
+    CHECK(command_word("\xe5\xae\xb6") == "'\xe5\xae\xb6'");
 }
