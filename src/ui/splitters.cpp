@@ -29,8 +29,13 @@ EdgeUse use_edge(const Edge& edge) {
     if (strip.width < 1 || strip.height < 1) return EdgeUse::none;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
-    ImGui::SetNextWindowBgAlpha(0);
-    begin_panel(edge.name, strip);
+    ImGui::SetNextWindowPos({strip.x, strip.y});
+    ImGui::SetNextWindowSize({strip.width, strip.height});
+    // Unlike the window of a panel, this one comes to the front.
+    ImGui::Begin(edge.name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::InvisibleButton("edge", {strip.width, strip.height});
     const bool is_held = ImGui::IsItemActive();
     if (is_held || ImGui::IsItemHovered()) {
@@ -46,7 +51,7 @@ EdgeUse use_edge(const Edge& edge) {
     }
     EdgeUse use = is_held ? EdgeUse::drag : EdgeUse::none;
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) use = EdgeUse::reset;
-    end_panel();
+    ImGui::End();
     ImGui::PopStyleVar(2);
     return use;
 }

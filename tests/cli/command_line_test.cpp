@@ -89,6 +89,7 @@ TEST_CASE("a faulty command line exits with 2 and one message that names the wor
         {{"render", "-o", "a.png", "--camera", "10,20,roll=x"}, "a roll from -360 to 360"},
         {{"view", "--camera", "10,20,center=1:2"}, "center=X:Y:Z"},
         {{"render", "-o", "a.png", "--line-width", "0"}, "--line-width"},
+        {{"render", "-o", "a.mp4", "--transparent"}, "--transparent"},
         {{"export", "-o", "u.obj", "--weights", "star"}, "--weights"},
         {{"export", "-o", "u.obj", "--weights", "star=1,moon=2"}, "moon"},
         {{"export", "-o", "u.obj", "--weights", "star=1e300"}, "--weights"},

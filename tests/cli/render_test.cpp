@@ -74,7 +74,9 @@ TEST_CASE("every choice changes the picture where it should") {
     const std::vector<std::vector<std::string>> choices = {
         {"--color", "level"},           {"--color", "origin"},    {"--show", "wireframe"},
         {"--show", "refinement-edges"}, {"--show", "root-edges"}, {"--camera", "120,20"},
-        {"--camera", "30,20,2"}};
+        {"--camera", "30,20,2"},        {"--color", "common"},    {"--color", "angle"},
+        {"--color", "curvature"},       {"--color", "moved"},     {"--show", "vertices"},
+        {"--show", "normals"}};
     std::vector<Picture> pictures = {plain};
     for (std::vector<std::string> choice : choices) {
         choice.insert(choice.end(), {"--at", "0.3,0.4"});
@@ -87,6 +89,39 @@ TEST_CASE("every choice changes the picture where it should") {
             CHECK(difference(pictures[i], pictures[j]) > 0.005);
         }
     }
+}
+
+TEST_CASE("a transparent picture has alpha where no surface is, and the surface as it is") {
+    const Outcome outcome =
+        run_interleaf({"render", "-o", "-", "--format", "png", "--size", "320x180", "--transparent"});
+    REQUIRE(outcome.status == 0);
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    const std::unique_ptr<unsigned char, decltype(&stbi_image_free)> rgba(
+        stbi_load_from_memory(reinterpret_cast<const unsigned char*>(outcome.output.data()),
+                              static_cast<int>(outcome.output.size()), &width, &height, &channels, 4),
+        stbi_image_free);
+    REQUIRE(rgba != nullptr);
+    CHECK(channels == 4);
+    const Picture opaque = render({});
+    const auto pixel_count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    std::size_t covered = 0;
+    std::size_t empty = 0;
+    std::size_t between = 0;
+    for (std::size_t i = 0; i < pixel_count; ++i) {
+        const unsigned char alpha = rgba.get()[4 * i + 3];
+        empty += alpha == 0 ? 1 : 0;
+        between += alpha != 0 && alpha != 255 ? 1 : 0;
+        if (alpha != 255) continue;
+        ++covered;
+        for (std::size_t c = 0; c < 3; ++c)
+            CHECK(std::abs(rgba.get()[4 * i + c] - opaque.rgb[3 * i + c]) <= 1);
+    }
+    CHECK(covered > pixel_count / 20);
+    CHECK(empty > pixel_count / 2);
+    CHECK(between > 20);
+    CHECK(between < pixel_count / 20);
 }
 
 TEST_CASE("several files of keys are one family") {

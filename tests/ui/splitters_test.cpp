@@ -1,9 +1,13 @@
 // Tests of the edges between panels, with a hand at the mouse.
 #include "ui/splitters.h"
 
+#include <utility>
+
 #include <doctest/doctest.h>
+#include <imgui.h>
 
 #include "ui/headless_gui.h"
+#include "ui/widgets/style.h"
 
 using namespace interleaf;
 
@@ -16,8 +20,10 @@ class Hand {
   public:
     void at(glm::vec2 pointer, bool is_down) {
         gui_.begin_frame(pointer, is_down);
+        show_panels();
         if (const auto changed = splitters(layout(), sizes_, 1)) sizes_ = *changed;
         gui_.begin_drawing();
+        show_panels();
         splitters(layout(), sizes_, 1);
         gui_.end_frame();
     }
@@ -35,6 +41,18 @@ class Hand {
     const PanelSizes& sizes() const { return sizes_; }
 
   private:
+    /// The edges must take the mouse from the panels that they overlap.
+    void show_panels() const {
+        const Layout now = layout();
+        for (const auto& [name, rect] :
+             {std::pair{"view", now.view}, std::pair{"left", *now.left}, std::pair{"right", now.right},
+              std::pair{"timeline", now.timeline}}) {
+            begin_panel(name, rect);
+            ImGui::InvisibleButton("all", {rect.width, rect.height});
+            end_panel();
+        }
+    }
+
     HeadlessGui gui_{window};
     PanelSizes sizes_;
 };

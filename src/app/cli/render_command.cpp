@@ -34,6 +34,8 @@ void run_render(const RenderOptions& options) {
     const std::string format = format_of(options.output, render_formats());
     const bool is_numbered = has_frame_number(options.output.target);
     const bool is_film = format != "png" || is_numbered;
+    if (options.display.transparent && format != "png")
+        throw UsageError("--transparent: a film has a background; expected OUT.png or frame.####.png");
     if (is_film && options.output.target == "-") throw UsageError("-o -: a film needs a file");
     if (!is_film && options.film.are_given())
         throw UsageError(

@@ -5,6 +5,7 @@
 
 #include "text/parsed_number.h"
 #include <fmt/core.h>
+#include <glm/common.hpp>
 
 #include "family/family_time.h"
 #include "hierarchy/error.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr int max_picture_side = 16384;
 constexpr double still_seconds = 5;
+constexpr double max_scale = 16;
 
 std::optional<glm::ivec2> typed_size(const std::string& text) {
     const std::size_t times = text.find('x');
@@ -25,6 +27,10 @@ std::optional<glm::ivec2> typed_size(const std::string& text) {
     };
     if (!is_allowed(width) || !is_allowed(height)) return std::nullopt;
     return glm::ivec2(*width, *height);
+}
+
+bool fits(glm::dvec2 size) {
+    return size.x >= 1 && size.y >= 1 && size.x <= max_picture_side && size.y <= max_picture_side;
 }
 
 std::optional<double> typed_number(const std::string& text) {
@@ -64,15 +70,36 @@ void plan_times(const FilmChoices& choices, const FilmFormat& format, FilmPlan& 
     }
 }
 
+/// Reads the rows that only a single picture has.
+void plan_picture(const FilmChoices& choices, FilmPlan& plan) {
+    const auto scale = typed_number(choices.scale);
+    if (!scale || *scale <= 0 || *scale > max_scale) {
+        plan.fault = fmt::format("Scale: expected a factor up to {}", max_scale);
+        return;
+    }
+    const glm::dvec2 size = glm::round(*scale * glm::dvec2(plan.size));
+    if (!fits(size)) {
+        plan.fault =
+            fmt::format("Scale: {:.0f}x{:.0f} pixels, at most {} a side", size.x, size.y, max_picture_side);
+        return;
+    }
+    plan.size = glm::ivec2(size);
+    plan.display.line_width *= static_cast<float>(*scale);
+    plan.display.transparent = choices.is_transparent;
+    if (!choices.has_edges)
+        plan.display.wireframe = plan.display.refinement_edges = plan.display.root_edges = false;
+}
+
 }  // namespace
 
-FilmChoices first_choices(const Session& session) {
+FilmChoices first_choices(const Session& session, std::optional<glm::ivec2> picture_size) {
     TimeRange range{0, still_seconds};
     if (driving_time(session)) range = session.playback().range();
     FilmChoices choices;
     choices.begin = fmt::format("{}", range.begin);
     choices.end = fmt::format("{}", range.end);
     choices.rate = fmt::format("{}", session.frame_rate);
+    if (picture_size) choices.size = fmt::format("{}x{}", picture_size->x, picture_size->y);
     return choices;
 }
 
@@ -83,9 +110,13 @@ FilmPlan plan_of(const FilmChoices& choices, const Session& session, const Camer
         return faulty(fmt::format("Size: expected WIDTHxHEIGHT, sides from 1 to {}", max_picture_side));
     FilmPlan plan;
     plan.size = *size;
+    plan.display = session.display;
     plan.film.camera = camera;
     plan.film.still = session.weights();
-    if (format == nullptr) return plan;
+    if (format == nullptr) {
+        plan_picture(choices, plan);
+        return plan;
+    }
     plan.film.source = driving_time(session);
     plan_times(choices, *format, plan);
     return plan;

@@ -13,9 +13,6 @@
 #include "hierarchy/error.h"
 #include "io/family/family_file.h"
 #include "io/file/file_pattern.h"
-#include "io/film/film_encoder.h"
-#include "io/formats.h"
-#include "io/text/joined_text.h"
 #include "ui/browser/typed_path.h"
 
 namespace interleaf {
@@ -46,33 +43,6 @@ std::vector<fs::path> watched_files(const std::vector<fs::path>& sources) {
     return files;
 }
 
-std::vector<std::string> film_extensions() {
-    std::vector<std::string> extensions;
-    for (const FilmFormat& format : film_formats()) extensions.emplace_back(format.extension);
-    return extensions;
-}
-
-/// The kinds of files that the file browser offers to export to: all, then each.
-std::vector<FileType> exported_types() {
-    std::vector<FileType> types = {{"Everything that is exported", extensions_of(&Format::is_exported)}};
-    const auto add = [&](std::string_view title, std::string_view extension) {
-        types.push_back({std::string(title), {std::string(extension)}});
-    };
-    for (const Format& format : formats())
-        if (format.is_exported()) add(format.title, format.extension);
-    add("PNG picture", ".png");
-    for (const FilmFormat& format : film_formats()) add(format.title, format.extension);
-    types.front().extensions.emplace_back(".png");
-    for (const std::string& extension : film_extensions()) types.front().extensions.push_back(extension);
-    return types;
-}
-
-std::string folder_name(std::string name) {
-    std::ranges::replace_if(
-        name, [](char c) { return c == '/' || c == '\0'; }, '-');
-    return name.empty() ? "family" : name;
-}
-
 }  // namespace
 
 std::optional<fs::path> family_folder(const std::vector<fs::path>& sources) {
@@ -86,7 +56,7 @@ std::optional<fs::path> family_folder(const std::vector<fs::path>& sources) {
 }
 
 DocumentFiles::DocumentFiles(ViewerState& state, std::vector<fs::path> sources, bool is_alone)
-    : state_(state) {
+    : state_(state), is_alone_(is_alone) {
     if (!is_alone) {
         settings_file_ = settings_file();
         if (settings_file_) {
@@ -119,11 +89,17 @@ void DocumentFiles::grant(FileWish wish) {
         case FileWish::save_as:
             save_as({});
             break;
+        case FileWish::save_picture:
+            browse_to_save_picture();
+            break;
         case FileWish::export_as:
             browse_to_export();
             break;
         case FileWish::add_keys:
             browse_to_add();
+            break;
+        case FileWish::import_series:
+            browse_to_import();
             break;
         case FileWish::set_landmarks:
             set_landmarks();
@@ -144,8 +120,9 @@ void DocumentFiles::show(const Rect& area, double now) {
     fitting_.show(area, now);
     // The progress of what goes on beside waits until the user has answered: there is room for one dialog.
     const bool asks = browser_.is_open() || dialog_.is_open() || fitting_.is_open();
-    if (!asks) importing_.show(area, now);
-    if (!asks && !importing_.is_open()) exporting_.show(area, now);
+    if (!asks) opening_.show(area, now);
+    if (!asks && !opening_.is_shown()) importing_.show(area, now);
+    if (!asks && !opening_.is_shown() && !importing_.is_open()) exporting_.show(area, now);
 }
 
 void DocumentFiles::act(float density, double now) {
@@ -169,6 +146,7 @@ void DocumentFiles::act(float density, double now) {
                 if (given.button == 0) answer(state_, given.entry, now_);
             });
     }
+    if (opening_.is_over()) take_opened();
     if (const auto error = fitting_.update(density, now)) complain(*error);
     if (const auto error = importing_.update(now)) complain(*error);
 }
@@ -249,6 +227,7 @@ void DocumentFiles::replace_document(Family family, std::vector<fs::path> source
     ViewerState opened(std::move(family), family_folder(sources));
     opened.session.display = state_.session.display;
     opened.help_shown = state_.help_shown;
+    opened.plots_blend = state_.plots_blend;
     opened.camera = state_.camera;
     opened.appearance = state_.appearance;
     state_ = std::move(opened);
@@ -313,30 +292,6 @@ bool DocumentFiles::finish_saving() {
     remember(saved.folder);
     set_sources({saved.folder});
     return true;
-}
-
-// ---- exporting ----
-
-void DocumentFiles::browse_to_export() {
-    FileRequest request;
-    request.title = "Export";
-    request.action = "Export";
-    request.purpose = FilePurpose::save;
-    request.types = exported_types();
-    request.name = folder_name(state_.document.family().name) + ".obj";
-    browse(std::move(request), [this](const FileChoice& choice) { export_as(choice.files.front()); });
-}
-
-void DocumentFiles::export_as(const fs::path& file) {
-    const std::string extension = lower_case_extension(file);
-    if (extension == ".png" || film_format_with_extension(extension) != nullptr)
-        state_.film_wish = file;
-    else if (is_called(file, &Format::is_exported))
-        exporting_.begin(state_.document.snapshot(), state_.session.weights(), file, now_);
-    else
-        complain(fmt::format("{}: expected the name of an {} file, a picture .png, or a film {}",
-                             file.filename().string(), extensions_in_words(&Format::is_exported),
-                             either_of(film_extensions())));
 }
 
 // ---- protection of unsaved work ----

@@ -36,4 +36,10 @@ fs::path folder_to_save_in(const SaveSurroundings& around) {
     return {};
 }
 
+std::string folder_name(std::string name) {
+    std::ranges::replace_if(
+        name, [](char c) { return c == '/' || c == '\0'; }, '-');
+    return name.empty() ? "family" : name;
+}
+
 }  // namespace interleaf

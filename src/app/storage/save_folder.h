@@ -1,8 +1,9 @@
-// The folder where the file browser starts when the user saves a document in a folder of its own.
+// The folder where the file browser starts when the user saves a document in a folder of its own, and its name.
 #pragma once
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace interleaf {
 
@@ -18,5 +19,8 @@ struct SaveSurroundings {
 /// family, its parent, because families are not nested. Never a folder of the built-in families. Empty if
 /// there is none, which stands for the home folder.
 std::filesystem::path folder_to_save_in(const SaveSurroundings& around);
+
+/// \p name of a family as the name of a file or a folder; "family" if it is empty.
+std::string folder_name(std::string name);
 
 }  // namespace interleaf

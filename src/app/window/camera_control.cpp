@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <glm/common.hpp>
+
 namespace interleaf {
 
 namespace {
@@ -25,6 +27,10 @@ void zoom(Camera& camera, const ViewInput& input, const Rect& view, OffscreenTar
 
 glm::vec2 device_coordinates(const Rect& view, glm::vec2 point) {
     return {2 * (point.x - view.x) / view.width - 1, 1 - 2 * (point.y - view.y) / view.height};
+}
+
+glm::ivec2 pixels_of(const Rect& view, float density) {
+    return glm::max(glm::ivec2(glm::round(density * glm::vec2(view.width, view.height))), 1);
 }
 
 float aspect_of(const Rect& view) {

@@ -1,6 +1,8 @@
 // Moves the camera by the mouse input in a view of a surface.
 #pragma once
 
+#include <glm/vec2.hpp>
+
 #include "render/camera.h"
 #include "render/offscreen_target.h"
 #include "ui/panels/view_area.h"
@@ -10,6 +12,10 @@ namespace interleaf {
 
 /// The normalized device coordinates in \p view, -1 to 1, y up, of a point of the window.
 glm::vec2 device_coordinates(const Rect& view, glm::vec2 point);
+
+/// The size of the picture in \p view, at least 1 pixel.
+/// \param density  framebuffer pixels per screen coordinate
+glm::ivec2 pixels_of(const Rect& view, float density);
 
 /// Width over height.
 float aspect_of(const Rect& view);

@@ -29,7 +29,8 @@ std::string name_of_film(const std::filesystem::path& file) {
     return shown_name(file.filename().string());
 }
 
-std::string detail_of(const FilmPlan& plan) {
+std::string detail_of(const FilmPlan& plan, bool is_film) {
+    if (!is_film) return fmt::format("{}x{} pixels", plan.size.x, plan.size.y);
     const FrameTimes& frames = plan.film.frames;
     return fmt::format("{} frames, {:.4g} s", grouped(frames.count),
                        static_cast<double>(frames.count) / frames.rate);
@@ -43,11 +44,11 @@ void write_picture(const std::filesystem::path& file, const FilmPlan& plan,
 }  // namespace
 
 void FilmExport::offer(std::filesystem::path file, std::shared_ptr<const Family> family,
-                       const Session& session, const Camera& camera) {
+                       const Session& session, const Camera& camera, glm::ivec2 view_size) {
     const FilmFormat* const format = film_format_with_extension(lower_case_extension(file));
     preview_of_.reset();
     preview_ = {};
-    dialog_.open(first_choices(session));
+    dialog_.open(first_choices(session, format == nullptr ? std::optional(view_size) : std::nullopt));
     offer_.emplace(Offer{std::move(file), format, std::move(family), session, camera});
 }
 
@@ -62,8 +63,10 @@ void FilmExport::show(const Rect& area, double now) {
         const FilmOfferShown shown{
             .title = fmt::format("{} {}", offer_->format != nullptr ? "Film" : "Picture",
                                  name_of_film(offer_->file)),
-            .detail = is_sound && offer_->format != nullptr ? detail_of(planned) : "",
+            .detail = is_sound ? detail_of(planned, offer_->format != nullptr) : "",
             .is_film = offer_->format != nullptr,
+            .shows_edges = offer_->session.display.wireframe || offer_->session.display.refinement_edges ||
+                           offer_->session.display.root_edges,
             .preview = preview_.name(),
             .aspect = preview_of_
                           ? static_cast<float>(preview_of_->size.x) / static_cast<float>(preview_of_->size.y)
@@ -112,9 +115,9 @@ void FilmExport::draw_preview(float density) {
     const float width = std::max(std::round(dialog_.preview_width() * density), 1.0F);
     const float aspect = static_cast<float>(planned.size.x) / static_cast<float>(planned.size.y);
     const glm::ivec2 size(width, std::max(std::round(width / aspect), 1.0F));
-    const PreviewOf wanted{size, planned.film.frames.begin};
+    const PreviewOf wanted{size, planned.film.frames.begin, planned.display};
     if (wanted == preview_of_) return;
-    BlendPainter painter(*offer_->family, size.x, size.y, offer_->session.display);
+    BlendPainter painter(*offer_->family, size.x, size.y, planned.display);
     const Weights weights = weights_of_frame(planned.film, *offer_->family, 0);
     preview_ = image_texture(size.x, size.y, painter.paint(weights, planned.film.camera));
     preview_of_ = wanted;
@@ -123,7 +126,7 @@ void FilmExport::draw_preview(float density) {
 void FilmExport::start(double now) {
     Work work{.plan = plan()};
     const glm::ivec2 size = work.plan.size;
-    work.painter = std::make_unique<BlendPainter>(*offer_->family, size.x, size.y, offer_->session.display);
+    work.painter = std::make_unique<BlendPainter>(*offer_->family, size.x, size.y, work.plan.display);
     if (offer_->format != nullptr)
         work.encoder = std::make_unique<FilmEncoder>(offer_->file, *offer_->format,
                                                      FilmPicture{size.x, size.y, work.plan.film.frames.rate});
@@ -164,7 +167,7 @@ std::optional<Message> FilmExport::end_work(double now) {
         work.is_cancelled = true;
     }
     if (work.is_cancelled) return std::nullopt;
-    const std::string made = offer.format != nullptr ? fmt::format(": {}", detail_of(work.plan)) : "";
+    const std::string made = fmt::format(": {}", detail_of(work.plan, offer.format != nullptr));
     const std::string folder = shown_name(offer.file.parent_path().string());
     return Message{.text = fmt::format("Made {} in {}{}", name_of_film(offer.file), folder, made),
                    .kind = MessageKind::notice,

@@ -25,9 +25,10 @@ class FilmExport {
     /// Opens the dialog for \p file, a film or a picture. Everything is taken from the present state: later
     /// edits do not change the film.
     /// \param family  of \p session
+    /// \param view_size  of the window's view, pixels
     /// \pre is_open() is false
     void offer(std::filesystem::path file, std::shared_ptr<const Family> family, const Session& session,
-               const Camera& camera);
+               const Camera& camera, glm::ivec2 view_size);
 
     /// Whether the dialog or the progress is in front of the window.
     bool is_open() const { return dialog_.is_open() || work_.has_value(); }
@@ -61,6 +62,7 @@ class FilmExport {
     struct PreviewOf {
         glm::ivec2 size;  ///< pixels
         double begin;     ///< seconds
+        Display display;
         bool operator==(const PreviewOf&) const = default;
     };
 

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -33,8 +34,9 @@ struct FrameRecord {
     bool takes_text;            ///< whether a text field receives the typed text
     std::optional<Rect> popup;  ///< the frontmost menu or question
     std::optional<std::filesystem::path> browsed;  ///< the file browser's cursor, or its folder
-    const FitDialog* offer;                        ///< the offer to fit meshes; null for none
-    const LandmarkEditing* landmarks;              ///< the landmark window; null unless it is open
+    std::string_view picture_row;      ///< of the dialog of a picture or a film that has the keyboard
+    const FitDialog* offer;            ///< the offer to fit meshes; null for none
+    const LandmarkEditing* landmarks;  ///< the landmark window; null unless it is open
 };
 
 class Trace {

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "text/shown_text.h"
 #include <fmt/core.h>
@@ -46,6 +49,19 @@ std::string remark_on_command(const ViewerState& state) {
     return "";
 }
 
+std::string seen_command(const Session& session, const SeenPicture& seen) {
+    Display display = session.display;
+    display.line_width *= seen.line_scale;
+    std::vector<std::filesystem::path> files;
+    files.reserve(seen.files.size());
+    for (const std::filesystem::path& file : seen.files) {
+        std::error_code error;
+        std::filesystem::path whole = std::filesystem::absolute(file, error);
+        files.push_back(error ? file : std::move(whole));
+    }
+    return picture_command(files, session, display, viewpoint_of(seen.camera), seen.size);
+}
+
 void tell_copied(ViewerState& state, const char* what, const std::string& text, std::string_view remark,
                  double now) {
     ImGui::SetClipboardText(text.c_str());
@@ -77,9 +93,7 @@ void use_clipboard(ClipboardWish wish, ViewerState& state, const SeenPicture& se
         case ClipboardWish::copy_view:
             return tell_copied(state, "Copied view", text_of(viewpoint_of(seen.camera)), "", now);
         case ClipboardWish::copy_command:
-            return tell_copied(state, "Copied command",
-                               picture_command(seen.files, state.session, seen.display,
-                                               viewpoint_of(seen.camera), seen.size),
+            return tell_copied(state, "Copied command", seen_command(state.session, seen),
                                remark_on_command(state), now);
         case ClipboardWish::paste_view:
             return paste(state);

@@ -10,7 +10,6 @@
 #include "app/document/viewer_state.h"
 #include "app/document/viewpoint.h"
 #include "render/camera.h"
-#include "render/display.h"
 
 namespace interleaf {
 
@@ -18,8 +17,8 @@ namespace interleaf {
 struct SeenPicture {
     std::span<const std::filesystem::path> files;  ///< of the document; empty for the built-in family
     const Camera& camera;
-    Display display;     ///< with lines as wide as in the picture
-    glm::ivec2 size{0};  ///< pixels
+    float line_scale = 1;  ///< of lines in the picture
+    glm::ivec2 size{0};    ///< pixels
 };
 
 /// Lets the window show \p viewpoint from this frame on.

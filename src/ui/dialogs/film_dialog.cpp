@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
 #include <GLFW/glfw3.h>
 #include <fmt/core.h>
+#include <glm/common.hpp>
 #include <imgui.h>
 
 #include "ui/widgets/modal.h"
@@ -19,21 +21,63 @@
 namespace interleaf {
 namespace {
 
+enum class RowOf : std::uint8_t { both, film, picture };
+
 struct TextRow {
     const char* label;
     const char* remark;
+    const char* tip;
     std::string FilmChoices::*text;
+    RowOf of;
 };
 
-constexpr TextRow text_rows[] = {{"Size", "pixels", &FilmChoices::size},
-                                 {"Rate", "frames per second", &FilmChoices::rate},
-                                 {"From", "seconds", &FilmChoices::begin},
-                                 {"To", "seconds", &FilmChoices::end},
-                                 {"Turn", "degrees of the camera in the whole film", &FilmChoices::turn}};
-constexpr std::string_view row_names[] = {"size", "rate", "begin", "end", "turn", "loop", "make", "cancel"};
-constexpr std::size_t loop_row = std::size(text_rows);
-constexpr std::size_t make_row = loop_row + 1;
-constexpr std::size_t cancel_row = loop_row + 2;
+struct CheckRow {
+    const char* label;
+    const char* tip;
+    bool FilmChoices::*flag;
+    RowOf of;
+};
+
+constexpr TextRow text_rows[] = {
+    {"Size", "pixels", "Width and height, such as 1280x720", &FilmChoices::size, RowOf::both},
+    {"Scale", "times the size, with wider lines",
+     "2 draws twice as many pixels in each direction, for print and sharp screens", &FilmChoices::scale,
+     RowOf::picture},
+    {"Rate", "frames per second", "30 is usual; 60 is smoother, and the file larger", &FilmChoices::rate,
+     RowOf::film},
+    {"From", "seconds", "The time that the first frame shows", &FilmChoices::begin, RowOf::film},
+    {"To", "seconds", "The time at which the film ends", &FilmChoices::end, RowOf::film},
+    {"Turn", "degrees of the camera in the whole film", "360 turns once around the surface",
+     &FilmChoices::turn, RowOf::film}};
+constexpr CheckRow check_rows[] = {
+    {"Loop: leave out a last frame that equals the first", "For a film that is repeated without a break",
+     &FilmChoices::is_loop, RowOf::film},
+    {"Transparent background", "Draw only the surface, to be laid over a page or another picture",
+     &FilmChoices::is_transparent, RowOf::picture},
+    {"Edges, as the window shows them",
+     "Draw the wireframe, the refinement edges and the root edges that are switched on",
+     &FilmChoices::has_edges, RowOf::picture}};
+constexpr std::string_view row_names[] = {"size", "scale",       "rate",  "begin", "end",   "turn",
+                                          "loop", "transparent", "edges", "make",  "cancel"};
+constexpr std::size_t first_check_row = std::size(text_rows);
+constexpr std::size_t edges_row = first_check_row + 2;
+constexpr std::size_t make_row = first_check_row + std::size(check_rows);
+constexpr std::size_t cancel_row = make_row + 1;
+static_assert(cancel_row + 1 == std::size(row_names));
+
+/// Whether the dialog has \p row for this offer.
+bool is_row_of(std::size_t row, const FilmOfferShown& shown) {
+    if (row >= make_row) return true;
+    if (row == edges_row && !shown.shows_edges) return false;
+    const RowOf of = row < first_check_row ? text_rows[row].of : check_rows[row - first_check_row].of;
+    return of == RowOf::both || (of == RowOf::film) == shown.is_film;
+}
+
+std::size_t rows_of(const FilmOfferShown& shown) {
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < make_row; ++row) count += is_row_of(row, shown) ? 1 : 0;
+    return count;
+}
 
 float film_label_width() {
     return scaled(56);
@@ -70,7 +114,7 @@ std::optional<bool> FilmDialog::show(const Rect& area, const FilmOfferShown& sho
     const float inner = width - 2 * scaled(16);
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float line = ImGui::GetFrameHeight() + spacing;
-    const float rows = shown.is_film ? 7 : 2;
+    const auto rows = static_cast<float>(rows_of(shown) + 1);
     const float without_preview = 2 * scaled(14) + 2 * (ImGui::GetTextLineHeight() + spacing) + rows * line;
     const float room = std::max(area.height - 2 * scaled(12) - without_preview, scaled(60));
     preview_width_ = std::round(std::min({inner, room * shown.aspect, scaled(240) * shown.aspect}));
@@ -79,14 +123,12 @@ std::optional<bool> FilmDialog::show(const Rect& area, const FilmOfferShown& sho
         if (!std::exchange(is_new_, false)) read_keys(shown);
         ImGui::TextUnformatted(shown.title.c_str());
         show_preview(shown);
-        show_text_row(0, shown);
-        if (shown.is_film) {
-            for (std::size_t row = 1; row < text_row_count; ++row) show_text_row(row, shown);
-            ImGui::SetCursorPosX(ImGui::GetCursorPosX() + film_label_width());
-            if (ImGui::Checkbox("Loop: leave out a last frame that equals the first", &choices_.is_loop))
-                focus(loop_row);
-            tooltip("A film that is repeated then does not show the same frame twice");
-            if (focus_ == loop_row) draw_focus();
+        for (std::size_t row = 0; row < make_row; ++row) {
+            if (!is_row_of(row, shown)) continue;
+            if (row < first_check_row)
+                show_text_row(row, shown);
+            else
+                show_check_row(row);
         }
         const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
         const bool is_faulty = !shown.fault.empty();
@@ -113,18 +155,18 @@ void FilmDialog::read_keys(const FilmOfferShown& shown) {
     if (is_key_pressed(GLFW_KEY_LEFT) && focus_ == cancel_row) focus(make_row);
     if (is_key_pressed(GLFW_KEY_RIGHT) && focus_ == make_row) focus(cancel_row);
     if (!is_key_pressed(GLFW_KEY_SPACE)) return;
-    if (focus_ == loop_row)
-        choices_.is_loop = !choices_.is_loop;
-    else
+    if (focus_ < make_row) {
+        bool& flag = choices_.*check_rows[focus_ - first_check_row].flag;
+        flag = !flag;
+    } else
         press(focus_ == make_row, shown);
 }
 
 void FilmDialog::move_focus(int by, const FilmOfferShown& shown) {
-    const auto is_passed = [&](std::size_t row) { return !shown.is_film && row > 0 && row < make_row; };
     constexpr std::size_t count = std::size(row_names);
     std::size_t row = focus_;
     do row = (row + count + static_cast<std::size_t>(by + 1) - 1) % count;
-    while (is_passed(row));
+    while (!is_row_of(row, shown));
     focus(row);
 }
 
@@ -148,8 +190,30 @@ void FilmDialog::show_preview(const FilmOfferShown& shown) {
     const ImVec2 end{corner.x + preview_width_, corner.y + height};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(to_imgui(corner), end, colors::well);
+    if (choices_.is_transparent && !shown.is_film) draw_pattern(corner, {preview_width_, height});
     if (shown.preview != 0) list.AddImage(texture_id(shown.preview), to_imgui(corner), end);
     ImGui::Dummy({preview_width_, height});
+}
+
+/// The pattern that stands for transparency.
+void FilmDialog::draw_pattern(glm::vec2 corner, glm::vec2 size) const {
+    const float cell = scaled(8);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const glm::vec2 end = corner + size;
+    list.AddRectFilled(to_imgui(corner), to_imgui(end), to_color(glm::vec3(0.80F)));
+    for (int y = 0; static_cast<float>(y) * cell < size.y; ++y)
+        for (int x = y % 2; static_cast<float>(x) * cell < size.x; x += 2) {
+            const glm::vec2 at = corner + cell * glm::vec2(x, y);
+            list.AddRectFilled(to_imgui(at), to_imgui(glm::min(at + cell, end)), to_color(glm::vec3(0.62F)));
+        }
+}
+
+void FilmDialog::show_check_row(std::size_t row) {
+    const CheckRow& check = check_rows[row - first_check_row];
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + film_label_width());
+    if (ImGui::Checkbox(check.label, &(choices_.*check.flag))) focus(row);
+    tooltip(check.tip);
+    if (focus_ == row) draw_focus();
 }
 
 void FilmDialog::show_text_row(std::size_t row, const FilmOfferShown& shown) {
@@ -158,6 +222,7 @@ void FilmDialog::show_text_row(std::size_t row, const FilmOfferShown& shown) {
     const std::string name = fmt::format("##{}", row_names[row]);
     const TextFieldResult result = fields_[row].show(name.c_str(), "", scaled(96), focus_ == row);
     text_of(row) = fields_[row].text();
+    tooltip(text_rows[row].tip);
     if (result.clicked) focus_ = row;
     if (result.entered) {
         press(true, shown);

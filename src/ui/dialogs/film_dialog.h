@@ -1,5 +1,5 @@
-// The dialog before a picture or a film is made: its size, its times, how the camera turns, beside a preview
-// of the first frame.
+// The dialog before a picture or a film is made: the size and what is drawn of a picture, the times of a film and how
+// the camera turns, beside a preview of the first frame.
 #pragma once
 
 #include <array>
@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include <glm/vec2.hpp>
 
 #include "ui/widgets/rect.h"
 #include "ui/widgets/text_field.h"
@@ -16,19 +18,23 @@ namespace interleaf {
 /// The user's choices, as typed.
 struct FilmChoices {
     std::string size = "1280x720";  ///< pixels
+    std::string scale = "1";        ///< of a picture: a factor of its size and of the width of its lines
     std::string rate = "30";        ///< frames per second
     std::string begin;              ///< seconds
     std::string end;                ///< seconds
     std::string turn = "0";         ///< degrees
     bool is_loop = false;
+    bool is_transparent = false;  ///< a picture without background
+    bool has_edges = true;        ///< a picture with the edges that the window shows
 };
 
 struct FilmOfferShown {
-    std::string title;        ///< "Film spin.mp4"
-    std::string detail;       ///< "301 frames, 10 s"
-    bool is_film = true;      ///< a single picture has only a size
-    unsigned preview = 0;     ///< OpenGL name of the texture of the first frame; 0 for none
-    float aspect = 16 / 9.F;  ///< width / height of the frames
+    std::string title;         ///< "Film spin.mp4"
+    std::string detail;        ///< "301 frames, 10 s"
+    bool is_film = true;       ///< whether it has times; if not, it is a single picture
+    bool shows_edges = false;  ///< whether the window shows edges, so that a picture can leave them out
+    unsigned preview = 0;      ///< OpenGL name of the texture of the first frame; 0 for none
+    float aspect = 16 / 9.F;   ///< width / height of the frames
     std::string fault;  ///< what is wrong with the choices, so that nothing can be made; "" if nothing is
 };
 
@@ -41,7 +47,8 @@ class FilmDialog {
     bool is_open() const { return is_open_; }
     const FilmChoices& choices() const { return choices_; }
 
-    /// The row that has the keyboard: "size", "rate", "begin", "end", "turn", "loop", "make" or "cancel".
+    /// The row that has the keyboard: "size", "scale", "rate", "begin", "end", "turn", "loop", "transparent", "edges",
+    /// "make" or "cancel".
     std::string_view row() const;
 
     /// Width of the preview, in screen coordinates; known after the first show().
@@ -59,9 +66,11 @@ class FilmDialog {
     std::string& text_of(std::size_t row);
     void show_preview(const FilmOfferShown& shown);
     void show_text_row(std::size_t row, const FilmOfferShown& shown);
+    void show_check_row(std::size_t row);
+    void draw_pattern(glm::vec2 corner, glm::vec2 size) const;
     void show_buttons(const FilmOfferShown& shown);
 
-    static constexpr std::size_t text_row_count = 5;
+    static constexpr std::size_t text_row_count = 6;
 
     bool is_open_ = false;
     bool is_new_ = false;  ///< the keys that opened the dialog are still down

@@ -63,7 +63,7 @@ std::array<PlacedEnd, 6> placed_ends(glm::vec2 center, const glm::mat3& axes) {
         const glm::vec3 seen = glm::transpose(axes) * axis_ends[i].towards;
         placed[i] = {&axis_ends[i], center + scaled(axes_arm) * glm::vec2(seen.x, -seen.y), seen.z};
     }
-    std::ranges::stable_sort(placed, {}, &PlacedEnd::depth);
+    std::ranges::sort(placed, {}, &PlacedEnd::depth);
     return placed;
 }
 
@@ -78,7 +78,7 @@ void draw_axis_end(const PlacedEnd& placed, glm::vec2 center, bool is_pointed_at
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const AxisEnd& end = *placed.end;
     const float alpha = 0.62F + 0.38F * (0.5F + 0.5F * placed.depth);  // what is behind is fainter
-    const ImU32 color = is_pointed_at ? colors::white : to_color(end.color, alpha);
+    const ImU32 color = is_pointed_at ? to_color(glm::vec3(1)) : to_color(end.color, alpha);
     const ImVec2 at = to_imgui(placed.at);
     if (end.letter == nullptr) {
         list.AddCircleFilled(at, scaled(axis_end_radius - 1), to_color(0.45F * end.color, 0.85F * alpha));
@@ -90,8 +90,8 @@ void draw_axis_end(const PlacedEnd& placed, glm::vec2 center, bool is_pointed_at
     ImFont* const font = small_font();
     const float size = font->FontSize;
     const ImVec2 extent = font->CalcTextSizeA(size, 1e6F, 0, end.letter);
-    list.AddText(font, size, {std::round(at.x - extent.x / 2), std::round(at.y - extent.y / 2)}, colors::dark,
-                 end.letter);
+    list.AddText(font, size, {std::round(at.x - extent.x / 2), std::round(at.y - extent.y / 2)},
+                 to_color(glm::vec3(0.05F)), end.letter);
 }
 
 }  // namespace

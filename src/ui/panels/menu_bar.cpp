@@ -48,6 +48,13 @@ std::optional<std::size_t> show_submenu(const Submenu& submenu) {
     return chosen;
 }
 
+/// Lets the next menu scroll where the window has no room for it. Otherwise it would lie under the pointer that
+/// opens it, which would then choose an entry.
+void keep_below_menu_bar() {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {display.x, display.y - menu_bar_height() - scaled(8)});
+}
+
 /// Opens the next menu when an arrow to the side leads nowhere in the open menu.
 void move_to_menu_beside(const std::vector<std::string>& menus, std::size_t open) {
     ImGuiContext& context = *ImGui::GetCurrentContext();
@@ -74,13 +81,19 @@ float menu_bar_height() {
     return ImGui::GetFrameHeight();
 }
 
-MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submenu, std::string_view title) {
+MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submenu, std::string_view title,
+                       bool opens) {
     MenuBarResult result;
     if (!ImGui::BeginMainMenuBar()) return result;
+    if (opens && !entries.empty()) {
+        const std::string first(entries.front().menu);
+        if (!ImGui::IsPopupOpen(first.c_str())) ImGui::OpenPopup(first.c_str());
+    }
     std::vector<std::string> menus;
     std::optional<std::size_t> open_menu;
     for (std::size_t begin = 0; begin < entries.size();) {
         const std::string menu(entries[begin].menu);
+        keep_below_menu_bar();
         const bool open = ImGui::BeginMenu(menu.c_str());
         if (open) open_menu = menus.size();
         menus.push_back(menu);

@@ -43,7 +43,7 @@ void label_plot(const Rect& area, const std::string& text) {
     const glm::vec2 corner(area.x + scaled(4), area.y + std::round((area.height - height) / 2));
     ImGui::GetWindowDrawList()->AddRectFilled({corner.x - scaled(2), corner.y},
                                               {corner.x + width + scaled(2), corner.y + height},
-                                              IM_COL32(20, 22, 27, 200), scaled(2));
+                                              colors::label, scaled(2));
     draw_text(corner, width + 1, colors::text, text);
 }
 
@@ -79,7 +79,7 @@ void blend_plots(const Rect& area, const TimeScale& scale, const BlendCurves& cu
         label_plot(place, text);
         ImGui::SetCursorScreenPos({place.x, place.y});
         ImGui::PushID(figure.name);
-        ImGui::InvisibleButton("plot", {std::max(place.width, 1.0F), std::max(place.height, 1.0F)});
+        mouse_area("plot", {std::max(place.width, 1.0F), std::max(place.height, 1.0F)});
         ImGui::PopID();
         if (!ImGui::IsItemHovered() || times.empty()) continue;
         const std::size_t at = plot.nearest(times, from_imgui(ImGui::GetIO().MousePos));

@@ -46,15 +46,17 @@ TEST_CASE("only options that differ from the defaults are named") {
     CHECK(display_options(display).back() == "--range=-1,2.5");
     display.field = "heat";
     CHECK(display_options(display)[4] == "--color=heat");
-    const Display made{.material = Material::steel, .ground = true, .light_background = true};
+    Display made;
+    made.material = Material::steel;
+    made.ground = made.light_background = true;
     CHECK(display_options(made) == std::vector<std::string>{"--ground", "--material=steel", "--theme=light"});
 }
 
 TEST_CASE("a word of a shell needs quotes where the shell would read more than the word") {
-    CHECK(shell_word("/a/b-c_1.ilh") == "/a/b-c_1.ilh");
-    CHECK(shell_word("") == "''");
-    CHECK(shell_word("a b") == "'a b'");
-    CHECK(shell_word("$(x)`y`\"\\\n;#*?") == "'$(x)`y`\"\\\n;#*?'");
-    CHECK(shell_word("it's") == "'it'\\''s'");
-    CHECK(shell_word("\xe5\xae\xb6") == "'\xe5\xae\xb6'");
+    CHECK(command_word("/a/b-c_1.ilh") == "/a/b-c_1.ilh");
+    CHECK(command_word("") == "''");
+    CHECK(command_word("a b") == "'a b'");
+    CHECK(command_word("$(x)`y`\"\\\n;#*?") == "'$(x)`y`\"\\\n;#*?'");
+    CHECK(command_word("it's") == "'it'\\''s'");
+    CHECK(command_word("\xe5\xae\xb6") == "'\xe5\xae\xb6'");
 }

@@ -94,3 +94,35 @@ TEST_CASE("a picture has only a size, and shows the present blend") {
     CHECK(plan.film.frames.count == 1);
     CHECK(weights_of_frame(plan.film, session.family(), 0) == session.weights());
 }
+
+TEST_CASE("a picture begins with the size of the view, and its scale widens its lines, too") {
+    Session session = sample_session();
+    session.display.wireframe = true;
+    FilmChoices choices = first_choices(session, glm::ivec2(640, 400));
+    const auto plan_picture_with = [&] { return plan_of(choices, session, Camera(), nullptr); };
+    CHECK(plan_picture_with().size == glm::ivec2(640, 400));
+    CHECK(plan_picture_with().display == session.display);
+    choices.scale = "2.5";
+    choices.is_transparent = true;
+    choices.has_edges = false;
+    const FilmPlan plan = plan_picture_with();
+    CHECK(plan.fault.empty());
+    CHECK(plan.size == glm::ivec2(1600, 1000));
+    CHECK(plan.display.line_width == doctest::Approx(2.5F * session.display.line_width));
+    CHECK(plan.display.transparent);
+    CHECK_FALSE(plan.display.wireframe);
+}
+
+TEST_CASE("a scale that is no factor, or gives too large a picture, is a fault") {
+    const Session session = sample_session();
+    for (const char* scale : {"", "x", "0", "-1", "nan", "17", "0.0001"}) {
+        CAPTURE(scale);
+        FilmChoices choices = first_choices(session, glm::ivec2(640, 400));
+        choices.scale = scale;
+        CHECK(plan_of(choices, session, Camera(), nullptr).fault.starts_with("Scale: "));
+    }
+    FilmChoices large = first_choices(session, glm::ivec2(8192, 400));
+    large.scale = "3";
+    CHECK(plan_of(large, session, Camera(), nullptr).fault ==
+          "Scale: 24576x1200 pixels, at most 16384 a side");
+}
