@@ -36,8 +36,6 @@ std::string_view obstacle_of_document(CommandId id, const ViewerState& state) {
             return "the whole domain is shown";
         case remove_present_time:
             return "there is no key at the present time";
-        case set_field_unit:
-            return "no scalar field is shown";
         case go_to_parent:
         case go_to_sibling:
         case go_to_first_child:
