@@ -36,6 +36,14 @@ std::string_view obstacle_of_document(CommandId id, const ViewerState& state) {
             return "the whole domain is shown";
         case remove_present_time:
             return "there is no key at the present time";
+        case go_to_parent:
+        case go_to_sibling:
+        case go_to_first_child:
+        case go_to_second_child:
+        case cross_refinement_edge:
+        case cross_second_edge:
+        case cross_third_edge:
+            return "no triangle is inspected";
         case sum_to_one:
             return "the weights sum to 1, or to 0";
         case reset_weights:

@@ -169,7 +169,7 @@ void show_timeline(const WindowShown& shown, ShownWindow& result) {
     result.layout.timeline = result.actions.timeline->area;
 }
 
-InspectorResult show_inspector(const InspectedNode& node, const Rect& view) {
+InspectorResult show_inspector(const InspectedNode& node, const Shortcuts& table, const Rect& view) {
     constexpr std::array commands_of_steps = {CommandId::go_to_parent,          CommandId::go_to_sibling,
                                               CommandId::go_to_first_child,     CommandId::go_to_second_child,
                                               CommandId::cross_refinement_edge, CommandId::cross_second_edge,
@@ -177,7 +177,7 @@ InspectorResult show_inspector(const InspectedNode& node, const Rect& view) {
     static_assert(commands_of_steps.size() == all_node_steps.size());
     std::array<std::string, commands_of_steps.size()> shortcuts;
     std::ranges::transform(commands_of_steps, shortcuts.begin(),
-                           [](CommandId id) { return shortcut_text(command_of(id)); });
+                           [&](CommandId id) { return table.text(command_of(id)); });
     return inspector_panel(node, shortcuts, view);
 }
 
@@ -225,7 +225,8 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
     }
     end_panel();
     if (shown.state.session.has_time()) show_timeline(shown, result);
-    if (shown.inspected != nullptr) result.actions.inspector = show_inspector(*shown.inspected, panels.view);
+    if (shown.inspected != nullptr)
+        result.actions.inspector = show_inspector(*shown.inspected, shown.shortcuts, panels.view);
     status_line(panels.status,
                 {.active_keys = weights.size(),
                  .leaves = shown.figures.leaves,
