@@ -79,7 +79,7 @@ KeysPanelResult show_keys(const WindowShown& shown) {
                        .menu = entries,
                        .search = state.key_search,
                        .takes_focus = state.find_wanted && !state.help_shown},
-                      0.4F * shown.layout.panels.view.height);
+                      0.5F * shown.layout.panels.view.height);
 }
 
 void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
