@@ -144,6 +144,10 @@ void add_display(CLI::App& command, Display& display) {
                     })
         ->type_name("MIN,MAX")
         ->needs(color);
+    command
+        .add_flag("--log-scale", display.scale.is_logarithmic,
+                  "Color equal factors of a scalar by equal steps, if its range is above 0")
+        ->needs(color);
 }
 
 void add_theme(CLI::App& command, const std::string& meaning, std::function<void(Theme)> choose) {

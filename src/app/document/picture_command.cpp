@@ -27,6 +27,7 @@ std::vector<std::string> color_options(const Display& display) {
         options.push_back(fmt::format("--color-map={}", name_of(display.scale.map)));
     if (display.range_locked)
         options.push_back(fmt::format("--range={},{}", display.scale.range.min, display.scale.range.max));
+    if (display.scale.is_logarithmic) options.emplace_back("--log-scale");
     return options;
 }
 
