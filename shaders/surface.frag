@@ -1,7 +1,7 @@
 #version 330 core
 // Colors the surface by leaf, by a field or by the place in the root, lights it, and draws edges of constant
 // width in pixels. The renderer defines EDGES and CHECKER, which are 1 if edges or the checkerboard are drawn
-// (this shader then follows surface.geom), and FIELD as in surface.vert.
+// (this shader then follows surface.geom), and FIELD and VALUES as in surface.vert.
 
 #if EDGES || CHECKER
 in Surface {
@@ -25,7 +25,7 @@ in Corner {
 
 uniform mat4 projection;
 uniform bool flat_shading;
-uniform int coloring;             // 0 plain, 1 by level, 2 by origin; FIELD and CHECKER take precedence
+uniform int coloring;             // 0 plain, 1 by level, 2 by origin, 3 other; FIELD and CHECKER take precedence
 uniform int material;             // 0 clay, 1 porcelain, 2 steel, 3 jade, 4 normals; 0 with any coloring
 uniform bool show_wireframe;
 uniform bool show_refinement_edges;
@@ -33,6 +33,9 @@ uniform bool show_root_edges;
 uniform float line_width;         // in pixels
 uniform usamplerBuffer leaf_data; // x: tag; y: bits 0-2 corners on root edges, above: place of its origin
 uniform samplerBuffer palette;    // linear light
+#if VALUES == 2
+uniform samplerBuffer field_values;  // one value per leaf
+#endif
 #if FIELD == 1
 uniform vec2 value_range;         // values outside get the color of the nearer end
 uniform vec3 placing;             // base, factor and offset of a value's place in the palette, 0 to 1
@@ -74,7 +77,12 @@ vec3 shading_normal() {
 
 #if FIELD == 1
 vec3 field_color() {
-    float value = clamp(surface.value, value_range.x, value_range.y);
+#if VALUES == 2
+    float shown = texelFetch(field_values, gl_PrimitiveID).r;
+#else
+    float shown = surface.value;
+#endif
+    float value = clamp(shown, value_range.x, value_range.y);
     if (is_logarithmic) value = log(value);
     float place = clamp((value - placing.x) * placing.y + placing.z, 0.0, 1.0);
     int last = textureSize(palette) - 1;

@@ -1,7 +1,8 @@
 #version 330 core
 // The morph: the weighted sum of the keys' positions, and the normal as a quadratic form in the weights.
 // A shown field is the weighted sum of the keys' values. The renderer defines KEY_COUNT, and FIELD, the
-// number of components of the shown field, 0 for none.
+// number of components of the shown field, 0 for none. With VALUES, the values are not those of keys: with 1 there
+// is one per vertex, with 2 one per leaf, which surface.frag reads.
 
 layout(location = 0) in vec3 position[KEY_COUNT];
 layout(location = 4) in vec3 product[KEY_COUNT * (KEY_COUNT + 1) / 2];
@@ -26,11 +27,17 @@ out Corner {
 
 #if FIELD
 vec3 field_value() {
+#if VALUES == 1
+    return vec3(texelFetch(field_values, gl_VertexID).r);
+#elif VALUES == 2
+    return vec3(0.0);
+#else
     vec3 value = vec3(0.0);
     int next = gl_VertexID * KEY_COUNT * FIELD;
     for (int key = 0; key < KEY_COUNT; ++key)
         for (int c = 0; c < FIELD; ++c) value[c] += weights[key] * texelFetch(field_values, next++).r;
     return value;
+#endif
 }
 #endif
 

@@ -11,6 +11,7 @@
 
 #include "family/names.h"
 #include "hierarchy/checker.h"
+#include "hierarchy/field.h"
 
 namespace interleaf {
 namespace {
@@ -79,6 +80,18 @@ void check_landmarks(const Family& family, std::vector<std::string>& violations)
     }
 }
 
+void check_scales(const Family& family, std::vector<std::string>& violations) {
+    if (!is_unit(family.time_unit)) violations.emplace_back("the unit of time is no unit");
+    for (std::size_t i = 0; i < family.field_scales.size(); ++i) {
+        const FieldScale& scale = family.field_scales[i];
+        const auto first = std::ranges::find(family.field_scales, scale.field, &FieldScale::field);
+        if (!is_field_name(scale.field) || !is_unit(scale.unit) || !std::isfinite(scale.offset))
+            violations.push_back(fmt::format("scale {} has no name, no unit or no finite offset", i));
+        else if (first != family.field_scales.begin() + std::ptrdiff_t(i))
+            violations.push_back(fmt::format("two scales are of the field \"{}\"", scale.field));
+    }
+}
+
 }  // namespace
 
 std::optional<std::size_t> find_key(const Family& family, std::string_view name) {
@@ -96,6 +109,7 @@ std::vector<std::string> check(const Family& family) {
     check_references(family, violations);
     check_path(family, violations);
     check_landmarks(family, violations);
+    check_scales(family, violations);
     return violations;
 }
 

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "family/domain_path.h"
+#include "family/field_scale.h"
 #include "family/parameter_domain.h"
 #include "family/shared_hierarchy.h"
 #include "family/timeline.h"
@@ -47,6 +48,11 @@ struct Family {
     std::vector<LandmarkDirection> landmarks{};
 
     glm::dvec3 origin{0};  ///< the point that was subtracted from all positions (origin.h)
+
+    std::vector<FieldScale> field_scales{};  ///< offsets and units; at most one per field
+
+    /// The unit of the timeline's times as people write it, "ms"; empty for seconds or steps (TimeUnit).
+    std::string time_unit{};
 };
 
 /// Index of the key called \p name; none if there is no such key.
@@ -54,7 +60,7 @@ std::optional<std::size_t> find_key(const Family& family, std::string_view name)
 
 /// Every violation of a family's invariants, one sentence per violation. There is at least one key. Names are
 /// unique and not empty. All keys have the same root complex (constraints (B); the violation names the keys).
-/// Landmarks have unique names and unit vectors. Timeline and domain refer to existing keys. A path goes through a domain, and drives only where there is one.
+/// Landmarks have unique names and unit vectors. Scales have fields of their own, finite offsets and units. Timeline and domain refer to existing keys. A path goes through a domain, and drives only where there is one.
 std::vector<std::string> check(const Family& family);
 
 /// The union of the active keys of \p weights, with one position stream per weight, in their order.

@@ -1,6 +1,9 @@
 #include "family/family_fields.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "text/value_text.h"
 
 #include "hierarchy/union_fields.h"
 
@@ -27,7 +30,7 @@ void include(FamilyField& field, const Field& other) {
 
 }  // namespace
 
-std::vector<FamilyField> fields_of(std::span<const Key> keys) {
+std::vector<FamilyField> fields_of(std::span<const Key> keys, std::span<const FieldScale> scales) {
     std::vector<FamilyField> fields;
     for (const Key& key : keys)
         for (const Field& field : hierarchy_of(key).fields) {
@@ -35,19 +38,33 @@ std::vector<FamilyField> fields_of(std::span<const Key> keys) {
                 fields, field.name, [](const FamilyField& each) -> auto& { return each.label.name; });
             if (known == fields.end()) {
                 const float first = field.values.front();
-                fields.push_back({field.label(), first, first});
+                fields.push_back({.label = field.label(), .min = first, .max = first});
                 include(fields.back(), field);
             } else if (known->label.kind == field.kind) {
                 include(*known, field);
             }
         }
+    for (FamilyField& field : fields) {
+        if (field.label.kind != FieldKind::scalar) continue;
+        FieldScale scale = scale_of(scales, field.label.name);
+        field.offset = scale.offset;
+        field.unit = std::move(scale.unit);
+    }
     return fields;
+}
+
+std::vector<FamilyField> fields_of(const Family& family) {
+    return fields_of(family.keys, family.field_scales);
 }
 
 const FamilyField* find_field(std::span<const FamilyField> fields, std::string_view name) {
     const auto found =
         std::ranges::find_if(fields, [&](const FamilyField& field) { return field.label.name == name; });
     return found == fields.end() ? nullptr : &*found;
+}
+
+std::string shown_value(const FamilyField& field, double value) {
+    return with_unit(value_text(value + field.offset, double{field.max} - double{field.min}), field.unit);
 }
 
 std::optional<std::size_t> key_without(const Family& family, const Weights& weights, const FieldName& field) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,14 +16,24 @@ struct FamilyField {
     FieldName label;
     float min = 0;  ///< over all keys that have the field
     float max = 0;
+    double offset = 0;   ///< is added to values where they are shown (field_scale.h)
+    std::string unit{};  ///< empty if unknown
 };
 
 /// One field per name, in the order of the first keys that have them. If keys have fields of one name but of
 /// different kinds, the first key's kind counts, and keys with another kind count as not having the field.
-std::vector<FamilyField> fields_of(std::span<const Key> keys);
+/// \param scales  the offsets and units that are known
+std::vector<FamilyField> fields_of(std::span<const Key> keys, std::span<const FieldScale> scales = {});
+
+/// The fields of the keys of \p family, with offsets and units.
+std::vector<FamilyField> fields_of(const Family& family);
 
 /// The field called \p name; null if there is none.
 const FamilyField* find_field(std::span<const FamilyField> fields, std::string_view name);
+
+/// \p value of \p field as people read it: with offset, unit, and as many digits as the range of the field needs.
+/// \param value  without the offset
+std::string shown_value(const FamilyField& field, double value);
 
 /// The first of the active keys of \p weights that does not have the field, as an index in the family; none
 /// if all have it.

@@ -30,6 +30,11 @@ TimeUnit unit_of(const Family& family, TimeSource source) {
     return source == TimeSource::path ? TimeUnit::seconds : family.timeline->unit();
 }
 
+std::string unit_name_of(const Family& family, TimeSource source) {
+    if (source == TimeSource::keys && !family.time_unit.empty()) return family.time_unit;
+    return unit_of(family, source) == TimeUnit::steps ? "" : "s";
+}
+
 TimeRange interval_of(const Family& family, TimeSource source) {
     if (source == TimeSource::path) return {family.path->begin(), family.path->end()};
     return {family.timeline->begin(), family.timeline->end()};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "family/family.h"
@@ -26,6 +27,10 @@ std::optional<TimeSource> source_of_time(const Family& family);
 /// What the times of \p source count; those of a path are seconds.
 /// \pre has_source(family, source)
 TimeUnit unit_of(const Family& family, TimeSource source);
+
+/// The unit of these times as people write it: that of the family, or "s"; empty for steps.
+/// \pre has_source(family, source)
+std::string unit_name_of(const Family& family, TimeSource source);
 
 /// The times of \p source from its begin to its end.
 /// \pre has_source(family, source)

@@ -12,7 +12,8 @@ struct FieldFigures {
     double most = 0;
 };
 
-/// \param field  a scalar of \p key
-FieldFigures figures_of(const Hierarchy& key, const Field& field);
+/// \param field   a scalar of \p key
+/// \param offset  is added to all values (field_scale.h)
+FieldFigures figures_of(const Hierarchy& key, const Field& field, double offset = 0);
 
 }  // namespace interleaf

@@ -29,8 +29,8 @@ std::optional<TimeUnit> time_unit_named(std::string_view name) {
     return std::nullopt;
 }
 
-std::string time_text(double time, TimeUnit unit) {
-    return unit == TimeUnit::steps ? fmt::format("step {:.10g}", time) : fmt::format("{:.10g} s", time);
+std::string time_text(double time, std::string_view unit) {
+    return unit.empty() ? fmt::format("step {:.10g}", time) : fmt::format("{:.10g} {}", time, unit);
 }
 
 Timeline::Timeline(std::vector<TimelineKey> keys, Interpolation interpolation, TimeUnit unit)

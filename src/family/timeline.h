@@ -28,8 +28,9 @@ std::string_view name_of(TimeUnit unit);
 /// The unit called \p name; none when there is none.
 std::optional<TimeUnit> time_unit_named(std::string_view name);
 
-/// "2.5 s" or "step 2.5".
-std::string time_text(double time, TimeUnit unit);
+/// "2.5 s", or "step 2.5" without a unit.
+/// \param unit  as people write it
+std::string time_text(double time, std::string_view unit);
 
 class Timeline {
   public:

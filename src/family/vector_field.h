@@ -22,4 +22,9 @@ struct VectorField {
 /// The vector of which the scalar \p name is a component; none if \p fields lack one for x or y.
 std::optional<VectorField> vector_of(std::span<const FamilyField> fields, std::string_view name);
 
+/// The vector of the components \p parts, of which the last may be empty; none if \p fields lack one of them as a
+/// scalar.
+std::optional<VectorField> vector_of_parts(std::span<const FamilyField> fields,
+                                           const std::array<std::string, 3>& parts);
+
 }  // namespace interleaf

@@ -39,10 +39,8 @@ constexpr double second_map_begins = 0.9;
 /// The fraction of the way from a clean mesh to its key at which the map is judged.
 constexpr double judged_at = 0.87;
 
-/// The same of the map before it is matched to a model's, and the fraction of the way from there to judged_at that
-/// matching takes.
+/// The same of the map before it is matched to a model's.
 constexpr double mapped_at = 0.3;
-constexpr double matching_ends = 0.85;
 
 void check_options(const FitOptions& options) {
     if (options.leaves && options.tolerance)
@@ -133,6 +131,24 @@ bool is_accepted(const JudgedMap& judged, const FitLimits& limits) {
     return fault_of_fit(judged.quality, judged.surface.leaves.size(), limits).empty();
 }
 
+/// Why a matched map is not taken, in words: its key is refused, or much worse than that of the unmatched map.
+std::string fault_of_match(const JudgedMap& matched, const FitQuality& unmatched, const FitLimits& limits) {
+    constexpr double farther = 1.3;
+    constexpr double margin = 2e-4;
+    constexpr double small_angle = 3;
+    constexpr double good_angle = 6;
+    const FitQuality& quality = matched.quality;
+    std::string fault = fault_of_fit(quality, matched.surface.leaves.size(), limits);
+    if (!fault.empty()) return fault;
+    if (quality.hausdorff > farther * unmatched.hausdorff + margin)
+        return fmt::format("{:.3g} % of the box diagonal from the surface, {:.3g} % without matching",
+                           100 * quality.hausdorff, 100 * unmatched.hausdorff);
+    if (quality.min_angle < small_angle && unmatched.min_angle > good_angle)
+        return fmt::format("the least angle of a leaf is {:.1f} degrees, {:.1f} without matching",
+                           quality.min_angle, unmatched.min_angle);
+    return {};
+}
+
 /// Matches an accepted map to the model's, if the options name a model. Keeps the map where the matched map gives
 /// no key that is accepted.
 /// \param pins  null for none
@@ -147,23 +163,21 @@ std::optional<MatchReport> match_to_model(JudgedMap& judged, const LandmarkPins*
     }
     const AlignedMap& map = *judged.map;
     const std::span<const Index> held = pins != nullptr ? pins->vertices : std::span<const Index>();
+    JudgedMap judged_match;
+    const auto judge_match = [&](const MatchedMap& matched, const Progress& inner) {
+        stopwatch.lap("matching");
+        judged_match = judge(
+            std::make_unique<AlignedMap>(map.original, matched.mesh, matched.points, map.is_approximate),
+            options.roots, stopwatch, inner);
+        return fault_of_match(judged_match, judged.quality, options.limits);
+    };
     MatchedMap matched = match(*options.model, map.mesh(), map.points, options.rotation, held,
-                               options.matching, part_of(progress, 0, matching_ends));
+                               options.matching, progress, judge_match);
     stopwatch.lap("matching");
-    if (!matched.report.fault.empty()) return std::move(matched.report);
-    auto in_place = std::make_unique<AlignedMap>(map.original, std::move(matched.mesh),
-                                                 std::move(matched.points), map.is_approximate);
-    JudgedMap judged_match =
-        judge(std::move(in_place), options.roots, stopwatch, part_of(progress, matching_ends, 1));
-    if (is_accepted(judged_match, options.limits)) {
+    if (matched.report.fault.empty()) {
         judged_match.method = judged.method;
         judged_match.agreement = judged.agreement;
         judged = std::move(judged_match);
-    } else {
-        matched.report.after = matched.report.before;
-        matched.report.fault =
-            "no good key: " +
-            fault_of_fit(judged_match.quality, judged_match.surface.leaves.size(), options.limits);
     }
     return std::move(matched.report);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "family/origin.h"
 #include "io/export/blend_export.h"
 #include "io/export/vtk_export.h"
 #include "io/family/family_file.h"
@@ -118,6 +119,17 @@ const Format* find_format(const std::filesystem::path& file) {
 const Format* format_with_extension(std::string_view extension) {
     const auto found = std::ranges::find(table, extension, &Format::extension);
     return found == table.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> lost_offsets(const Format& format, const Family& family) {
+    std::vector<std::string> sentences;
+    if (!format.written->origin && family.origin != glm::dvec3(0))
+        sentences.push_back(origin_sentence(family.origin));
+    if (!format.is_exported_key())
+        return sentences;  // fields of the others have their offsets, or are missing
+    for (const FieldScale& scale : family.field_scales)
+        if (scale.offset != 0) sentences.push_back(offset_sentence(scale));
+    return sentences;
 }
 
 bool is_called(const std::filesystem::path& file, FormatTrait trait) {

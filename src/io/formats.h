@@ -75,6 +75,11 @@ const Format* find_format(const std::filesystem::path& file);
 /// The format with \p extension, such as ".obj", in lower case; null if there is none.
 const Format* format_with_extension(std::string_view extension);
 
+/// What positions and fields in a file of \p format are relative to, where the file itself has no place for it: the
+/// origin and the offsets of fields, one sentence each.
+/// \pre the format is exported
+std::vector<std::string> lost_offsets(const Format& format, const Family& family);
+
 /// A yes-or-no property of a format, such as &Format::holds_mesh.
 using FormatTrait = bool (Format::*)() const;
 

@@ -108,14 +108,15 @@ ColorScale::Placing ColorScale::placing() const {
     const auto to_float = [](double factor) {
         return static_cast<float>(std::min<double>(factor, std::numeric_limits<float>::max()));
     };
-    if (!is_diverging(map) || min >= 0 || max <= 0) return {range.min, to_float(1 / (max - min)), 0};
+    if (!is_diverging(map) || min >= 0 || max <= 0 || offset != 0)
+        return {range.min, to_float(1 / (max - min)), 0};
     return {0, to_float(0.5 / std::max(-min, max)), 0.5F};
 }
 
 float ColorScale::place(float value) const {
-    const auto [base, factor, offset] = placing();
+    const auto [base, factor, shift] = placing();
     const float inside = std::clamp(value, range.min, std::max(range.min, range.max));
-    return std::clamp(((uses_logarithm() ? std::log(inside) : inside) - base) * factor + offset, 0.0F, 1.0F);
+    return std::clamp(((uses_logarithm() ? std::log(inside) : inside) - base) * factor + shift, 0.0F, 1.0F);
 }
 
 glm::vec3 ColorScale::color(float value) const {

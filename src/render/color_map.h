@@ -47,14 +47,18 @@ struct ValueRange {
 /// The meaning of colors: \p map over \p range. Values outside get the color of the nearer end of the range.
 ///
 /// A diverging map over a range around 0 has its middle at 0 and equal steps on either side. So the part of
-/// the map beyond the nearer end of the range is not used.
+/// the map beyond the nearer end of the range is not used. With an offset, the scale has no such middle, and is not
+/// logarithmic: all values are then about as large as the offset.
 struct ColorScale {
     ColorMap map = ColorMap::viridis;
     ValueRange range;
     bool is_logarithmic = false;  ///< equal steps are equal factors, if the range is above 0
+    double offset = 0;  ///< is added to values where they are shown; range and colors are without it
     bool operator==(const ColorScale&) const = default;
 
-    bool uses_logarithm() const { return is_logarithmic && range.min > 0 && range.max > range.min; }
+    bool uses_logarithm() const {
+        return is_logarithmic && range.min > 0 && range.max > range.min && offset == 0;
+    }
 
     /// The place of a value, or of its natural logarithm, within the range as an affine map:
     /// (value - base) * factor + offset.

@@ -21,15 +21,24 @@ struct ColoringRow {
     std::string_view name;
     const char* label;
     std::string_view meaning;  ///< for the help; none where the name says it
+    const char* explanation;
 };
 
 /// In the order of the enumerators, which is that of the buttons.
-constexpr std::array<ColoringRow, 5> coloring_rows{{
-    {Coloring::plain, "plain", "Plain", ""},
-    {Coloring::level, "level", "Level", "of each leaf"},
-    {Coloring::origin, "origin", "Origin", "which keys bisect this far"},
-    {Coloring::checker, "checker", "Checker", "over the roots"},
-    {Coloring::field, "field", "Field", ""},
+constexpr std::array<ColoringRow, 9> coloring_rows{{
+    {Coloring::plain, "plain", "Plain", "", "One color."},
+    {Coloring::level, "level", "Level", "of each leaf", "The number of bisections above each leaf."},
+    {Coloring::origin, "origin", "Origin", "which keys bisect this far",
+     "The active keys that bisect as far as each leaf."},
+    {Coloring::common, "common", "Common", "whether all, some or one of the keys bisect this far",
+     "The complex that all active keys have in common, and what some or one of them add."},
+    {Coloring::checker, "checker", "Checker", "over the roots",
+     "A pattern over the roots: it shows which part of one key becomes which part of another."},
+    {Coloring::angle, "angle", "Angle", "smallest of each leaf", "The smallest angle of each leaf."},
+    {Coloring::curvature, "curvature", "Curvature", "mean curvature", "The mean curvature of the blend."},
+    {Coloring::moved, "moved", "Moved", "distance from the first active key",
+     "The distance of the blend from the first active key."},
+    {Coloring::field, "field", "Field", "", "A field of the keys."},
 }};
 
 struct MaterialRow {
@@ -82,6 +91,20 @@ std::string_view name_of(Coloring coloring) {
 
 const char* label_of(Coloring coloring) {
     return row_of(coloring).label;
+}
+
+const char* explanation_of(Coloring coloring) {
+    return row_of(coloring).explanation;
+}
+
+std::string coloring_names_in_words() {
+    const std::vector<Coloring> offered = colorings(false);
+    std::string words;
+    for (const Coloring coloring : offered) {
+        if (!words.empty()) words += coloring == offered.back() ? " or " : ", ";
+        words += name_of(coloring);
+    }
+    return words;
 }
 
 std::optional<Coloring> coloring_named(std::string_view name) {

@@ -2,6 +2,7 @@
 // them.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,11 +38,15 @@ const char* label_of(Material material);
 std::string materials_in_words();
 
 enum class Coloring {
-    plain,    ///< one color
-    level,    ///< by the number of bisections above the leaf
-    origin,   ///< by the set of active keys in which the leaf is a node
-    checker,  ///< a checkerboard over the roots, carried along by level maps
-    field,    ///< by a field of the keys
+    plain,      ///< one color
+    level,      ///< by the number of bisections above the leaf
+    origin,     ///< by the set of active keys in which the leaf is a node
+    common,     ///< by how many active keys have the leaf as a node: all, some or one
+    checker,    ///< a checkerboard over the roots, carried along by level maps
+    angle,      ///< by the smallest angle of each leaf
+    curvature,  ///< by the mean curvature of the blend
+    moved,      ///< by the distance of the blend from the first active key
+    field,      ///< by a field of the keys
 };
 
 /// All colorings, in the order in which they are offered; Coloring::field only where there are fields.
@@ -56,6 +61,12 @@ std::optional<Coloring> coloring_named(std::string_view name);
 
 /// "Plain": on a button.
 const char* label_of(Coloring coloring);
+
+/// What the coloring shows, in a sentence.
+const char* explanation_of(Coloring coloring);
+
+/// "plain, level, ... or moved"; without Coloring::field.
+std::string coloring_names_in_words();
 
 /// The names, and what they mean, for the help; without Coloring::field.
 std::string colorings_in_words();
@@ -73,6 +84,8 @@ struct Display {
     bool refinement_edges = false;
 
     bool root_edges = false;  ///< the edges of the root complex
+    bool vertices = false;    ///< a dot at each vertex
+    bool normals = false;     ///< a line along the normal at each vertex
     float line_width = 1.5F;  ///< in pixels
 
     bool transparent = false;  ///< draws no background: pixels have alpha where no surface is
@@ -92,7 +105,16 @@ struct Display {
     /// renderer draws what it is given.
     float height = 0;
 
+    /// The scalar by which the surface is raised; the shown one if empty.
+    std::string raised_by{};
+
     bool arrows = false;  ///< arrows of the vector whose component is shown; the renderer draws none
+
+    /// The scalars that are the components of another vector for the arrows; the third may be empty. All are empty for
+    /// the vector whose component is shown.
+    std::array<std::string, 3> arrow_parts{};
+
+    bool legend = false;  ///< of the shown scalar, in pictures that are written to files
 
     /// Whether the detail follows the camera instead, within a budget of leaves.
     bool follows_camera = false;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "render/color_map.h"
 
@@ -83,6 +84,25 @@ glm::vec3 origin_color(KeySet origin, std::span<const std::size_t> keys) {
     glm::vec3 sum(0);
     for (const glm::vec3 color : colors) sum += linear_light(color);
     return encoded(sum / static_cast<float>(colors.size()));
+}
+
+Share share_of(KeySet origin, std::size_t key_count) {
+    constexpr std::size_t told_apart = 32;  // further keys share a bit
+    const auto count = static_cast<std::size_t>(std::popcount(origin));
+    if (count >= std::min(key_count, told_apart)) return Share::all;
+    return count > 1 ? Share::some : Share::one;
+}
+
+glm::vec3 common_color(Share share) {
+    switch (share) {
+        case Share::all:
+            return shared_by_all;
+        case Share::some:
+            return from_hex(0x56b4e9);
+        case Share::one:
+            return from_hex(0xe69f00);
+    }
+    return shared_by_all;
 }
 
 }  // namespace interleaf

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -46,5 +47,14 @@ glm::vec3 key_color(std::size_t key);
 /// Color of a leaf that is a node in the keys of \p origin, sRGB-encoded.
 /// \param keys  index in the family of each active key
 glm::vec3 origin_color(KeySet origin, std::span<const std::size_t> keys);
+
+/// How many of the active keys have a leaf as a node.
+enum class Share : std::uint8_t { all, some, one };
+
+/// \param key_count  number of active keys
+Share share_of(KeySet origin, std::size_t key_count);
+
+/// Color of a leaf that \p share of the active keys have as a node, sRGB-encoded.
+glm::vec3 common_color(Share share);
 
 }  // namespace interleaf

@@ -47,6 +47,21 @@ void fill_buffer_texture(const GlBuffer& buffer, const GlTexture& texture, GLenu
     glBindTexture(GL_TEXTURE_BUFFER, 0);
 }
 
+/// The coloring as surface.frag numbers it.
+GLint shader_number(Coloring coloring) {
+    switch (coloring) {
+        case Coloring::plain:
+            return 0;
+        case Coloring::level:
+            return 1;
+        case Coloring::origin:
+        case Coloring::common:
+            return 2;
+        default:
+            return 3;
+    }
+}
+
 void bind_buffer_texture(GLuint unit, const GlTexture& texture) {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_BUFFER, texture.name());
@@ -77,9 +92,9 @@ Renderer::Renderer()
 GlProgram Renderer::make_surface_program(const SurfaceKind& kind) {
     constexpr std::string_view files[] = {"surface.vert", "surface.geom", "surface.frag"};
     constexpr std::string_view files_without_geometry[] = {"surface.vert", "surface.frag"};
-    const std::string definitions =
-        fmt::format("#define KEY_COUNT {}\n#define FIELD {}\n#define CHECKER {:d}\n#define EDGES {:d}",
-                    kind.key_count, kind.field_components, kind.checker, kind.edges);
+    const std::string definitions = fmt::format(
+        "#define KEY_COUNT {}\n#define FIELD {}\n#define VALUES {}\n#define CHECKER {:d}\n#define EDGES {:d}",
+        kind.key_count, kind.field_components, kind.values, kind.checker, kind.edges);
     return kind.checker || kind.edges ? link_program(files, definitions)
                                       : link_program(files_without_geometry, definitions);
 }
@@ -88,6 +103,7 @@ void Renderer::reload_shaders() {
     GlProgram background = make_background_program();
     SurfacePrograms surface;
     for (const auto& [kind, program] : surface_programs_) surface[kind] = make_surface_program(kind);
+    marks_.reload_shaders();
     background_program_ = std::move(background);
     surface_programs_ = std::move(surface);
 }
@@ -166,6 +182,7 @@ void Renderer::show_sent(std::span<const std::size_t> keys) {
     for (const KeySet origin : shown_.origins)
         origin_colors_.push_back(linear_light(origin_color(origin, family_keys)));
     field_components_ = 0;
+    values_.reset();
 }
 
 void Renderer::upload_paths() {
@@ -177,6 +194,7 @@ void Renderer::upload_paths() {
 
 void Renderer::set_field(const UnionField* field) {
     field_components_ = 0;
+    values_.reset();
     if (auto& blend = shown_.processor_blend) {
         blend->field.reset();
         if (field != nullptr) blend->field = *field;
@@ -186,6 +204,14 @@ void Renderer::set_field(const UnionField* field) {
                      component_count(field->label.kind));
     }
     if (field != nullptr) field_components_ = component_count(field->label.kind);
+}
+
+void Renderer::set_values(const SurfaceValues& values) {
+    set_field(nullptr);
+    const std::span<const float> stream = values.values;
+    upload_field({&stream, 1}, 1);
+    field_components_ = 1;
+    values_ = values.place;
 }
 
 /// \param values  the values of each key, as in a UnionField; the components of a vertex are adjacent
@@ -227,8 +253,15 @@ void Renderer::upload_palette(Coloring coloring, ColorMap map) {
         case Coloring::origin:
             for (const glm::vec3 color : origin_colors_) palette.emplace_back(color, 1);
             break;
+        case Coloring::common:
+            for (const KeySet origin : shown_.origins)
+                palette.emplace_back(linear_light(common_color(share_of(origin, shown_.key_count))), 1);
+            break;
         case Coloring::checker:
             break;
+        case Coloring::angle:
+        case Coloring::curvature:
+        case Coloring::moved:
         case Coloring::field:
             for (std::size_t n = 0; n < scale_texels; ++n)
                 palette.emplace_back(linear_light(color_at(map, static_cast<float>(n) / (scale_texels - 1))),
@@ -323,15 +356,19 @@ void Renderer::draw_depths(std::span<const float> weights, const glm::mat4& proj
 void Renderer::draw_surface(const OffscreenTarget& target, const Camera& camera,
                             std::span<const float> weights, const Display& display) {
     weights = weights_on_gpu(weights);
-    const bool shows_field = display.coloring == Coloring::field && field_components_ > 0;
-    const Coloring coloring =
-        display.coloring == Coloring::field && !shows_field ? Coloring::plain : display.coloring;
+    const bool wants_field = display.coloring == Coloring::field || is_measured(display.coloring);
+    const bool shows_field =
+        wants_field && field_components_ > 0 && values_.has_value() == is_measured(display.coloring);
+    const Coloring coloring = wants_field && !shows_field ? Coloring::plain : display.coloring;
     upload_palette(coloring, display.scale.map);
     if (coloring == Coloring::checker) upload_paths();
 
     const GlProgram& program =
         surface_program({.key_count = shown_.buffers.key_count(),
                          .field_components = shows_field ? field_components_ : 0,
+                         .values = !shows_field || !values_         ? 0
+                                   : *values_ == ValuePlace::vertex ? 1
+                                                                    : 2,
                          .checker = coloring == Coloring::checker,
                          .edges = display.wireframe || display.refinement_edges || display.root_edges});
     const float aspect = static_cast<float>(target.width()) / static_cast<float>(target.height());
@@ -341,7 +378,7 @@ void Renderer::draw_surface(const OffscreenTarget& target, const Camera& camera,
                        glm::value_ptr(camera.projection(aspect)));
     glUniform1fv(uniform(program, "weights"), static_cast<GLsizei>(weights.size()), weights.data());
     glUniform1i(uniform(program, "flat_shading"), display.shading == Shading::flat);
-    glUniform1i(uniform(program, "coloring"), static_cast<GLint>(coloring));
+    glUniform1i(uniform(program, "coloring"), shader_number(coloring));
     const Material material = coloring == Coloring::plain ? display.material : Material::clay;
     glUniform1i(uniform(program, "material"), static_cast<GLint>(material));
     glUniform1i(uniform(program, "show_wireframe"), display.wireframe);
@@ -362,6 +399,7 @@ void Renderer::draw_surface(const OffscreenTarget& target, const Camera& camera,
     glBindVertexArray(shown_.buffers.attributes().name());
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * shown_.buffers.leaf_count()), GL_UNSIGNED_INT,
                    nullptr);
+    marks_.draw(shown_.buffers, target, camera, weights, display);
 }
 
 }  // namespace interleaf

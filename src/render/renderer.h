@@ -24,6 +24,8 @@
 #include "render/palette.h"
 #include "render/prepared_surface.h"
 #include "render/surface_buffers.h"
+#include "render/surface_values.h"
+#include "render/vertex_marks.h"
 
 namespace interleaf {
 
@@ -68,6 +70,11 @@ class Renderer {
     /// \throw MachineError if the field has more values than a buffer texture holds here
     void set_field(const UnionField* field);
 
+    /// Makes the colorings of is_measured() show \p values, instead of a field. Without values they look like
+    /// Coloring::plain.
+    /// \throw MachineError as set_field()
+    void set_values(const SurfaceValues& values);
+
     /// Draws the background and the surface into \p target.
     /// \param weights  one per key of the uploaded mesh
     void draw(const OffscreenTarget& target, const Camera& camera, std::span<const float> weights,
@@ -91,6 +98,7 @@ class Renderer {
     struct SurfaceKind {
         std::size_t key_count;         ///< on the GPU
         std::size_t field_components;  ///< components of the shown field; 0 for none
+        int values = 0;  ///< 0: the field has a stream per key; 1: one value per vertex; 2: one per leaf
         bool checker;
         bool edges;
         auto operator<=>(const SurfaceKind&) const = default;
@@ -145,8 +153,10 @@ class Renderer {
     Surface shown_;
     Surface next_;                                    ///< what is sent
     std::shared_ptr<const PreparedSurface> sending_;  ///< its data, until they are sent
-    std::size_t field_components_ = 0;                ///< of the uploaded field; 0 for none
-    std::vector<glm::vec3> origin_colors_;            ///< of the origins that occur, in linear light
+    VertexMarks marks_;
+    std::optional<ValuePlace> values_;      ///< of the uploaded values; none for a field
+    std::size_t field_components_ = 0;      ///< of the uploaded field; 0 for none
+    std::vector<glm::vec3> origin_colors_;  ///< of the origins that occur, in linear light
 };
 
 }  // namespace interleaf

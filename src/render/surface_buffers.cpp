@@ -72,6 +72,7 @@ void SurfaceBuffers::begin_leaves(const UnionMesh& mesh, std::span<const LeafTex
                                   std::size_t key_count) {
     check_texel_count(mesh.leaf_count(), "leaves");
     leaf_count_ = mesh.leaf_count();
+    vertex_count_ = mesh.vertex_count();
     key_count_ = key_count;
     for (std::size_t key = 0; key < max_gpu_keys; ++key) {
         if (key >= key_count_)

@@ -44,6 +44,7 @@ class SurfaceBuffers {
     const GlVertexArray& attributes() const { return attributes_; }
     const GlTexture& leaf_texture() const { return leaf_texture_; }
     std::size_t leaf_count() const { return leaf_count_; }
+    std::size_t vertex_count() const { return vertex_count_; }
 
     /// Number of position streams on the GPU.
     std::size_t key_count() const { return key_count_; }
@@ -67,6 +68,7 @@ class SurfaceBuffers {
     GlBuffer leaf_data_;                            ///< LeafTexels
     GlTexture leaf_texture_;                        ///< leaf_data_ as a buffer texture
     std::size_t leaf_count_ = 0;
+    std::size_t vertex_count_ = 0;
     std::size_t key_count_ = 0;
     std::vector<Piece> pieces_;  ///< still to be sent
 };

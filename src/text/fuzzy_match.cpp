@@ -1,7 +1,9 @@
 #include "text/fuzzy_match.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "text/characters.h"
 
@@ -61,23 +63,36 @@ std::optional<unsigned> word_rank(std::string_view word, std::string_view text) 
     return gaps ? std::optional(is_scattered + *gaps) : std::nullopt;
 }
 
+/// The words of \p text, in lower case.
+std::vector<std::string> words_of(std::string_view text) {
+    std::vector<std::string> words;
+    const std::string whole = folded(text);
+    std::string_view rest = whole;
+    while (!rest.empty()) {
+        const std::size_t end = rest.find(' ');
+        if (end != 0) words.emplace_back(rest.substr(0, end));
+        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    }
+    return words;
+}
+
 }  // namespace
 
 std::optional<unsigned> match_rank(std::string_view pattern, std::string_view text) {
-    const std::string words = folded(pattern);
     const std::string within = folded(text);
-    std::string_view rest = words;
     unsigned rank = 0;
-    while (!rest.empty()) {
-        const std::size_t end = rest.find(' ');
-        const std::string_view word = rest.substr(0, end);
-        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-        if (word.empty()) continue;
+    for (const std::string& word : words_of(pattern)) {
         const std::optional<unsigned> here = word_rank(word, within);
         if (!here) return std::nullopt;
         rank += *here;
     }
     return rank;
+}
+
+bool contains_words(std::string_view words, std::string_view text) {
+    const std::string within = folded(text);
+    return std::ranges::all_of(
+        words_of(words), [&](const std::string& word) { return within.find(word) != std::string::npos; });
 }
 
 }  // namespace interleaf

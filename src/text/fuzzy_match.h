@@ -13,4 +13,7 @@ namespace interleaf {
 /// \return none if \p text does not match
 std::optional<unsigned> match_rank(std::string_view pattern, std::string_view text);
 
+/// Whether every word of \p words is a part of \p text, in any case.
+bool contains_words(std::string_view words, std::string_view text);
+
 }  // namespace interleaf

@@ -100,7 +100,8 @@ void Gui::begin_frame(std::span<const int> pressed) {
     ImGui_ImplGlfw_NewFrame();
     follow_menu();
     hold_taps(pressed);
-    give_keys_to_menu();
+    panel_keys_.follow();
+    give_keys();
     ImGui::NewFrame();
     has_mouse_input_ = mouse_does_something();
 }
@@ -112,7 +113,7 @@ void Gui::begin_drawing() {
     // Skip the backends, which would read the pointer again. Dear ImGui requires that some time passes.
     ImGui::GetIO().DeltaTime = min_delta;
     follow_menu();
-    give_keys_to_menu();
+    give_keys();
     ImGui::NewFrame();
 }
 
@@ -128,23 +129,24 @@ void Gui::follow_menu() {
                     : front.Window->Active && (front.Window->Flags & ImGuiWindowFlags_Modal) == 0;
 }
 
-/// Turns on Dear ImGui's keyboard navigation while a menu is open. Everywhere else it is off.
-void Gui::give_keys_to_menu() {
+/// Turns on Dear ImGui's keyboard navigation while a menu is open or a panel has the keyboard. Otherwise it is off.
+void Gui::give_keys() {
     ImGuiIO& io = ImGui::GetIO();
     ImGuiContext& context = *ImGui::GetCurrentContext();
-    if (!has_menu_) {
+    if (!has_menu_ && !panel_keys_.has_keyboard()) {
         io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
         return;
     }
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    if (io.KeysDown[GLFW_KEY_ENTER] || io.KeysDown[GLFW_KEY_KP_ENTER])
+        io.NavInputs[ImGuiNavInput_Activate] = 1;
+    if (!has_menu_) return;
     // In a menu that the mouse has opened, the first arrow key selects the first entry, not the second. A
     // list of choices starts at the current choice.
     const ImGuiWindow* const front = context.OpenPopupStack.back().Window;
     const bool is_list = front != nullptr && std::string_view(front->Name).starts_with("##Combo");
     if (context.NavDisableHighlight && !context.NavInitRequestFromMove && !is_list)
         context.NavInitResultId = 0;
-    if (io.KeysDown[GLFW_KEY_ENTER] || io.KeysDown[GLFW_KEY_KP_ENTER])
-        io.NavInputs[ImGuiNavInput_Activate] = 1;
 }
 
 void Gui::end_frame() {

@@ -8,6 +8,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "ui/panel_keys.h"
 #include "ui/widgets/appearance.h"
 #include "ui/widgets/gui_state.h"
 #include "ui/widgets/rect.h"
@@ -70,6 +71,9 @@ class Gui {
     /// arrows move in it, Enter and Space choose, Esc closes it.
     bool has_menu() const { return has_menu_; }
 
+    /// The keyboard in the panels.
+    PanelKeys& panel_keys() { return panel_keys_; }
+
     /// The rectangle of the frontmost menu or question, in screen coordinates; none if it is not shown.
     std::optional<Rect> popup() const;
 
@@ -82,7 +86,7 @@ class Gui {
     void follow_display();
     void add_glyphs();
     void follow_menu();
-    void give_keys_to_menu();
+    void give_keys();
     void hold_taps(std::span<const int> pressed);
     void release_taps();
 
@@ -93,6 +97,7 @@ class Gui {
     float scale_ = 0;  ///< scale of the user interface, in screen coordinates; includes text_scale_
     float density_ = 0;
     bool has_menu_ = false;
+    PanelKeys panel_keys_;
     bool has_mouse_input_ = false;
     std::vector<int> taps_;          ///< keys held down for this frame
     std::vector<int> waiting_taps_;  ///< keys for the next frames, in order

@@ -108,9 +108,9 @@ TEST_CASE("a field that does not exist is refused, and the message names the exi
     };
     CHECK(contains(error_of({family, "--color", "heigth"}),
                    "--color: no field is called 'heigth'; there are height, color, plain"));
-    CHECK(
-        contains(error_of({INTERLEAF_FIVE_KEYS, "--color", "heigth"}),
-                 "--color: expected plain, level, origin or checker, got 'heigth'; the keys have no fields"));
+    CHECK(contains(error_of({INTERLEAF_FIVE_KEYS, "--color", "heigth"}),
+                   "--color: expected plain, level, origin, common, checker, angle, curvature or moved, got "
+                   "'heigth'; the keys have no fields"));
     CHECK(contains(error_of({family, "--time", "0.5", "--color", "field:plain"}),
                    "--color: key 'bone' has no field 'plain'"));
     CHECK(contains(error_of({family, "--color", "height", "--color-map", "jet"}),

@@ -74,7 +74,9 @@ TEST_CASE("every choice changes the picture where it should") {
     const std::vector<std::vector<std::string>> choices = {
         {"--color", "level"},           {"--color", "origin"},    {"--show", "wireframe"},
         {"--show", "refinement-edges"}, {"--show", "root-edges"}, {"--camera", "120,20"},
-        {"--camera", "30,20,2"}};
+        {"--camera", "30,20,2"},        {"--color", "common"},    {"--color", "angle"},
+        {"--color", "curvature"},       {"--color", "moved"},     {"--show", "vertices"},
+        {"--show", "normals"}};
     std::vector<Picture> pictures = {plain};
     for (std::vector<std::string> choice : choices) {
         choice.insert(choice.end(), {"--at", "0.3,0.4"});

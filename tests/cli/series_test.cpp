@@ -123,6 +123,75 @@ TEST_CASE("fit takes a step of a series as a mesh, with its fields") {
         CHECK(std::abs(key.fields[0].values[v] - key.positions[v].z) < 1e-4F);
 }
 
+TEST_CASE("units are named on the command line, kept, and printed; a series has the figures of a family") {
+    const ScratchFolder folder;
+    put_steps(folder);
+    const std::string series = folder / "run-*.vtk";
+    Outcome outcome =
+        run_interleaf({"import", series, "--unit", "u=m/s", "--time-unit", "ms", "-o", folder / "out"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    CHECK(read_family(folder / "out").time_unit == "ms");
+    outcome = run_interleaf({"family", folder / "out", "--unit", "u=km/h", "-o", folder / "other"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    outcome = run_interleaf({"info", folder / "other"});
+    CHECK(contains(outcome.output, "u  0 to 1 km/h\n"));
+    CHECK(contains(outcome.output, "timeline, ms, linear"));
+    CHECK(contains(run_interleaf({"import", series, "--unit", "w=m", "-o", folder / "no"}).errors,
+                   "no key has a scalar field called \"w\""));
+    outcome = run_interleaf({"family", folder / "out", "--unit", "u", "-o", folder / "no"});
+    CHECK(outcome.status == 2);
+    CHECK(contains(outcome.errors, "--unit: expected FIELD=TEXT, such as T=K, got 'u'"));
+
+    outcome = run_interleaf({"info", series});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    CHECK(outcome.output.starts_with("family"));
+    CHECK(contains(outcome.output, "run-3"));
+    CHECK(contains(outcome.output, "timeline, steps, linear"));
+}
+
+TEST_CASE("a key of a field far from 0 is written without its offset, and a word says so") {
+    const ScratchFolder folder;
+    put(folder / "run-1.vtk", square_file(false, 300));
+    put(folder / "run-2.vtk", square_file(true, 300.5));
+    REQUIRE(run_interleaf({"import", folder / "run-*.vtk", "-o", folder / "out"}).status == 0);
+    CHECK(contains(run_interleaf({"info", folder / "out"}).output, "u  300 to 300.5\n"));
+    const Outcome outcome = run_interleaf({"export", folder / "out", "--time", "1", "-o", folder / "a.ilh"});
+    CHECK(contains(outcome.errors, "The values of u are the differences from "));
+    const Outcome ply = run_interleaf({"export", folder / "out", "--time", "1", "-o", folder / "a.ply"});
+    CHECK(ply.errors.empty());
+    CHECK(contains(content(folder / "a.ply"), "property double u\n"));
+}
+
+TEST_CASE("pictures have a legend, heights and arrows where they are asked for, and faults are named") {
+    const ScratchFolder folder;
+    put(folder / "run-1.vtk", square_file(true, 0.25));
+    put(folder / "run-2.vtk", square_file(true, 1));
+    const std::string family = folder / "out";
+    REQUIRE(run_interleaf({"import", folder / "run-*.vtk", "-o", family}).status == 0);
+    const auto render = [&](std::vector<std::string> choice) {
+        choice.insert(choice.begin(), {"render", family, "--size", "240x180", "--color", "u", "--time", "1.5",
+                                       "-o", "-", "--format", "png"});
+        return run_interleaf(choice);
+    };
+    std::vector<std::string> pictures;
+    for (const std::vector<std::string>& choice : std::vector<std::vector<std::string>>{
+             {}, {"--legend"}, {"--height", "u"}, {"--height", "u,0.5"}, {"--arrows", "u,u"}}) {
+        const Outcome outcome = render(choice);
+        REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+        for (const std::string& other : pictures) CHECK(outcome.output != other);
+        pictures.push_back(outcome.output);
+    }
+    const auto error = [&](std::vector<std::string> choice) {
+        const Outcome outcome = render(std::move(choice));
+        CHECK(outcome.status == 2);
+        return outcome.errors;
+    };
+    CHECK(contains(error({"--height", "w"}), "--height: no scalar field is called 'w'; there are u"));
+    CHECK(contains(error({"--height", "u,2"}), "--height: expected FIELD or FIELD,PART"));
+    CHECK(contains(error({"--arrows", "u"}), "--arrows: expected two or three scalars"));
+    CHECK(contains(error({"--arrows", "u,w"}), "--arrows: no scalar field is called 'w'"));
+}
+
 TEST_CASE("where no key can be fitted either, the message says what was tried") {
     const ScratchFolder folder;
     put(folder / "g1.vtk", globe_file(16, 1.5));

@@ -84,3 +84,38 @@ TEST_CASE("arrows move in an open menu and Enter chooses, and time and camera do
     viewer.press(XK_Right);
     viewer.wait_for("another time", [&](const State& s) { return s["time"] != start["time"]; });
 }
+
+TEST_CASE("Alt opens the first menu, and F6 gives the keyboard to the panels") {
+    const RunningViewer viewer;
+    const State start = viewer.state();
+    viewer.press(XK_Alt_L);
+    wait_for_menu(viewer);
+    viewer.press(XK_Escape);
+    wait_for_no_menu(viewer);
+
+    viewer.press(XK_F6);
+    wait_as_between_keys();
+    viewer.press(XK_Down);
+    wait_as_between_keys();
+    viewer.press(XK_Down);
+    State state = viewer.wait_for("a selected key", [](const State& s) { return !s["selected"].is_null(); });
+    CHECK(state["time"] == start["time"]);
+    CHECK(state["driver"] == "key");
+    viewer.press(XK_Escape);
+    wait_as_between_keys();
+    viewer.press(XK_space);
+    viewer.wait_for("playback", [](const State& s) { return s["playing"] == true; });
+}
+
+TEST_CASE("the search for commands runs what is found, and receives all keys meanwhile") {
+    const RunningViewer viewer;
+    viewer.press(XK_p, XK_Control_L);
+    viewer.wait_for("the search", [](const State& s) { return s["asking"] == true; });
+    for (const KeyName letter : {XK_w, XK_i, XK_r, XK_e}) {
+        viewer.press(letter);
+        wait_as_between_keys();
+    }
+    CHECK(viewer.state()["display"]["wireframe"] == false);
+    viewer.press(XK_Return);
+    viewer.wait_for("the wireframe", [](const State& s) { return s["display"]["wireframe"] == true; });
+}

@@ -342,8 +342,9 @@ TEST_CASE("each display key changes the picture, and changes it back") {
     const Picture plain = viewer.settled_picture();
     const State start = viewer.state();
     std::set<Picture> pictures{plain};
-    for (const auto& [key, name] : {Toggle{XK_w, "wireframe"}, Toggle{XK_r, "refinement_edges"},
-                                    Toggle{XK_e, "root_edges"}, Toggle{XK_s, "shading"}}) {
+    for (const auto& [key, name] :
+         {Toggle{XK_w, "wireframe"}, Toggle{XK_r, "refinement_edges"}, Toggle{XK_e, "root_edges"},
+          Toggle{XK_v, "vertices"}, Toggle{XK_n, "normals"}, Toggle{XK_s, "shading"}}) {
         CAPTURE(name);
         viewer.press(key);
         const State on =
@@ -356,13 +357,30 @@ TEST_CASE("each display key changes the picture, and changes it back") {
                         [&](const State& s) { return s["display"] == start["display"]; });
         CHECK(viewer.shows(plain));
     }
-    for (const char* coloring : {"level", "origin", "checker"}) {
+    for (const char* coloring : {"level", "origin", "common", "checker", "angle", "curvature", "moved"}) {
         viewer.press(XK_c);
         viewer.wait_for(coloring, [&](const State& s) { return s["display"]["coloring"] == coloring; });
         CHECK(pictures.insert(viewer.changed_picture(plain)).second);
     }
     viewer.press(XK_c);
     CHECK(viewer.shows(plain));
+}
+
+TEST_CASE(
+    "a click inspects a leaf, keys step from it, and a double-click, a drag or Esc does not or ends it") {
+    const RunningViewer viewer;
+    const glm::vec2 middle = view_pixel(viewer.state());
+    viewer.click(middle);
+    const State leaf = viewer.wait_for("a leaf", [](const State& s) { return !s["inspected"].is_null(); });
+    REQUIRE(leaf["inspected"][1] > 0);
+    viewer.press(XK_Up, XK_Control_L, XK_Shift_L);
+    viewer.wait_for("its parent", [&](const State& s) {
+        return s["inspected"].is_array() && s["inspected"][1] == leaf["inspected"][1].get<int>() - 1;
+    });
+    viewer.drag(middle, middle + glm::vec2(60, 30));
+    CHECK(viewer.state()["inspected"][1] == leaf["inspected"][1].get<int>() - 1);
+    viewer.press(XK_Escape);
+    viewer.wait_for("nothing", [](const State& s) { return s["inspected"].is_null(); });
 }
 
 TEST_CASE("--along is an edit where the family says otherwise, and can be undone") {
@@ -400,7 +418,8 @@ TEST_CASE("the colors of an OBJ are shown as a field, with the value under the p
     CHECK(start["display"]["field"] == "color");
     viewer.point_at(view_pixel(start));
     std::set<Picture> pictures = {viewer.settled_picture()};
-    for (const char* coloring : {"level", "origin", "checker", "field"}) {
+    for (const char* coloring :
+         {"level", "origin", "common", "checker", "angle", "curvature", "moved", "field"}) {
         viewer.press(XK_c);
         viewer.wait_for(coloring, [&](const State& s) { return s["display"]["coloring"] == coloring; });
         pictures.insert(viewer.settled_picture());

@@ -1,5 +1,7 @@
 #include "family/family_fields.h"
 
+#include <span>
+
 #include <doctest/doctest.h>
 
 #include "hierarchy/union_fields.h"
@@ -39,7 +41,7 @@ TEST_CASE(
     CHECK(fields[2].max == 7);
     CHECK(find_field(fields, "p") == &fields[2]);
     CHECK(find_field(fields, "q") == nullptr);
-    CHECK(fields_of({}).empty());
+    CHECK(fields_of(std::span<const Key>()).empty());
 }
 
 TEST_CASE("key_without finds the first active key without the field, or with another kind of it") {

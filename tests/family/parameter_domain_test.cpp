@@ -83,7 +83,7 @@ double sampled_distance(const ParameterDomain& domain, const glm::dvec2& point) 
 }
 
 /// The weight of each key, 0 for keys that are not active.
-std::vector<double> dense(const Weights& weights, std::size_t key_count) {
+std::vector<double> dense_values(const Weights& weights, std::size_t key_count) {
     std::vector<double> values(key_count, 0);
     for (const Weight& weight : weights) values[weight.key] = weight.value;
     return values;
@@ -128,7 +128,7 @@ TEST_CASE("a point inside stays where it is, to the last bit") {
     const DomainPoint found = square().locate(point);
     CHECK(found.at == point);
     CHECK(found.triangle == 2);
-    const auto weights = dense(square().weights(found), 5);
+    const auto weights = dense_values(square().weights(found), 5);
     CHECK(weights[2] == doctest::Approx(0.35));
     CHECK(weights[3] == doctest::Approx(0.05));
     CHECK(weights[4] == doctest::Approx(0.6));
@@ -164,8 +164,8 @@ TEST_CASE("weights are continuous across every edge") {
                 const glm::dvec2 middle = (a + b) / 2.0;
                 (domain.locate(middle).triangle == start ? a : b) = middle;
             }
-            const auto left = dense(domain.weights(domain.locate(a)), domain.vertices().size());
-            const auto right = dense(domain.weights(domain.locate(b)), domain.vertices().size());
+            const auto left = dense_values(domain.weights(domain.locate(a)), domain.vertices().size());
+            const auto right = dense_values(domain.weights(domain.locate(b)), domain.vertices().size());
             for (std::size_t key = 0; key < left.size(); ++key)
                 CHECK(std::abs(left[key] - right[key]) < 1e-7);
         }

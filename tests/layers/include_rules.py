@@ -25,7 +25,7 @@ LAYERS = {
 # The other rooms of its layer that each room may include; "" stands for the files beside the rooms. Layers
 # that are not in this table have no rooms.
 ROOMS = {
-    "hierarchy": {"": set(), "matching": {""}, "detail": {""}},
+    "hierarchy": {"": set(), "matching": {""}, "detail": {""}, "nodes": {""}},
     "fit": {
         "mesh": set(),
         "clean_up": {"mesh"},
@@ -59,11 +59,12 @@ ROOMS = {
         "": {"widgets"},
     },
     "app": {
-        "importing": set(),
+        "work": set(),
+        "importing": {"work"},
         "document": {"importing"},
         "landmarks": set(),
-        "fitting": {"document", "landmarks"},
-        "storage": {"document", "fitting", "importing"},
+        "fitting": {"document", "landmarks", "work"},
+        "storage": {"document", "fitting", "importing", "work"},
         "pictures": {"document"},
         "brushing": {"document"},
         "window": {"document", "landmarks", "fitting", "storage", "pictures", "brushing"},

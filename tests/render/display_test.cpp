@@ -44,7 +44,11 @@ TEST_CASE("colorings follow each other around, that by a field only where there 
 
 TEST_CASE("the help says what each coloring shows") {
     CHECK(colorings_in_words() ==
-          "plain, level (of each leaf), origin (which keys bisect this far), checker (over the roots)");
+          "plain, level (of each leaf), origin (which keys bisect this far), common (whether all, some or "
+          "one of the "
+          "keys bisect this far), checker (over the roots), angle (smallest of each leaf), curvature (mean "
+          "curvature), "
+          "moved (distance from the first active key)");
 }
 
 TEST_CASE("shadings are found by their names") {

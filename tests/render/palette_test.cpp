@@ -65,3 +65,16 @@ TEST_CASE("a key keeps its color no matter which other keys are active") {
     CHECK(glm::distance(origin_color(key_bit(1), more), key_color(4)) < 1e-3F);
     CHECK(glm::distance(origin_color(key_bit(3), more), key_color(6)) < 1e-3F);
 }
+
+TEST_CASE("a leaf belongs to all, some or one of the active keys, and each has its color") {
+    CHECK(share_of(0b1, 1) == Share::all);
+    CHECK(share_of(0b11, 2) == Share::all);
+    CHECK(share_of(0b10, 2) == Share::one);
+    CHECK(share_of(0b101, 3) == Share::some);
+    CHECK(share_of(0b100, 3) == Share::one);
+    CHECK(share_of(~KeySet{0}, 40) == Share::all);  // the keys from the 32nd on share a bit
+    CHECK(share_of(~KeySet{0} >> 1, 40) == Share::some);
+    CHECK(common_color(Share::all) != common_color(Share::some));
+    CHECK(common_color(Share::some) != common_color(Share::one));
+    CHECK(common_color(Share::one) != common_color(Share::all));
+}

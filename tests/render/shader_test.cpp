@@ -27,7 +27,7 @@ std::string failure(std::string_view definitions) {
 }  // namespace
 
 TEST_CASE("every embedded shader equals the file on disk") {
-    CHECK(embedded_shaders().size() == 11);
+    CHECK(embedded_shaders().size() == 13);
     for (const EmbeddedShader& shader : embedded_shaders()) {
         CAPTURE(shader.file);
         CHECK(shader.source.starts_with("#version 330 core\n"));

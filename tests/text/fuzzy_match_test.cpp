@@ -49,3 +49,10 @@ TEST_CASE("letters beyond ASCII are found in any case, and bytes that are not UT
     CHECK(match_rank("\xff", "a\xff"));
     CHECK_FALSE(match_rank("\xff\xfe", "a"));
 }
+
+TEST_CASE("a text contains words only as they are, in any order and any case") {
+    CHECK(contains_words("KEY next", "Go to next key"));
+    CHECK(contains_words("", "anything"));
+    CHECK_FALSE(contains_words("ball7", "ball17"));
+    CHECK_FALSE(contains_words("next door", "Go to next key"));
+}

@@ -11,7 +11,6 @@
 #include "app/cli/held_interrupts.h"
 #include "app/cli/progress_line.h"
 #include "app/document/opening.h"
-#include "family/origin.h"
 #include "hierarchy/error.h"
 #include "hierarchy/progress.h"
 #include "io/export/time_list.h"
@@ -59,8 +58,8 @@ void run_export(const ExportOptions& options) {
     }
     for (const std::string& remark : remarks)
         print_error(fmt::format("{}: {}", options.output.target, remark));
-    if (!format.written->origin && family.origin != glm::dvec3(0))
-        print_error(fmt::format("{}: {}", options.output.target, origin_sentence(family.origin)));
+    for (const std::string& sentence : lost_offsets(format, family))
+        print_error(fmt::format("{}: {}", options.output.target, sentence));
 }
 
 }  // namespace interleaf

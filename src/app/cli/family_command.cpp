@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "app/cli/error_message.h"
 #include "app/document/opening.h"
 #include "family/key_edits.h"
@@ -44,6 +46,13 @@ void run_family(const FamilyOptions& options) {
     if (options.basis || options.degree) {
         const Interpolation interpolation = interpolation_of(family, options);
         family = with_interpolation(std::move(family), interpolation);
+    }
+    try {
+        for (const auto& [field, unit] : options.units)
+            family = with_field_unit(std::move(family), field, unit);
+        if (options.time_unit) family = with_time_unit(std::move(family), *options.time_unit);
+    } catch (const InputError& error) {
+        throw UsageError(fmt::format("--unit, --time-unit: {}", error.what()));
     }
     write_family(family, options.output, options.form);
     for (const std::string& change : changes) print_error(change);

@@ -39,7 +39,9 @@ Json json_of(const SeriesFiles& series, const ImportedSeries& imported) {
                          {"largest_difference", report.largest_difference},
                          {"distance", report.distance},
                          {"integral_error", report.integral_error},
-                         {"moved_widths", report.moved_widths}});
+                         {"moved_widths", report.moved_widths},
+                         {"point_motion", report.point_motion},
+                         {"surface_motion", report.surface_motion}});
     }
     return {{"method", name_of(imported.report.method)},
             {"roots", imported.report.root_count},
@@ -52,12 +54,15 @@ void print_steps(const SeriesFiles& series, const ImportedSeries& imported) {
                name_of(imported.report.method));
     for (std::size_t step = 0; step < series.files.size(); ++step) {
         const StepReport& report = imported.report.steps[step];
-        fmt::print("{}: time {}, {} triangles, {} leaves, largest difference {:.3g} %{}\n",
-                   series.files[step].filename().string(), series.times[step], report.triangles,
-                   report.leaves, 100 * report.largest_difference,
-                   imported.report.method == SeriesMethod::by_fitting
-                       ? fmt::format(", {:.3g} % of the box diagonal from the mesh", 100 * report.distance)
-                       : "");
+        fmt::print(
+            "{}: time {}, {} triangles, {} leaves, largest difference {:.3g} %{}\n",
+            series.files[step].filename().string(), series.times[step], report.triangles, report.leaves,
+            100 * report.largest_difference,
+            imported.report.method == SeriesMethod::by_fitting
+                ? fmt::format(", {:.3g} % of the box diagonal from the mesh; until the next step, "
+                              "points move {:.3g} %, the surface {:.3g} %",
+                              100 * report.distance, 100 * report.point_motion, 100 * report.surface_motion)
+                : "");
     }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "text/shown_text.h"
+#include "text/value_text.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,7 @@
 #include "io/formats.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "io/mesh/mesh_file.h"
+#include "io/series_files.h"
 #include "ui/widgets/number_text.h"
 
 namespace interleaf {
@@ -104,10 +106,13 @@ Json json_of(const Figures& figures) {
 }
 
 Json json_of(const FamilyField& field) {
-    return {{"name", field.label.name},
-            {"kind", name_of(field.label.kind)},
-            {"min", field.min},
-            {"max", field.max}};
+    Json json = {{"name", field.label.name},
+                 {"kind", name_of(field.label.kind)},
+                 {"min", double{field.min} + field.offset},
+                 {"max", double{field.max} + field.offset}};
+    if (field.offset != 0) json["offset"] = field.offset;
+    if (!field.unit.empty()) json["unit"] = field.unit;
+    return json;
 }
 
 Json json_of(const std::vector<FamilyField>& fields) {
@@ -158,14 +163,14 @@ void print(const Json& document) {
 void print_json(Kind kind, const Family& family, std::span<const Figures> keys, const Figures& whole) {
     Json document = {{"kind", name_of(kind)}, {"name", family.name}};
     document.update(json_of(whole));
-    document["fields"] = json_of(fields_of(family.keys));
+    document["fields"] = json_of(fields_of(family));
     if (kind == Kind::family) {
         document["keys"] = Json::array();
         for (std::size_t i = 0; i < keys.size(); ++i) {
             Json key = {{"name", family.keys[i].name}};
             key.update(json_of(keys[i]));
             key.update(json_of(census_as_it_is(surface_of(*family.keys[i].hierarchy))));
-            key["fields"] = json_of(fields_of(std::span(&family.keys[i], 1)));
+            key["fields"] = json_of(fields_of(std::span(&family.keys[i], 1), family.field_scales));
             document["keys"].push_back(std::move(key));
         }
     }
@@ -223,6 +228,15 @@ void print_whole(Kind kind, const Family& family, const Figures& whole) {
     print_line("box", text_of(glm::dvec3(whole.box.min)) + " to " + text_of(glm::dvec3(whole.box.max)));
 }
 
+/// "0 to 1.5 m/s".
+std::string range_text(const FamilyField& field) {
+    if (field.offset != 0)
+        return with_unit(fmt::format("{:.10g} to {:.10g}", double{field.min} + field.offset,
+                                     double{field.max} + field.offset),
+                         field.unit);
+    return with_unit(fmt::format("{:.6g} to {:.6g}", field.min, field.max), field.unit);
+}
+
 /// Prints the fields. A scalar field is printed with its range over all keys that have the field.
 void print_fields(const std::vector<FamilyField>& fields) {
     if (fields.empty()) return;
@@ -230,8 +244,7 @@ void print_fields(const std::vector<FamilyField>& fields) {
     for (const FamilyField& field : fields) {
         const bool is_color = field.label.kind == FieldKind::color;
         print_line(name_of(field.label.kind),
-                   is_color ? field.label.name
-                            : fmt::format("{}  {:.6g} to {:.6g}", field.label.name, field.min, field.max));
+                   is_color ? field.label.name : fmt::format("{}  {}", field.label.name, range_text(field)));
     }
 }
 
@@ -247,7 +260,9 @@ void print_keys(const Family& family, std::span<const Figures> keys) {
 }
 
 void print_timeline(const Timeline& timeline, const Family& family) {
-    fmt::print("\ntimeline, {}, {}\n", name_of(timeline.unit()), text_of(timeline.interpolation()));
+    fmt::print("\ntimeline, {}, {}\n",
+               family.time_unit.empty() ? name_of(timeline.unit()) : std::string_view(family.time_unit),
+               text_of(timeline.interpolation()));
     for (const TimelineKey& key : timeline.keys())
         fmt::print("{:>12.4g}  {}\n", key.time, family.keys[key.key].name);
 }
@@ -272,7 +287,7 @@ void print_text(Kind kind, const Family& family, std::span<const Figures> keys, 
     print_whole(kind, family, whole);
     if (kind == Kind::hierarchy) print_census(census_as_it_is(surface_of(*family.keys.front().hierarchy)));
     if (family.origin != glm::dvec3(0)) print_line("origin", text_of(family.origin));
-    print_fields(fields_of(family.keys));
+    print_fields(fields_of(family));
     if (kind == Kind::family) print_keys(family, keys);
     if (family.timeline) print_timeline(*family.timeline, family);
     if (family.domain) print_domain(*family.domain, family);
@@ -344,12 +359,15 @@ void run_info(const InfoOptions& options) {
 
     Opening opened = open_files(files);
     const bool is_family = std::holds_alternative<OpenedFamily>(opened);
+    const bool is_series = std::holds_alternative<SeriesToImport>(opened);
     const Family family = family_of(std::move(opened));
-    const std::vector<Figures> keys = figures_of(family, is_family ? key_files(first) : files);
+    const std::vector<Figures> keys = figures_of(family, is_family   ? key_files(first)
+                                                         : is_series ? series_files(files).files
+                                                                     : files);
     const auto print = options.json ? print_json : print_text;
     if (is_family || (has_family && files.size() == 1))
         print(Kind::family, family, keys, figures_of_family(first, keys));
-    else if (files.size() == 1)
+    else if (files.size() == 1 && !is_series)
         print(Kind::hierarchy, family, keys, total(keys));
     else  // keys without a family file
         print(Kind::family, family, keys, figures_of_keys(keys));

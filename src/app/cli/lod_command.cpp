@@ -14,13 +14,13 @@
 #include "app/cli/output.h"
 #include "app/cli/progress_line.h"
 #include "app/document/opening.h"
-#include "family/origin.h"
 #include "hierarchy/detail/cut.h"
 #include "hierarchy/detail/vertex_errors.h"
 #include "hierarchy/error.h"
 #include "hierarchy/measure.h"
 #include "hierarchy/progress.h"
 #include "io/family/family_file.h"
+#include "io/formats.h"
 #include "ui/widgets/number_text.h"
 
 namespace interleaf {
@@ -89,8 +89,8 @@ std::vector<std::string> cut_keys(Family& family, const LodOptions& options,
 void write_key(const Family& family, const LodOptions& options) {
     write_output(key_target_of(options.output),
                  serialize_hierarchy(*family.keys.front().hierarchy, options.form));
-    if (family.origin != glm::dvec3(0))
-        print_error(fmt::format("{}: {}", options.output, origin_sentence(family.origin)));
+    for (const std::string& sentence : lost_offsets(*format_with_extension(".ilh"), family))
+        print_error(fmt::format("{}: {}", options.output, sentence));
 }
 
 }  // namespace

@@ -179,6 +179,8 @@ void add_import(CLI::App& program) {
             "--roots", [options](const std::string& file) { options->choices.roots = file; },
             "An .ilh file whose roots are the roots of the keys")
         ->type_name("FILE");
+    add_units(*command, options->choices.units,
+              [options](const std::string& unit) { options->choices.time_unit = unit; });
     add_text_option(*command, "--every", "Take only every N-th step",
                     [options](const std::string& text) { options->every = parse_count(text); })
         ->type_name("N")

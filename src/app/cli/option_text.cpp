@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "app/document/typed_count.h"
+#include "family/field_scale.h"
 #include "hierarchy/error.h"
 #include "io/text/joined_text.h"
 
@@ -47,7 +48,9 @@ struct ShownEdges {
 
 constexpr ShownEdges shown_edges[] = {{"wireframe", &Display::wireframe},
                                       {"refinement-edges", &Display::refinement_edges},
-                                      {"root-edges", &Display::root_edges}};
+                                      {"root-edges", &Display::root_edges},
+                                      {"vertices", &Display::vertices},
+                                      {"normals", &Display::normals}};
 
 [[noreturn]] void expected(std::string_view what, std::string_view text) {
     throw UsageError(fmt::format("expected {}, got '{}'", what, text));
@@ -90,6 +93,37 @@ ChosenWarp parse_warp(std::string_view text) {
             warp = {std::string(text.substr(0, comma)), factor->front()};
     if (warp.field.empty()) expected("FIELD or FIELD,FACTOR", text);
     return warp;
+}
+
+void parse_height(std::string_view text, Display& display) {
+    constexpr double usual_part = 0.25;
+    const ChosenWarp chosen = parse_warp(text);
+    const double part = chosen.field == text ? usual_part : chosen.factor;
+    if (!(part > 0 && part <= 1)) expected("FIELD or FIELD,PART with a part above 0 and up to 1", text);
+    display.raised_by = chosen.field;
+    display.height = static_cast<float>(part);
+}
+
+void parse_arrows(std::string_view text, Display& display) {
+    std::vector<std::string> parts;
+    for (std::string_view rest = text;; rest.remove_prefix(1)) {
+        const std::size_t end = std::min(rest.find(','), rest.size());
+        parts.emplace_back(rest.substr(0, end));
+        rest.remove_prefix(end);
+        if (rest.empty()) break;
+    }
+    if (parts.size() < 2 || parts.size() > 3 || std::ranges::any_of(parts, &std::string::empty))
+        expected("two or three scalars, X,Y or X,Y,Z", text);
+    display.arrows = true;
+    display.arrow_parts = {};
+    std::ranges::move(parts, display.arrow_parts.begin());
+}
+
+NamedUnit parse_unit(std::string_view text) {
+    const std::size_t sign = text.rfind('=');
+    if (sign == 0 || sign == std::string_view::npos || !is_unit(text.substr(sign + 1)))
+        throw UsageError(fmt::format("--unit: expected FIELD=TEXT, such as T=K, got '{}'", text));
+    return {std::string(text.substr(0, sign)), std::string(text.substr(sign + 1))};
 }
 
 unsigned parse_bits(std::string_view text) {

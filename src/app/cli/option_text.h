@@ -14,6 +14,7 @@
 #include "app/cli/morph_selection.h"
 #include "app/cli/render_command.h"
 #include "app/importing/series_import.h"
+#include "family/field_units.h"
 #include "family/interpolation.h"
 #include "hierarchy/triangle.h"
 #include "render/display.h"
@@ -35,6 +36,9 @@ float parse_line_width(std::string_view text);
 
 /// A warp, "FIELD" or "FIELD,FACTOR".
 ChosenWarp parse_warp(std::string_view text);
+
+/// The unit of a field, "FIELD=TEXT".
+NamedUnit parse_unit(std::string_view text);
 
 /// The number of bits of a rounded coordinate, 8 to 24.
 unsigned parse_bits(std::string_view text);
@@ -94,7 +98,14 @@ ValueRange parse_range(std::string_view text);
 /// Shows the edges that \p text names, such as "wireframe,root-edges".
 void parse_shown_edges(std::string_view text, Display& display);
 
-/// The names of all edges that can be shown: "wireframe, refinement-edges or root-edges".
+/// Raises flat keys by a scalar: "FIELD", or "FIELD,PART" with the height of its range as a part of the size of the
+/// surface, above 0 and up to 1.
+void parse_height(std::string_view text, Display& display);
+
+/// Shows the arrows of a vector of scalars: "X,Y" or "X,Y,Z".
+void parse_arrows(std::string_view text, Display& display);
+
+/// The names of all lines and points that can be shown: "wireframe, ... or normals".
 std::string shown_edges_in_words();
 
 }  // namespace interleaf

@@ -107,6 +107,22 @@ void add_form(CLI::App& command, HierarchyFileOptions& form) {
         ->needs(compress);
 }
 
+void add_units(CLI::App& command, std::vector<NamedUnit>& units,
+               std::function<void(const std::string&)> take_time_unit) {
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--unit",
+            [&units](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) units.push_back(parse_unit(text));
+            },
+            "The unit of a field, shown with its values; once per field")
+        ->type_name("FIELD=TEXT")
+        ->allow_extra_args(false);
+    add_text_option(command, "--time-unit", "The unit of the timeline's times, such as ms",
+                    std::move(take_time_unit))
+        ->type_name("TEXT");
+}
+
 void add_display(CLI::App& command, Display& display) {
     add_text_option(command, "--show", "Edges to show: " + shown_edges_in_words(),
                     [&display](const std::string& text) { parse_shown_edges(text, display); })
@@ -148,6 +164,13 @@ void add_display(CLI::App& command, Display& display) {
         .add_flag("--log-scale", display.scale.is_logarithmic,
                   "Color equal factors of a scalar by equal steps, if its range is above 0")
         ->needs(color);
+    add_text_option(command, "--height",
+                    "Raise flat keys by a scalar; its range becomes PART of their size, 0.25 by default",
+                    [&display](const std::string& text) { parse_height(text, display); })
+        ->type_name("FIELD[,PART]");
+    add_text_option(command, "--arrows", "Draw arrows of a vector, whose components are these scalars",
+                    [&display](const std::string& text) { parse_arrows(text, display); })
+        ->type_name("X,Y[,Z]");
 }
 
 void add_theme(CLI::App& command, const std::string& meaning, std::function<void(Theme)> choose) {

@@ -12,6 +12,7 @@
 
 #include "app/cli/morph_selection.h"
 #include "app/cli/output.h"
+#include "family/field_units.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "render/display.h"
 #include "ui/widgets/theme.h"
@@ -42,7 +43,11 @@ void add_output(CLI::App& command, Output& output, const std::vector<std::string
 /// Adds --compress and --bits.
 void add_form(CLI::App& command, HierarchyFileOptions& form);
 
-/// Adds --show, --shading, --no-occlusion, --ground, --material, --color, --color-map and --range.
+/// Adds --unit and --time-unit.
+void add_units(CLI::App& command, std::vector<NamedUnit>& units,
+               std::function<void(const std::string&)> take_time_unit);
+
+/// Adds --show, --shading, --no-occlusion, --ground, --material, --color, --color-map, --range, --height and --arrows.
 void add_display(CLI::App& command, Display& display);
 
 /// Adds --theme, whose value goes to \p choose.

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "text/shell_word.h"
 #include <fmt/core.h>
 #include <fmt/format.h>
 
@@ -34,21 +35,9 @@ std::string names_of(const std::vector<Flag>& flags) {
     return names;
 }
 
-/// \p text as one word of a shell, in single quotes.
-std::string shell_word(std::string_view text) {
-    std::string word = "'";
-    for (const char c : text) {
-        if (c == '\'')
-            word += "'\\''";
-        else
-            word += c;
-    }
-    return word + "'";
-}
-
-/// As shell_word(), for `_describe` of zsh, which takes what follows a colon for the description.
+/// As quoted_shell_word(), for `_describe` of zsh, which takes what follows a colon for the description.
 std::string zsh_entry(std::string_view name, std::string_view description) {
-    return shell_word(fmt::format("{}:{}", name, description));
+    return quoted_shell_word(fmt::format("{}:{}", name, description));
 }
 
 std::string bash_script(const CLI::App& program) {
@@ -57,7 +46,7 @@ std::string bash_script(const CLI::App& program) {
     for (const CLI::App* command : commands_of(program)) {
         commands += command->get_name() + " ";
         cases += fmt::format("        {}) words={} ;;\n", command->get_name(),
-                             shell_word(names_of(flags_of(*command))));
+                             quoted_shell_word(names_of(flags_of(*command))));
     }
     return fmt::format(R"(# bash completion of {0}
 _{0}() {{
@@ -70,8 +59,8 @@ _{0}() {{
 }}
 complete -o bashdefault -o default -F _{0} {0}
 )",
-                       program.get_name(), cases, shell_word(names_of(flags_of(program))),
-                       shell_word(commands + names_of(flags_of(program))));
+                       program.get_name(), cases, quoted_shell_word(names_of(flags_of(program))),
+                       quoted_shell_word(commands + names_of(flags_of(program))));
 }
 
 std::string zsh_script(const CLI::App& program) {
@@ -107,12 +96,12 @@ std::string fish_script(const CLI::App& program) {
     std::string script = fmt::format("# fish completion of {}\n", program.get_name());
     for (const CLI::App* command : commands_of(program)) {
         script += fmt::format("complete -c {} -n __fish_use_subcommand -a {} -d {}\n", program.get_name(),
-                              command->get_name(), shell_word(command->get_description()));
+                              command->get_name(), quoted_shell_word(command->get_description()));
         for (const Flag& flag : flags_of(*command)) {
             const bool is_long = flag.name.starts_with("--");
             script += fmt::format("complete -c {} -n '__fish_seen_subcommand_from {}' -{} {} -d {}\n",
                                   program.get_name(), command->get_name(), is_long ? 'l' : 's',
-                                  flag.name.substr(is_long ? 2 : 1), shell_word(flag.description));
+                                  flag.name.substr(is_long ? 2 : 1), quoted_shell_word(flag.description));
         }
     }
     return script;

@@ -183,6 +183,7 @@ void add_family_command(CLI::App& program) {
                     [options](const std::string& text) { options->degree = parse_count(text); })
         ->type_name("N");
     add_adapt(*command, options->adapt);
+    add_units(*command, options->units, [options](const std::string& unit) { options->time_unit = unit; });
     add_form(*command, options->form);
     command->final_callback([options] { run_family(*options); });
     command->footer(

@@ -19,10 +19,18 @@ namespace interleaf {
 
 namespace {
 
-/// Opens the window on the keys of a series, colored by their field unless the display says otherwise. Where the
-/// series needs a tolerance, the window shows the built-in family and asks for it.
+/// Whether an option needs the keys of the series when the window opens.
+bool needs_keys(const ViewerOptions& options) {
+    return options.at || options.time || options.along || options.picture ||
+           options.display.coloring != Coloring::plain;
+}
+
+/// Opens the window on the keys of a series, colored by their field unless the display says otherwise. The window
+/// imports the series itself, over the built-in family, unless an option needs the keys; likewise where the series needs
+/// a tolerance, for which the window asks.
 void show_series(const SeriesToImport& series, const ViewOptions& view) {
     ViewerOptions options = view.viewer;
+    if (!needs_keys(options)) return run_viewer(open_family({}), {}, series.files, options);
     OpenedKeys keys;
     try {
         keys = import_steps(series);
@@ -35,8 +43,7 @@ void show_series(const SeriesToImport& series, const ViewOptions& view) {
         run_viewer(open_family({}), {}, series.files, options);
         return;
     }
-    if (options.display.coloring == Coloring::plain)
-        color_by_field(options.display, fields_of(keys.family.keys));
+    if (options.display.coloring == Coloring::plain) color_by_field(options.display, fields_of(keys.family));
     if (options.along) require_source(keys.family, *options.along);
     run_viewer(std::move(keys.family), series.files, {}, options);
 }

@@ -24,6 +24,12 @@ void choose_driver(ViewerState& state, Driver driver, double now) {
     select_key(state, state.selected_key.value_or(largest->key), now);
 }
 
+void toggle_key(ViewerState& state, std::size_t key, double now) {
+    const Weights& weights = state.session.weights();
+    const bool is_active = std::ranges::find(weights, key, &Weight::key) != weights.end();
+    state.session.set_weights(is_active ? without_key(weights, key) : with_weight(weights, key, 0), now);
+}
+
 void make_weights_sum_to_one(ViewerState& state, double now) {
     if (auto weights = summed_to_one(state.session.weights()))
         state.session.set_weights(*std::move(weights), now);

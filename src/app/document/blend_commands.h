@@ -2,12 +2,17 @@
 // session: they are not steps of the document, so they are not undone.
 #pragma once
 
+#include <cstddef>
+
 #include "app/document/viewer_state.h"
 
 namespace interleaf {
 
 /// Lets \p driver drive, if it can. A single key is the selected one, otherwise the one with the largest weight.
 void choose_driver(ViewerState& state, Driver driver, double now);
+
+/// Takes \p key into the blend with weight 0, or out of it. The weights then drive.
+void toggle_key(ViewerState& state, std::size_t key, double now);
 
 /// Divides the weights by their sum, if it is not 0. The weights then drive.
 void make_weights_sum_to_one(ViewerState& state, double now);

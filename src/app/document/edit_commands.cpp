@@ -9,6 +9,7 @@
 
 #include "family/domain_edits.h"
 #include "family/family_time.h"
+#include "family/field_units.h"
 #include "family/key_edits.h"
 #include "family/names.h"
 #include "family/new_family.h"
@@ -67,8 +68,10 @@ std::string time_text(double time) {
 
 /// The question for the time of \p key on the timeline.
 std::string time_question(const ViewerState& state, const std::string& key) {
-    const auto& timeline = state.document.family().timeline;
-    return timeline && timeline->unit() == TimeUnit::steps
+    const Family& family = state.document.family();
+    if (!family.time_unit.empty())
+        return fmt::format("Time of {} on the timeline, in {}", key, family.time_unit);
+    return family.timeline && family.timeline->unit() == TimeUnit::steps
                ? fmt::format("Step of {} on the timeline", key)
                : fmt::format("Time of {} on the timeline, in seconds", key);
 }
@@ -136,15 +139,16 @@ void keep_blend(ViewerState& state, double now) {
     if (state.document.family().keys.size() > count) state.selected_key = count;
 }
 
-void add_keys(ViewerState& state, std::vector<Key> keys, const glm::dvec3& origin, double now,
-              const std::vector<LandmarkDirection>& landmarks) {
-    const std::string step =
-        keys.size() == 1 ? fmt::format("Add {}", keys.front().name) : fmt::format("Add {} keys", keys.size());
+void add_keys(ViewerState& state, const Family& added, double now) {
+    const std::string step = added.keys.size() == 1 ? fmt::format("Add {}", added.keys.front().name)
+                                                    : fmt::format("Add {} keys", added.keys.size());
     edit(
         state, step,
         [&](const Family& family) {
             Family result = family;
-            move_origin(keys, origin, family.origin);
+            std::vector<Key> keys = added.keys;
+            move_origin(keys, added.origin, family.origin);
+            result.field_scales = adopt_scales(family, keys, added.field_scales);
             for (Key& key : keys) {
                 key.name = unused_name(result, key.name);
                 result.keys.push_back(std::move(key));
@@ -154,7 +158,7 @@ void add_keys(ViewerState& state, std::vector<Key> keys, const glm::dvec3& origi
                 const KeyMismatch& mismatch = synchronization.mismatches.front();
                 throw MismatchError(mismatch.text, result.keys, mismatch);
             }
-            for (const LandmarkDirection& landmark : landmarks)
+            for (const LandmarkDirection& landmark : added.landmarks)
                 if (std::ranges::find(result.landmarks, landmark.name, &LandmarkDirection::name) ==
                     result.landmarks.end())
                     result.landmarks.push_back(landmark);

@@ -32,9 +32,9 @@ void redo(ViewerState& state, double now);
 /// The functions below that work on a key work on the selected key, and do nothing without a selection.
 
 void keep_blend(ViewerState& state, double now);
-/// \param origin  the origin of the positions of \p keys (family/origin.h)
-void add_keys(ViewerState& state, std::vector<Key> keys, const glm::dvec3& origin, double now,
-              const std::vector<LandmarkDirection>& landmarks = {});
+/// Adds the keys of \p added, which get the origin (family/origin.h) and the offsets of fields (family/field_scale.h)
+/// of the document, and the landmarks of \p added that the document lacks.
+void add_keys(ViewerState& state, const Family& added, double now);
 void duplicate_key(ViewerState& state, double now);
 void remove_key(ViewerState& state, double now);
 void move_key(ViewerState& state, std::size_t to, double now);

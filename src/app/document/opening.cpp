@@ -104,10 +104,10 @@ std::vector<std::filesystem::path> files_of(std::span<const std::filesystem::pat
     return files;
 }
 
-Opening open_files(std::span<const std::filesystem::path> paths) {
+Opening open_files(std::span<const std::filesystem::path> paths, const Progress& progress) {
     OpenedFamily opened;
     if (paths.empty()) {
-        opened.family = read_family(builtin_family_folder(), &opened.changes);
+        opened.family = read_family(builtin_family_folder(), &opened.changes, progress);
         return opened;
     }
     std::vector<std::filesystem::path> files = files_of(paths);
@@ -117,8 +117,8 @@ Opening open_files(std::span<const std::filesystem::path> paths) {
 
     const std::filesystem::path& file = files.front();
     std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored)) {
-        opened.family = read_family(file, &opened.changes);
+    if (std::filesystem::is_directory(file, ignored) || file.filename() == "family.json") {
+        opened.family = read_family(file, &opened.changes, progress);
         return opened;
     }
     const Format* const format = find_format(file);

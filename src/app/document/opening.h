@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "family/family.h"
+#include "hierarchy/progress.h"
 
 namespace interleaf {
 
@@ -62,8 +63,10 @@ Cases(Functions...) -> Cases<Functions...>;
 /// - meshes, at least one of a format without keys: meshes to fit
 /// - several meshes that are not keys together: meshes to fit, with the reason
 /// - other files: keys
+/// \param progress  of families with a family.json, per key; other files are read without
 /// \throw InputError, MachineError as files_of(), read_family() and read_keys()
-Opening open_files(std::span<const std::filesystem::path> paths);
+/// \throw Cancelled when \p progress says so
+Opening open_files(std::span<const std::filesystem::path> paths, const Progress& progress = {});
 
 /// As open_files(), for callers that cannot fit meshes.
 /// \param changes     receives the changes of the opened keys

@@ -4,9 +4,13 @@
 #include <iterator>
 #include <utility>
 
+#include "text/shell_word.h"
 #include <fmt/core.h>
 
+#include "app/document/family_extent.h"
+#include "app/document/shown_field.h"
 #include "family/family.h"
+#include "family/family_fields.h"
 #include "io/text/joined_text.h"
 
 namespace interleaf {
@@ -19,6 +23,11 @@ std::string coloring_name(const Display& display) {
                                                                                 : display.field;
 }
 
+/// \p end as it is shown, with the offset.
+std::string end_of_range(const ColorScale& scale, float end) {
+    return scale.offset == 0 ? fmt::format("{}", end) : fmt::format("{:.12g}", double{end} + scale.offset);
+}
+
 std::vector<std::string> color_options(const Display& display) {
     if (display.coloring == Coloring::plain) return {};
     std::vector<std::string> options{"--color=" + coloring_name(display)};
@@ -26,16 +35,19 @@ std::vector<std::string> color_options(const Display& display) {
     if (display.scale.map != ColorMap::viridis)
         options.push_back(fmt::format("--color-map={}", name_of(display.scale.map)));
     if (display.range_locked)
-        options.push_back(fmt::format("--range={},{}", display.scale.range.min, display.scale.range.max));
+        options.push_back(fmt::format("--range={},{}", end_of_range(display.scale, display.scale.range.min),
+                                      end_of_range(display.scale, display.scale.range.max)));
     if (display.scale.is_logarithmic) options.emplace_back("--log-scale");
     return options;
 }
 
-std::vector<std::string> shown_edges(const Display& display) {
+std::vector<std::string> shown_edge_names(const Display& display) {
     std::vector<std::string> edges;
     if (display.wireframe) edges.emplace_back("wireframe");
     if (display.refinement_edges) edges.emplace_back("refinement-edges");
     if (display.root_edges) edges.emplace_back("root-edges");
+    if (display.vertices) edges.emplace_back("vertices");
+    if (display.normals) edges.emplace_back("normals");
     return edges;
 }
 
@@ -43,7 +55,7 @@ std::vector<std::string> shown_edges(const Display& display) {
 
 std::vector<std::string> display_options(const Display& display) {
     std::vector<std::string> options;
-    if (const auto edges = shown_edges(display); !edges.empty())
+    if (const auto edges = shown_edge_names(display); !edges.empty())
         options.push_back("--show=" + joined(edges, ","));
     if (display.line_width != Display{}.line_width)
         options.push_back(fmt::format("--line-width={}", display.line_width));
@@ -55,6 +67,21 @@ std::vector<std::string> display_options(const Display& display) {
         options.push_back(fmt::format("--material={}", name_of(display.material)));
     if (display.light_background) options.emplace_back("--theme=light");
     std::ranges::move(color_options(display), std::back_inserter(options));
+    if (display.legend) options.emplace_back("--legend");
+    return options;
+}
+
+std::vector<std::string> field_options(const Session& session, const Display& display) {
+    const Family& family = session.family();
+    const std::vector<FamilyField> fields = fields_of(family);
+    std::vector<std::string> options;
+    if (display.height > 0)
+        if (const auto warp = warp_of(display, fields, extent(family).box))
+            options.push_back(fmt::format("--height={},{}", warp->field, display.height));
+    if (const auto vector = shown_vector(display, fields)) {
+        const auto& [x, y, z] = vector->parts;
+        options.push_back(fmt::format("--arrows={},{}{}{}", x, y, z.empty() ? "" : ",", z));
+    }
     return options;
 }
 
@@ -76,14 +103,7 @@ std::string command_word(std::string_view text) {
                std::string_view("-_./,:=+@%").find(c) != std::string_view::npos;
     };
     if (!text.empty() && std::ranges::all_of(text, is_plain)) return std::string(text);
-    std::string word = "'";
-    for (const char c : text) {
-        if (c == '\'')
-            word += "'\\''";
-        else
-            word += c;
-    }
-    return word + "'";
+    return quoted_shell_word(text);
 }
 
 std::string picture_command(std::span<const std::filesystem::path> files, const Session& session,
@@ -92,6 +112,7 @@ std::string picture_command(std::span<const std::filesystem::path> files, const 
     for (const std::filesystem::path& file : files) words.push_back(command_word(file.native()));
     words.push_back(command_word(blend_option(session)));
     for (const std::string& option : display_options(display)) words.push_back(command_word(option));
+    for (const std::string& option : field_options(session, display)) words.push_back(command_word(option));
     words.push_back(command_word("--camera=" + text_of(viewpoint)));
     words.push_back(fmt::format("--size={}x{}", size.x, size.y));
     words.emplace_back("-o");

@@ -30,9 +30,9 @@ std::optional<double> number_in(const std::string& text) {
 /// A question for a number from \p min to \p max.
 /// \param range  names the permitted numbers
 template <typename Apply>
-TextQuestion number_question(const char* text, double entry, double min, double max, const std::string& range,
+TextQuestion number_question(std::string text, double entry, double min, double max, const std::string& range,
                              Apply apply) {
-    return {.text = text,
+    return {.text = std::move(text),
             .entry = fmt::format("{:.10g}", entry),
             .button = "Set",
             .fault =
@@ -59,11 +59,13 @@ void ask_for_present_time(ViewerState& state) {
     const double begin = state.session.playback().begin();
     const double end = state.session.playback().end();
     const Family& family = state.document.family();
-    const bool counts_steps = unit_of(family, *source_of_time(family)) == TimeUnit::steps;
+    const std::string unit = unit_name_of(family, *source_of_time(family));
+    const std::string units = unit == "s" ? "seconds" : unit;
     state.question = number_question(
-        counts_steps ? "Step to go to" : "Time to go to, in seconds", state.session.time(), begin, end,
-        counts_steps ? fmt::format("a step from {:.10g} to {:.10g}", begin, end)
-                     : fmt::format("a time from {:.10g} to {:.10g} seconds", begin, end),
+        unit.empty() ? "Step to go to" : fmt::format("Time to go to, in {}", units), state.session.time(),
+        begin, end,
+        unit.empty() ? fmt::format("a step from {:.10g} to {:.10g}", begin, end)
+                     : fmt::format("a time from {:.10g} to {:.10g} {}", begin, end, units),
         [](ViewerState& changed, double time, double now) { changed.session.seek(time, now); });
 }
 

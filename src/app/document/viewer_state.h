@@ -16,6 +16,9 @@
 #include "app/document/fit_comparison.h"
 #include "app/document/message.h"
 #include "app/document/session.h"
+#include "hierarchy/nodes/node_path.h"
+#include "hierarchy/nodes/node_steps.h"
+#include "ui/panels/key_search.h"
 #include "ui/widgets/appearance.h"
 
 namespace interleaf {
@@ -30,6 +33,7 @@ enum class FileWish : std::uint8_t {
     export_as,
     save_picture,
     add_keys,
+    import_series,
     set_landmarks,
     quit
 };
@@ -82,11 +86,21 @@ struct ViewerState {
     bool compares_colors = true;  ///< the comparison shows distances as colors
     std::shared_ptr<const FitComparison> compared;  ///< the shown one; the first if not in comparisons
 
+    bool shows_keys_beside = false;     ///< a picture of each active key beside the blend
+    std::optional<NodePath> inspected;  ///< the node that the inspector shows
+    std::optional<NodeStep> node_step;  ///< from the inspected node
+    bool inspects_middle = false;       ///< inspect the leaf at the middle of the picture
+
     FileWish file_wish = FileWish::none;
     bool can_set_landmarks = false;  ///< the last fitted meshes can be fitted again with landmarks
     std::optional<std::filesystem::path> film_wish;  ///< a film or picture to make
     std::optional<TextQuestion> question;
     bool help_shown = false;
+    std::string help_search;
+    KeySearch key_search{};
+    bool find_wanted = false;  ///< a search field is to take the keyboard: that of the help, or of the keys
+    bool menu_wanted = false;  ///< the first menu is to open
+    int panel_step = 0;        ///< by how many panels the keyboard is to go on
     Appearance appearance{};
     bool search_wanted = false;  ///< the search for commands is to open
     CameraChoices camera;

@@ -152,64 +152,34 @@ std::vector<Key> keys_of(const Comparisons& fitted) {
     return keys;
 }
 
-FitJob::FitJob(FitTask task)
-    : meshes_(task.meshes),
-      fitter_(std::move(task)),
-      thread_([this](const std::stop_token& stop) { work(stop); }) {}
-
-FitJob::State FitJob::state() const {
-    const std::scoped_lock lock(mutex_);
-    return state_;
-}
-
-FittedMeshes FitJob::take() {
-    const std::scoped_lock lock(mutex_);
-    if (error_) std::rethrow_exception(error_);
-    return std::move(fitted_);
-}
-
-void FitJob::work(const std::stop_token& stop) {
-    std::exception_ptr error;
-    try {
-        for (std::size_t i = 0; i < meshes_.size(); ++i) {
-            const std::filesystem::path& mesh = meshes_[i];
-            const auto part_of_all = [&](std::string_view stage, double part) {
-                report(mesh, stage, (static_cast<double>(i) + part) / static_cast<double>(meshes_.size()));
-                return !stop.stop_requested();
+BackgroundJob<FittedMeshes>::Work fit_work(FitTask task) {
+    return [task = std::move(task)](const Progress& progress) {
+        MeshFitter fitter(task);
+        FittedMeshes all;
+        const auto count = static_cast<double>(task.meshes.size());
+        for (std::size_t i = 0; i < task.meshes.size(); ++i) {
+            const std::string mesh = task.meshes[i].filename().string();
+            const Progress part_of_all = [&](std::string_view stage, double part) {
+                return progress(fmt::format("{}: {}", mesh, stage), (static_cast<double>(i) + part) / count);
             };
-            FittedMesh fitted = fitter_.fit_next([&](std::string_view stage, double part) {
+            FittedMesh fitted = fitter.fit_next([&](std::string_view stage, double part) {
                 return part_of_all(stage, comparing_begins * part);
             });
             const std::optional<MatchReport>& match = fitted.key.report.match;
-            const double stretched = match ? match->after.stretched : 0;
-            auto compared = std::make_shared<const FitComparison>(compare(
-                mesh.filename().string(), std::move(fitted.key), [&](std::string_view stage, double part) {
+            if (match) all.stretched = std::max(all.stretched, match->after.stretched);
+            all.comparisons.push_back(std::make_shared<const FitComparison>(
+                compare(mesh, std::move(fitted.key), [&](std::string_view stage, double part) {
                     return part_of_all(stage, comparing_begins + (1 - comparing_begins) * part);
-                }));
-            const std::scoped_lock lock(mutex_);
-            fitted_.comparisons.push_back(std::move(compared));
-            fitted_.origin = fitter_.origin();
-            fitted_.landmarks.clear();
-            for (const Landmark& target : fitter_.targets())
-                fitted_.landmarks.push_back({target.name, *target.direction});
-            fitted_.stretched = std::max(fitted_.stretched, stretched);
+                })));
             for (const std::string& warning : fitted.landmark_warnings)
-                fitted_.warnings.push_back(fmt::format("{}: {}.", mesh.filename().string(), warning));
-            if (!fitted.warning.empty())
-                fitted_.warnings.push_back(fmt::format("{} {}.", mesh.filename().string(), fitted.warning));
+                all.warnings.push_back(fmt::format("{}: {}.", mesh, warning));
+            if (!fitted.warning.empty()) all.warnings.push_back(fmt::format("{} {}.", mesh, fitted.warning));
         }
-    } catch (...) {
-        error = std::current_exception();  // for take(), on the other thread
-    }
-    const std::scoped_lock lock(mutex_);
-    error_ = error;
-    state_.is_done = true;
-}
-
-void FitJob::report(const std::filesystem::path& mesh, std::string_view stage, double part) {
-    const std::scoped_lock lock(mutex_);
-    state_.stage = fmt::format("{}: {}", mesh.filename().string(), stage);
-    state_.part = part;
+        all.origin = fitter.origin();
+        for (const Landmark& target : fitter.targets())
+            all.landmarks.push_back({target.name, *target.direction});
+        return all;
+    };
 }
 
 }  // namespace interleaf

@@ -2,20 +2,18 @@
 #pragma once
 
 #include <array>
-#include <exception>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
 
 #include "app/document/fit_comparison.h"
+#include "app/work/background_job.h"
 #include "fit/correspondence/match.h"
 #include "fit/fit.h"
 #include "fit/landmarks/landmark_report.h"
@@ -104,45 +102,8 @@ struct FittedMeshes {
 /// The fitted keys, named after the files of their meshes.
 std::vector<Key> keys_of(const Comparisons& fitted);
 
-/// Fits several meshes, one after the other, on a separate thread. All members must be called from the same
-/// thread.
-class FitJob {
-  public:
-    explicit FitJob(FitTask task);
-
-    /// Cancels the remaining work.
-    ~FitJob() = default;
-    FitJob(const FitJob&) = delete;
-    FitJob& operator=(const FitJob&) = delete;
-
-    struct State {
-        std::string stage;  ///< "bunny.off: sampling"
-        double part = 0;    ///< finished part of the whole work, 0 to 1
-        bool is_done = false;
-    };
-    State state() const;
-
-    /// Asks the job to end, which it does soon after.
-    void cancel() { thread_.request_stop(); }
-
-    /// The result.
-    /// \pre the job is done
-    /// \throw the exception of MeshFitter::fit_next()
-    FittedMeshes take();
-
-  private:
-    void work(const std::stop_token& stop);
-    void report(const std::filesystem::path& mesh, std::string_view stage, double part);
-
-    const std::vector<std::filesystem::path> meshes_;
-    MeshFitter fitter_;
-
-    mutable std::mutex mutex_;  ///< guards the members below
-    State state_;
-    FittedMeshes fitted_;
-    std::exception_ptr error_;
-
-    std::jthread thread_;  ///< last member: must end before the members it uses
-};
+/// Fits the meshes of \p task, one after the other, as work for a separate thread. Its stages are like "bunny.off:
+/// sampling". It throws the exceptions of MeshFitter::fit_next().
+BackgroundJob<FittedMeshes>::Work fit_work(FitTask task);
 
 }  // namespace interleaf

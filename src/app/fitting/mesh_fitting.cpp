@@ -68,8 +68,8 @@ void MeshFitting::show(const Rect& area, double now) {
         landmarks_.show(area);
     } else if (dialog_.is_open()) {
         if (const auto answer = dialog_.show(area, offer_shown())) answer_ = answer;
-    } else if (job_) {
-        show_work(area, now);
+    } else {
+        job_.show(area, now);
     }
 }
 
@@ -81,7 +81,7 @@ std::optional<std::string> MeshFitting::update(float density, double now) {
     if (dialog_.is_open())
         is_reading_ = previews_->update(static_cast<int>(std::lround(dialog_.tile_side() * density)),
                                         ups_of(dialog_.choices()));
-    return std::exchange(is_work_closed_, false) ? hand_on_keys() : std::nullopt;
+    return job_.is_over() ? hand_on_keys() : std::nullopt;
 }
 
 // ---- the fit dialog ----
@@ -192,7 +192,6 @@ void MeshFitting::start(double now) {
     std::vector<glm::dmat3> rotations;
     rotations.reserve(choices.turns.size());
     for (const FitChoices::Turn& turn : choices.turns) rotations.push_back(rotation_of(turn));
-    started_ = now;
     FitTask task{.meshes = offer_.task.meshes,
                  .options = fit_options(choices, roots_[choices.roots].roots),
                  .rotations = std::move(rotations),
@@ -203,7 +202,10 @@ void MeshFitting::start(double now) {
                  .reference = offer_.task.reference};
     add_landmarks(task);
     last_ = LastFit{offer_, choices};
-    job_.emplace(std::move(task));
+    const std::string title = offer_.task.meshes.size() == 1
+                                  ? fmt::format("Fitting {}", name_of(offer_.task.meshes.front()))
+                                  : fmt::format("Fitting {} meshes", offer_.task.meshes.size());
+    job_.start(title, fit_work(std::move(task)), now);
 }
 
 /// Gives the task the landmarks that correspond, and the first key of the family.
@@ -246,32 +248,17 @@ void MeshFitting::open_landmarks() {
     landmarks_.open(std::move(task));
 }
 
-void MeshFitting::show_work(const Rect& area, double now) {
-    const FitJob::State state = job_->state();
-    const std::string title = offer_.task.meshes.size() == 1
-                                  ? fmt::format("Fitting {}", name_of(offer_.task.meshes.front()))
-                                  : fmt::format("Fitting {} meshes", offer_.task.meshes.size());
-    const bool is_cancelled =
-        progress_dialog({.title = title, .stage = state.stage, .part = state.part, .seconds = now - started_},
-                        area, state.is_done);
-    if (is_cancelled) job_->cancel();
-    if (state.is_done) is_work_closed_ = true;
-}
-
 /// \pre the work is done
 std::optional<std::string> MeshFitting::hand_on_keys() {
     const Receiver receiver = std::exchange(receiver_, nullptr);
     FittedMeshes fitted;
     try {
-        fitted = job_->take();
+        fitted = job_.take();
     } catch (const Cancelled&) {
-        job_.reset();
         return std::nullopt;
     } catch (const std::exception& error) {
-        job_.reset();
         return cause_of(error);
     }
-    job_.reset();
     receiver(std::move(fitted));
     return std::nullopt;
 }

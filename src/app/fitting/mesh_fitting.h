@@ -13,6 +13,7 @@
 #include "app/fitting/fit_files.h"
 #include "app/fitting/mesh_previews.h"
 #include "app/landmarks/landmark_editing.h"
+#include "app/work/shown_job.h"
 #include "ui/dialogs/fit_dialog.h"
 #include "ui/widgets/rect.h"
 
@@ -49,10 +50,10 @@ class MeshFitting {
     const std::vector<std::filesystem::path>& last_meshes() const { return last_->task.meshes; }
 
     /// Whether the fit dialog or the progress of the work is in front of the window.
-    bool is_open() const { return dialog_.is_open() || job_.has_value(); }
+    bool is_open() const { return dialog_.is_open() || job_.is_working(); }
 
     /// Whether work in progress needs new frames soon, even without input.
-    bool is_working() const { return job_.has_value() || is_reading_ || landmarks_.is_working(); }
+    bool is_working() const { return job_.is_working() || is_reading_ || landmarks_.is_working(); }
 
     /// The fit dialog while it is open; null otherwise.
     const FitDialog* offered() const { return dialog_.is_open() ? &dialog_ : nullptr; }
@@ -88,7 +89,6 @@ class MeshFitting {
     void tell_changes(FitOfferShown& shown) const;
     void close_offer(bool is_accepted, double now);
     void start(double now);
-    void show_work(const Rect& area, double now);
     std::optional<std::string> hand_on_keys();
 
     Offer offer_;
@@ -104,9 +104,7 @@ class MeshFitting {
         leaving_;  ///< dismissed previews; one may still read a large file
     bool is_reading_ = false;
 
-    std::optional<FitJob> job_;
-    bool is_work_closed_ = false;  ///< whether the progress dialog has closed after the work
-    double started_ = 0;
+    ShownJob<FittedMeshes> job_;
 };
 
 }  // namespace interleaf

@@ -14,6 +14,7 @@
 #include <fmt/core.h>
 #include <glm/mat3x3.hpp>
 
+#include "app/importing/point_motion.h"
 #include "fit/correspondence/match.h"
 #include "fit/fit.h"
 #include "fit/mesh/space_triangle.h"
@@ -147,7 +148,11 @@ class StepFitting {
             model_ = model_of(fitted.mapped_mesh(), fitted.points, fit_.rotation, {}, fit_.matching,
                               part_of_step(fit_ends, 1));
         if (step_ > 0) {
-            report_.steps[step_ - 1].moved_widths = moved_widths(waiting_, fitted.hierarchy, ranges_);
+            StepReport& before = report_.steps[step_ - 1];
+            before.moved_widths = moved_widths(waiting_, fitted.hierarchy, ranges_);
+            const PointMotion motion = motion_of_points(waiting_, fitted.hierarchy);
+            before.point_motion = motion.points;
+            before.surface_motion = motion.surface;
             take_key_(step_ - 1, std::move(waiting_));
         }
         waiting_ = std::move(fitted.hierarchy);

@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include "app/importing/fitted_series.h"
+#include "family/field_scale.h"
+#include "family/field_units.h"
 #include "family/new_family.h"
 #include "family/origin.h"
 #include "family/warp.h"
@@ -32,11 +38,69 @@ std::string with_file(std::string text, const SeriesFiles& series) {
     return fmt::format("{}: {}", file, rest);
 }
 
-FieldMesh read_step(const std::filesystem::path& file, const glm::dvec3& origin) {
+/// What is subtracted from all steps.
+struct StepOffsets {
+    glm::dvec3 origin{0};
+    std::vector<FieldScale> fields{};
+};
+
+FieldMesh read_step(const std::filesystem::path& file, const StepOffsets& offsets) {
     FieldMesh mesh = read_field_mesh(file);
-    if (origin != glm::dvec3(0))
-        for (glm::dvec3& point : mesh.points) point -= origin;
+    if (offsets.origin != glm::dvec3(0))
+        for (glm::dvec3& point : mesh.points) point -= offsets.origin;
+    for (MeshField& field : mesh.point_fields)
+        if (const double offset = scale_of(offsets.fields, field.name).offset; offset != 0)
+            for (double& value : field.values) value -= offset;
     return mesh;
+}
+
+/// The least and the largest value of each field of one component, over some steps.
+class FieldRanges {
+  public:
+    void include(const FieldMesh& mesh) {
+        for (const MeshField& field : mesh.point_fields) {
+            if (field.components != 1 || field.values.empty()) continue;
+            const auto [low, high] = std::ranges::minmax(field.values);
+            const auto [known, is_new] = ranges_.try_emplace(field.name, low, high);
+            if (is_new) continue;
+            known->second = {std::min(known->second.first, low), std::max(known->second.second, high)};
+        }
+    }
+
+    /// The scales of the fields that need an offset, except \p displacement.
+    std::vector<FieldScale> scales(std::string_view displacement) const {
+        std::vector<FieldScale> scales;
+        for (const auto& [name, range] : ranges_)
+            if (name != displacement && std::isfinite(range.first) && std::isfinite(range.second))
+                set_scale(scales, {.field = name, .offset = offset_for(range.first, range.second)});
+        return scales;
+    }
+
+  private:
+    std::map<std::string, std::pair<double, double>> ranges_;
+};
+
+/// The offsets of \p series, whose first step is \p first. What is wrong with the other steps, the recovery tells.
+StepOffsets offsets_of(const SeriesFiles& series, const FieldMesh& first, std::string_view displacement) {
+    FieldRanges ranges;
+    ranges.include(first);
+    const std::size_t count = series.files.size();
+    for (const std::size_t step : std::set{count / 2, count - 1}) {
+        if (step == 0) continue;
+        try {
+            ranges.include(read_field_mesh(series.files[step]));
+        } catch (const std::runtime_error&) {
+            break;
+        }
+    }
+    return {origin_for(first.points, first.triangles), ranges.scales(displacement)};
+}
+
+/// Gives \p family the units of \p choices.
+/// \throw InputError if there is no such field
+void set_units(Family& family, const ImportChoices& choices) {
+    for (const auto& [field, unit] : choices.units) family = with_field_unit(std::move(family), field, unit);
+    family = with_time_unit(std::move(family), choices.time_unit);
 }
 
 /// The warp that \p choice names, of steps like \p first; none without a choice.
@@ -81,7 +145,7 @@ SeriesFiles every_step(const SeriesFiles& series, std::size_t every) {
 ImportedSeries import_series(const SeriesFiles& series, std::string_view name, const ImportChoices& choices,
                              const SeriesProgress& progress) {
     const FieldMesh first = read_field_mesh(series.files.front());
-    const glm::dvec3 origin = origin_for(first.points, first.triangles);
+    const StepOffsets offsets = offsets_of(series, first, choices.displacement);
     std::optional<Hierarchy> roots;
     if (!choices.roots.empty()) roots = read_hierarchy(choices.roots);
     const SeriesOptions options{.tolerance = choices.tolerance,
@@ -90,7 +154,7 @@ ImportedSeries import_series(const SeriesFiles& series, std::string_view name, c
                                 .displacement = choices.displacement,
                                 .roots = roots ? &*roots : nullptr};
     const Series steps{series.files.size(),
-                       [&](std::size_t step) { return read_step(series.files[step], origin); }};
+                       [&](std::size_t step) { return read_step(series.files[step], offsets); }};
 
     ImportedSeries imported;
     std::vector<Key> keys;
@@ -121,7 +185,12 @@ ImportedSeries import_series(const SeriesFiles& series, std::string_view name, c
     imported.family = family_of_keys(name, std::move(keys));
     imported.family.timeline = timeline_of(series);
     imported.family.domain.reset();
-    imported.family.origin = origin;
+    imported.family.origin = offsets.origin;
+    for (const FieldScale& scale : offsets.fields)
+        if (find_field(imported.family.keys.front().hierarchy->fields, {scale.field, FieldKind::scalar}) !=
+            nullptr)
+            imported.family.field_scales.push_back(scale);
+    set_units(imported.family, choices);
     return imported;
 }
 

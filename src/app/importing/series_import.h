@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "family/family.h"
+#include "family/field_units.h"
 #include "io/series_files.h"
 #include "sequence/series/series.h"
 
@@ -28,6 +29,10 @@ struct ImportChoices {
     std::vector<std::string> fields{};  ///< point fields that the keys get; all if empty
     std::string displacement{};         ///< point field that is added to the points; none if empty
     std::optional<ChosenWarp> warp{};
+    std::vector<NamedUnit> units{};  ///< of scalars of the keys
+    std::string time_unit{};         ///< of the times; empty if unknown
+    std::size_t every =
+        1;  ///< takes the steps 0, every, 2 every, ... (every_step(); only import_work() does)
     std::filesystem::path roots{};  ///< a key whose roots are those of all keys; none if empty
 };
 
@@ -40,7 +45,8 @@ struct ImportedSeries {
 /// \throw UsageError if \p every is 0
 SeriesFiles every_step(const SeriesFiles& series, std::size_t every);
 
-/// Imports \p series. Positions far from 0 get an origin (family/origin.h), that of the first step.
+/// Imports \p series. Positions far from 0 get an origin (family/origin.h), that of the first step. Scalars far from
+/// 0 get an offset (family/field_scale.h), that of the first, the middle and the last step.
 /// \param name      of the family
 /// \param progress  as SeriesProgress; it may throw to end the work
 /// \throw InputError    naming the file, the place and what would help

@@ -4,9 +4,13 @@
 
 #include "app/document/family_extent.h"
 #include "app/document/shown_field.h"
+#include "app/pictures/picture_arrows.h"
+#include "app/pictures/picture_legend.h"
 #include "hierarchy/error.h"
+#include "hierarchy/morph.h"
 #include "hierarchy/vertex_normals.h"
 #include "render/straight_alpha.h"
+#include "render/surface_values.h"
 
 namespace interleaf {
 namespace {
@@ -17,7 +21,7 @@ constexpr int samples_per_pixel = 4;
 
 BlendPainter::BlendPainter(const Family& family, int width, int height, const Display& display)
     : family_(family),
-      fields_(fields_of(family.keys)),
+      fields_(fields_of(family)),
       display_(display),
       target_(width, height, samples_per_pixel) {
     interleaf::require_field(display_, fields_);
@@ -27,6 +31,10 @@ BlendPainter::BlendPainter(const Family& family, int width, int height, const Di
         box_ = extent(family).box;
     }
     if (display_.height > 0) warp_ = warp_of(display_, fields_, extent(family).box);
+    if (!display_.raised_by.empty() && display_.height > 0 && !warp_)
+        throw UsageError(
+            fmt::format("--height: the keys are not in a plane x, y or z = constant, or {} is constant",
+                        display_.raised_by));
 }
 
 const FamilyField* BlendPainter::shown() const {
@@ -46,17 +54,21 @@ void BlendPainter::unite_keys(const Weights& weights) {
     if (keys == keys_) return;
     require_field(weights);
     warped_.follow(family_, weights, {}, warp_);
-    const UnionMesh mesh = unite(warped_.family(), warped_.weights());
-    renderer_.upload(mesh, mesh.key_count() <= max_gpu_keys ? normal_form(mesh) : NormalForm{}, keys);
+    mesh_ = unite(warped_.family(), warped_.weights());
+    renderer_.upload(mesh_, mesh_.key_count() <= max_gpu_keys ? normal_form(mesh_) : NormalForm{}, keys);
+    arrows_.follow(warped_.family(), warped_.weights(), mesh_, ++unions_, shown_vector(display_, fields_));
     if (const FamilyField* const field = shown()) {
-        const UnionField united = united_field(warped_.family(), warped_.weights(), mesh, field->label);
+        const UnionField united = united_field(warped_.family(), warped_.weights(), mesh_, field->label);
         renderer_.set_field(&united);
     }
+    if (is_measured(display_.coloring)) display_.scale = measured_scale(display_.coloring, mesh_);
     keys_ = std::move(keys);
 }
 
 std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Camera& camera) {
     unite_keys(weights);
+    if (is_measured(display_.coloring))
+        renderer_.set_values(surface_values(display_.coloring, mesh_, morph(mesh_, weight_values(weights))));
     renderer_.draw(target_, camera, weight_values(weights), display_);
     if (ground_) {
         ground_->cast_shadow(renderer_, weight_values(weights), box_);
@@ -65,6 +77,18 @@ std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Came
     occlusion_.darken(target_, camera, display_.occlusion_strength());
     std::vector<std::uint8_t> rgba = target_.read_rgba();
     if (display_.transparent) make_alpha_straight(rgba);
+    const int width = target_.width();
+    const int height = target_.height();
+    if (arrows_.are_shown()) {
+        const std::vector<float> depths = target_.read_depths();
+        Weights united = warped_.weights();
+        for (std::size_t n = 0; n < united.size(); ++n) united[n].value = weights[n].value;
+        draw_arrows(
+            rgba, width, height,
+            arrows_.arrows(mesh_, united, camera, {width, height, depths}, arrow_cell_of(width, height)));
+    }
+    if (display_.legend)
+        if (const auto legend = picture_legend(display_, fields_)) draw_legend(rgba, width, height, *legend);
     return rgba;
 }
 

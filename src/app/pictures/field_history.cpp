@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "family/family_time.h"
+
 namespace interleaf {
 
 bool FieldHistory::are_same(const MeasuredKeys& a, const MeasuredKeys& b) {
@@ -22,21 +24,26 @@ void FieldHistory::follow(const std::shared_ptr<const Family>& family, const std
             if (find_field(hierarchy->fields, {name, FieldKind::scalar}) != nullptr)
                 wanted.push_back({key.time, hierarchy});
         }
-    const bool is_same_field = name == std::exchange(field_, name);
+    const FieldScale scale = family ? scale_of(family->field_scales, name) : FieldScale();
+    unit_ = scale.unit;
+    time_unit_ = family && family->timeline ? unit_name_of(*family, TimeSource::keys) : "";
+    const bool is_same_offset = scale.offset == std::exchange(offset_, scale.offset);
+    const bool is_same_field = name == std::exchange(field_, name) && is_same_offset;
     if (is_same_field && are_same(wanted, wanted_)) return;
     const MeasuredKeys known = is_same_field ? measured_.series() : MeasuredKeys();
     wanted_ = wanted;
     if (wanted.empty()) return measured_.clear();
-    measured_.begin([wanted = std::move(wanted), known, name](
+    measured_.begin([wanted = std::move(wanted), known, name, offset = offset_](
                         const std::stop_token& stop, const MeasuredSeries<MeasuredKeys>::Publish& publish) {
         for (MeasuredKey key : wanted) {
             if (stop.stop_requested()) return;
             const auto same = std::ranges::find_if(
                 known, [&](const MeasuredKey& each) { return each.hierarchy.is_same(key.hierarchy); });
-            key.figures = same != known.end()
-                              ? same->figures
-                              : figures_of(*key.hierarchy,
-                                           *find_field(key.hierarchy->fields, {name, FieldKind::scalar}));
+            key.figures =
+                same != known.end()
+                    ? same->figures
+                    : figures_of(*key.hierarchy,
+                                 *find_field(key.hierarchy->fields, {name, FieldKind::scalar}), offset);
             publish([&](MeasuredKeys& keys) { keys.push_back(key); });
         }
     });
@@ -45,6 +52,8 @@ void FieldHistory::follow(const std::shared_ptr<const Family>& family, const std
 const FieldCurves& FieldHistory::curves() {
     const MeasuredKeys& keys = measured_.series();
     curves_ = {};
+    curves_.unit = unit_;
+    curves_.time_unit = time_unit_;
     for (const auto& [time, hierarchy, figures] : keys) {
         curves_.times.push_back(time);
         curves_.integrals.push_back(figures.integral);

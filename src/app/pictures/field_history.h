@@ -37,7 +37,10 @@ class FieldHistory {
     static bool are_same(const MeasuredKeys& a, const MeasuredKeys& b);
 
     std::shared_ptr<const Family> family_;
-    std::string field_;    ///< empty for none
+    std::string field_;  ///< empty for none
+    double offset_ = 0;  ///< of the field (family/field_scale.h)
+    std::string unit_;
+    std::string time_unit_;
     MeasuredKeys wanted_;  ///< the keys of the timeline that have the field
     MeasuredSeries<MeasuredKeys> measured_;
     FieldCurves curves_;

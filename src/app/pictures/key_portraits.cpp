@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "app/document/family_extent.h"
+#include "hierarchy/detail/level_cut.h"
 #include "hierarchy/union_mesh.h"
 #include "hierarchy/vertex_normals.h"
 #include "render/lone_picture.h"
@@ -12,6 +15,9 @@
 namespace interleaf {
 
 namespace {
+
+/// A picture of more leaves takes long, and is too small to show them.
+constexpr std::size_t max_drawn_leaves = 60'000;
 
 KeyPortrait portrait_of(const SharedHierarchy& hierarchy) {
     const std::vector<Leaf> leaves = leaves_of(*hierarchy);
@@ -70,7 +76,11 @@ bool KeyPortraits::draw_next(std::size_t begin, std::size_t end, int side) {
                      [](const KeyPortrait& portrait) { return !portrait.picture || portrait.is_old; });
     if (missing == portraits_.begin() + static_cast<std::ptrdiff_t>(end)) return false;
 
-    const std::array<const Hierarchy*, 1> key{&*missing->hierarchy};
+    const Hierarchy& whole = *missing->hierarchy;
+    std::optional<Hierarchy> coarse;
+    if (whole.leaf_count() > max_drawn_leaves)
+        coarse = cut_at_level(whole, level_with_at_most(whole, max_drawn_leaves));
+    const std::array<const Hierarchy*, 1> key{coarse ? &*coarse : &whole};
     const UnionMesh mesh = unite(key);
     LonePicture picture{.size = {side, side}, .camera = {}, .display = {}};
     picture.display.light_background = is_light_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "family/family_fields.h"
+#include "hierarchy/leaf_path.h"
 #include "hierarchy/morph.h"
 
 namespace interleaf {
@@ -156,6 +157,19 @@ Extent MorphSurface::extent() const {
 std::optional<glm::vec3> MorphSurface::field_at(const Ray& ray) {
     if (!field_) return std::nullopt;
     return value_where_hit(union_->mesh.triangles, morph(union_->mesh, weights_), *field_, weights_, ray);
+}
+
+std::optional<NodePath> MorphSurface::leaf_at(const Ray& ray) const {
+    if (union_ == nullptr) return std::nullopt;
+    return leaf_where_hit(union_->mesh, morph(union_->mesh, weights_), ray);
+}
+
+std::optional<NodePath> leaf_where_hit(const UnionMesh& mesh, std::span<const glm::vec3> positions,
+                                       const Ray& ray) {
+    const std::optional<Hit> hit = first_hit(mesh.triangles, positions, ray);
+    if (!hit) return std::nullopt;
+    const LeafPath leaf = leaf_paths(mesh.tags)[hit->triangle];
+    return NodePath{leaf.root, mesh.tags[hit->triangle].level(), leaf.path};
 }
 
 std::optional<glm::vec3> value_where_hit(std::span<const Triangle> triangles,

@@ -14,6 +14,7 @@
 #include "app/pictures/union_cache.h"
 #include "family/family.h"
 #include "hierarchy/measure.h"
+#include "hierarchy/nodes/node_path.h"
 #include "render/palette.h"
 #include "render/pick.h"
 #include "render/renderer.h"
@@ -64,6 +65,9 @@ class MorphSurface {
     /// None if the ray misses the surface, or without a field.
     std::optional<glm::vec3> field_at(const Ray& ray);
 
+    /// The leaf where \p ray first meets the surface; none if the ray misses it.
+    std::optional<NodePath> leaf_at(const Ray& ray) const;
+
     /// The weights of the surface: those of the last update() that was not late.
     const std::vector<float>& weights() const { return weights_; }
 
@@ -94,6 +98,10 @@ class MorphSurface {
     std::optional<FieldName> wanted_field_;
     Renderer renderer_;
 };
+
+/// The leaf of \p mesh, with \p positions, that \p ray first meets; none if it misses all.
+std::optional<NodePath> leaf_where_hit(const UnionMesh& mesh, std::span<const glm::vec3> positions,
+                                       const Ray& ray);
 
 /// The value of \p field where \p ray first meets a surface, as MorphSurface::field_at() gives it.
 /// \param weights  one per stream of \p field

@@ -43,6 +43,7 @@ void ScenePicture::draw(Renderer& renderer, const Scene& scene, Quality quality)
         target_ = std::make_unique<OffscreenTarget>(scene.width, scene.height, samples);
         samples_ = samples;
     }
+    ++drawings_;
     const Clock::time_point start = Clock::now();
     renderer.draw(*target_, scene.camera, scene.weights, scene.display);
     if (scene.display.ground) draw_ground(renderer, scene, quality);

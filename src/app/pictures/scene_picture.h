@@ -51,6 +51,9 @@ class ScenePicture {
     /// Duration of the last drawing.
     double milliseconds() const { return milliseconds_; }
 
+    /// Counts the drawings.
+    std::size_t drawings() const { return drawings_; }
+
     /// The drawn picture; null before the first update.
     OffscreenTarget* target() { return target_.get(); }
 
@@ -75,6 +78,7 @@ class ScenePicture {
     Clock::duration smooth_time_{};
     Clock::duration shaded_time_{};
     double milliseconds_ = 0;
+    std::size_t drawings_ = 0;
 };
 
 }  // namespace interleaf

@@ -3,24 +3,17 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
+#include "app/pictures/picture_depths.h"
 #include "family/family.h"
 #include "family/vector_field.h"
 #include "hierarchy/union_mesh.h"
 #include "render/camera.h"
 
 namespace interleaf {
-
-/// The picture that the arrows lie over.
-struct ArrowPicture {
-    int width;                      ///< pixels
-    int height;                     ///< pixels
-    std::span<const float> depths;  ///< of all pixels, top row first
-};
 
 struct Arrow {
     glm::vec2 from{0};  ///< pixels, y down
@@ -42,11 +35,12 @@ class VectorArrows {
     /// \param mesh, weights  those of the last follow()
     /// \param cell           side of a cell in pixels
     std::vector<Arrow> arrows(const UnionMesh& mesh, const Weights& weights, const Camera& camera,
-                              const ArrowPicture& picture, float cell) const;
+                              const PictureDepths& picture, float cell) const;
 
   private:
     std::optional<VectorField> vector_;
     std::size_t number_ = 0;
+    std::vector<float> offsets_;  ///< of the parts (family/field_scale.h)
     std::vector<UnionField>
         parts_;  ///< of x, y, and z if there is one; empty without a vector that all keys have
 };

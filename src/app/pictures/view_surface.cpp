@@ -100,6 +100,10 @@ std::optional<glm::vec3> ViewSurface::field_at(const Ray& ray) const {
     return value_where_hit(mesh_.mesh.triangles, mesh_.positions, *field_, std::array{1.0F}, ray);
 }
 
+std::optional<NodePath> ViewSurface::leaf_at(const Ray& ray) const {
+    return leaf_where_hit(mesh_.mesh, mesh_.positions, ray);
+}
+
 Extent ViewSurface::extent() const {
     return extent_of(mesh_.positions);
 }

@@ -41,11 +41,16 @@ class ViewSurface {
 
     /// As in MorphSurface, of the last refine().
     std::optional<glm::vec3> field_at(const Ray& ray) const;
+    std::optional<NodePath> leaf_at(const Ray& ray) const;
     Extent extent() const;
     const SurfaceFigures& figures() const { return figures_; }
 
     /// Counts the surfaces, from 1.
     std::size_t version() const { return version_; }
+
+    /// The mesh of the last refine(), and the positions of its blend.
+    const UnionMesh& mesh() const { return mesh_.mesh; }
+    std::span<const glm::vec3> positions() const { return mesh_.positions; }
 
     Renderer& renderer() { return renderer_; }
 

@@ -56,7 +56,7 @@ std::optional<fs::path> family_folder(const std::vector<fs::path>& sources) {
 }
 
 DocumentFiles::DocumentFiles(ViewerState& state, std::vector<fs::path> sources, bool is_alone)
-    : state_(state) {
+    : state_(state), is_alone_(is_alone) {
     if (!is_alone) {
         settings_file_ = settings_file();
         if (settings_file_) {
@@ -98,6 +98,9 @@ void DocumentFiles::grant(FileWish wish) {
         case FileWish::add_keys:
             browse_to_add();
             break;
+        case FileWish::import_series:
+            browse_to_import();
+            break;
         case FileWish::set_landmarks:
             set_landmarks();
             break;
@@ -117,8 +120,9 @@ void DocumentFiles::show(const Rect& area, double now) {
     fitting_.show(area, now);
     // The progress of what goes on beside waits until the user has answered: there is room for one dialog.
     const bool asks = browser_.is_open() || dialog_.is_open() || fitting_.is_open();
-    if (!asks) importing_.show(area, now);
-    if (!asks && !importing_.is_open()) exporting_.show(area, now);
+    if (!asks) opening_.show(area, now);
+    if (!asks && !opening_.is_shown()) importing_.show(area, now);
+    if (!asks && !opening_.is_shown() && !importing_.is_open()) exporting_.show(area, now);
 }
 
 void DocumentFiles::act(float density, double now) {
@@ -142,6 +146,7 @@ void DocumentFiles::act(float density, double now) {
                 if (given.button == 0) answer(state_, given.entry, now_);
             });
     }
+    if (opening_.is_over()) take_opened();
     if (const auto error = fitting_.update(density, now)) complain(*error);
     if (const auto error = importing_.update(now)) complain(*error);
 }
@@ -222,6 +227,7 @@ void DocumentFiles::replace_document(Family family, std::vector<fs::path> source
     ViewerState opened(std::move(family), family_folder(sources));
     opened.session.display = state_.session.display;
     opened.help_shown = state_.help_shown;
+    opened.plots_blend = state_.plots_blend;
     opened.camera = state_.camera;
     opened.appearance = state_.appearance;
     state_ = std::move(opened);

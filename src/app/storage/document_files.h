@@ -22,6 +22,7 @@
 #include "app/storage/file_stamps.h"
 #include "app/storage/series_importing.h"
 #include "app/storage/settings.h"
+#include "app/work/shown_job.h"
 #include "ui/browser/file_browser.h"
 #include "ui/dialogs/dialog.h"
 #include "ui/widgets/rect.h"
@@ -35,7 +36,8 @@ std::optional<std::filesystem::path> family_folder(const std::vector<std::filesy
 class DocumentFiles {
   public:
     /// \param sources   the files that the document in \p state was read from; empty for the built-in family
-    /// \param is_alone  whether not to touch the user's settings and recoveries
+    /// \param is_alone  whether nobody is before the window: no settings and recoveries of the user are touched, and
+    ///     opening waits for the files
     DocumentFiles(ViewerState& state, std::vector<std::filesystem::path> sources, bool is_alone);
 
     /// Carries out the request of a command.
@@ -50,14 +52,18 @@ class DocumentFiles {
 
     const std::vector<std::filesystem::path>& recent_files() const { return settings_.recent_files; }
 
+    const Settings& settings() const { return settings_; }
+
     /// Whether a dialog, the file browser or progress has the keyboard focus.
     bool is_asking() const {
         return browser_.is_open() || dialog_.is_open() || fitting_.is_open() || importing_.is_open() ||
-               exporting_.is_shown();
+               opening_.is_working() || exporting_.is_shown();
     }
 
     /// Whether work in progress needs new frames soon.
-    bool is_working() const { return fitting_.is_working() || importing_.is_working(); }
+    bool is_working() const {
+        return fitting_.is_working() || importing_.is_working() || opening_.is_working();
+    }
 
     /// The fitting of meshes, with its dialog while that is open.
     const MeshFitting& fitting() const { return fitting_; }
@@ -112,11 +118,16 @@ class DocumentFiles {
     void browse(FileRequest request, std::function<void(const FileChoice&)> answer);
     void browse_to_open();
     void browse_to_add();
+    void browse_to_import();
+    void offer_import(const std::vector<std::filesystem::path>& files);
     void browse_to_export();
     void browse_to_save_picture();
     void export_as(const std::filesystem::path& file);
-    std::optional<Opening> opened(const std::vector<std::filesystem::path>& paths);
-    bool show_opened(const std::vector<std::filesystem::path>& paths);
+    void read(std::vector<std::filesystem::path> paths, std::function<void(Opening&)> receiver);
+    void take_opened();
+    void show_files(const std::vector<std::filesystem::path>& paths);
+    bool show_opened(Opening& found, const std::vector<std::filesystem::path>& paths);
+    void add_opened(Opening& found);
     void reopen();
     void offer_to_open(const MeshesToFit& meshes);
     void offer_to_add(const MeshesToFit& meshes);
@@ -141,6 +152,7 @@ class DocumentFiles {
     };
 
     ViewerState& state_;
+    bool is_alone_;
     std::vector<std::filesystem::path> sources_;
     FileStamps stamps_;
     double looked_ = 0;  ///< time of the last comparison of stamps
@@ -156,6 +168,8 @@ class DocumentFiles {
     std::function<void(const Answer&)> on_answer_;
     MeshFitting fitting_;
     SeriesImporting importing_;
+    ShownJob<Opening> opening_;
+    std::function<void(Opening&)> on_opened_;    ///< receives the result of opening_
     std::shared_ptr<const Family> last_fitted_;  ///< the document right after the last fit; null without one
     bool was_fit_added_ = false;                 ///< whether that fit added keys to the document
     std::optional<Saving> saving_;

@@ -1,9 +1,14 @@
 // DocumentFiles: opens files and adds keys from them. Meshes that are not keys are fitted first.
+#include <chrono>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <ranges>
+#include <string>
 #include <utility>
 #include <variant>
 
+#include "text/shown_text.h"
 #include <fmt/format.h>
 
 #include "app/document/edit_commands.h"
@@ -14,6 +19,7 @@
 #include "family/family_fields.h"
 #include "family/new_family.h"
 #include "hierarchy/error.h"
+#include "hierarchy/progress.h"
 #include "io/formats.h"
 
 namespace interleaf {
@@ -21,6 +27,10 @@ namespace interleaf {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Reading that takes less shows no progress: a dialog would only flicker. The window waits for it a moment.
+constexpr double hidden_opening = 0.3;  // seconds
+constexpr std::chrono::milliseconds awaited_opening{150};
 
 FileRequest request_to_open(std::string title, std::string action, std::vector<FileType> types) {
     FileRequest request;
@@ -54,31 +64,84 @@ void DocumentFiles::browse_to_add() {
            [this](const FileChoice& choice) { add_keys(choice.files, now_); });
 }
 
-/// The content of \p paths; none, with a message, if they cannot be opened.
-std::optional<Opening> DocumentFiles::opened(const std::vector<fs::path>& paths) {
+void DocumentFiles::browse_to_import() {
+    browse(request_to_open("Import series", "Choose",
+                           {{"Steps of series", extensions_of(&Format::holds_series)}}),
+           [this](const FileChoice& choice) {
+               leave_document([this, files = choice.files] { offer_import(files); });
+           });
+}
+
+/// Shows the options of an import, which replaces the document.
+void DocumentFiles::offer_import(const std::vector<fs::path>& files) {
     try {
-        return open_files(paths);
+        importing_.offer(files_of(files), [this, files](ImportedSeries imported) {
+            open_imported(files, std::move(imported));
+        });
     } catch (const std::runtime_error& error) {
         complain(error);
-        return std::nullopt;
     }
 }
 
+/// Reads \p paths on a worker, and hands their content to \p receiver. The document stays as it is meanwhile. Small
+/// files are there within this call; otherwise the progress is shown, and can be cancelled.
+void DocumentFiles::read(std::vector<fs::path> paths, std::function<void(Opening&)> receiver) {
+    if (is_asking()) return;
+    const std::string title = paths.empty()
+                                  ? "Opening the built-in family"
+                                  : fmt::format("Opening {}", shown_name(paths.front().filename().string()));
+    on_opened_ = std::move(receiver);
+    opening_.start(
+        title,
+        [paths = std::move(paths)](const Progress& progress) {
+            progress("reading", 0);
+            return open_files(paths, progress);
+        },
+        now_, hidden_opening);
+    if (is_alone_) opening_.wait();
+    if (opening_.is_over_within(awaited_opening)) take_opened();
+}
+
+/// Hands the content of the files on, or says why they cannot be opened.
+/// \pre opening_.is_over()
+void DocumentFiles::take_opened() {
+    const auto receiver = std::exchange(on_opened_, nullptr);
+    std::optional<Opening> found;
+    try {
+        found = opening_.take();
+    } catch (const Cancelled&) {
+        return;
+    } catch (const std::runtime_error& error) {
+        return complain(error);
+    }
+    receiver(*found);
+}
+
 void DocumentFiles::open(std::vector<fs::path> files) {
-    leave_document([this, files = std::move(files)] {
-        if (show_opened(files)) remember(files.front());
-    });
+    leave_document([this, files = std::move(files)] { show_files(files); });
 }
 
 void DocumentFiles::reopen() {
-    leave_document([this] { show_opened(sources_); });
+    leave_document([this] { show_files(sources_); });
 }
 
-/// Replaces the document by the family that \p paths hold, or offers to fit their meshes.
+/// Reads \p paths, and replaces the document, unless it has been changed meanwhile and the user keeps it.
+void DocumentFiles::show_files(const std::vector<fs::path>& paths) {
+    const auto present = state_.document.snapshot();
+    read(paths, [this, paths, present](Opening& found) {
+        const Action show = [this, paths, content = std::make_shared<Opening>(std::move(found))] {
+            if (show_opened(*content, paths) && !paths.empty()) remember(paths.front());
+        };
+        if (state_.document.snapshot() == present)
+            show();
+        else
+            leave_document(show);
+    });
+}
+
+/// Replaces the document by the family that was found in \p paths, or offers to fit their meshes.
 /// \return whether the document was replaced
-bool DocumentFiles::show_opened(const std::vector<fs::path>& paths) {
-    std::optional<Opening> found = opened(paths);
-    if (!found) return false;
+bool DocumentFiles::show_opened(Opening& found, const std::vector<fs::path>& paths) {
     return std::visit(Cases{[&](OpenedFamily& family) {
         replace_document(std::move(family.family), paths);
         return true;
@@ -98,7 +161,7 @@ bool DocumentFiles::show_opened(const std::vector<fs::path>& paths) {
                                 return false;
 }
 },
-                      *found);
+                      found);
 }
 
 void DocumentFiles::offer_to_open(const MeshesToFit& meshes) {
@@ -107,11 +170,15 @@ void DocumentFiles::offer_to_open(const MeshesToFit& meshes) {
 }
 
 void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
-    std::optional<Opening> found = opened(files);
-    if (!found) return;
-    const auto add = [this, now](Family& family) {
+    now_ = now;
+    read(files, [this](Opening& found) { add_opened(found); });
+}
+
+void DocumentFiles::add_opened(Opening& found) {
+    const auto add = [this](Family& family) {
         const auto before = state_.document.snapshot();
-        interleaf::add_keys(state_, std::move(family.keys), family.origin, now);
+        family.landmarks.clear();
+        interleaf::add_keys(state_, family, now_);
         return state_.document.snapshot() != before;
     };
     std::visit(Cases{[&](OpenedFamily& family) {
@@ -128,7 +195,7 @@ void DocumentFiles::add_keys(const std::vector<fs::path>& files, double now) {
                                 [add](ImportedSeries imported) { add(imported.family); });
 }
 },
-               *found);
+               found);
 }
 
 /// Imports a series on a worker, and shows the progress.
@@ -139,7 +206,7 @@ void DocumentFiles::import(std::vector<fs::path> files, SeriesImporting::Receive
 /// Opens an imported series as a new document, colored by its field.
 void DocumentFiles::open_imported(const std::vector<fs::path>& files, ImportedSeries imported) {
     replace_document(std::move(imported.family), files);
-    color_by_field(state_.session.display, fields_of(state_.document.family().keys));
+    color_by_field(state_.session.display, fields_of(state_.document.family()));
     remember(files.front());
     state_.message = {.text = sentences_of(imported.report), .kind = MessageKind::notice, .seen = now_};
 }
@@ -167,8 +234,10 @@ void DocumentFiles::offer_to_add(const MeshesToFit& meshes) {
 void DocumentFiles::add_fitted(const FittedMeshes& fitted) {
     // A family knows its sphere only if its roots have a name.
     const bool keeps_landmarks = find_roots(roots_of(state_.document.family()).name) != nullptr;
-    interleaf::add_keys(state_, keys_of(fitted.comparisons), fitted.origin, now_,
-                        keeps_landmarks ? fitted.landmarks : std::vector<LandmarkDirection>());
+    Family added{.name = {}, .keys = keys_of(fitted.comparisons), .timeline = {}, .domain = {}};
+    added.origin = fitted.origin;
+    if (keeps_landmarks) added.landmarks = fitted.landmarks;
+    interleaf::add_keys(state_, added, now_);
     tell_fit(fitted);
     was_fit_added_ = true;
 }

@@ -1,18 +1,14 @@
 #include "app/storage/family_export.h"
 
-#include <chrono>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "text/shown_text.h"
 #include <fmt/core.h>
 
-#include "family/origin.h"
 #include "hierarchy/progress.h"
 #include "io/formats.h"
-#include "ui/dialogs/progress_dialog.h"
 
 namespace interleaf {
 namespace {
@@ -26,8 +22,7 @@ std::vector<std::string> remarks_of_export(const Family& family, const Weights& 
     std::vector<std::string> remarks;
     const Format& format = *find_format(file);
     format.write({.family = family, .weights = weights, .remarks = &remarks, .progress = progress}, {file});
-    if (!format.written->origin && family.origin != glm::dvec3(0))
-        remarks.push_back(origin_sentence(family.origin));
+    for (std::string& sentence : lost_offsets(format, family)) remarks.push_back(std::move(sentence));
     return remarks;
 }
 
@@ -39,56 +34,23 @@ std::string shown_file(const std::filesystem::path& file) {
 
 void FamilyExport::begin(std::shared_ptr<const Family> family, Weights weights, std::filesystem::path file,
                          double now) {
-    if (work_) work_->written.wait();
-    auto report = std::make_shared<Report>();
-    const Progress progress = [report](std::string_view stage, double part) {
-        const std::lock_guard lock(report->mutex);
-        report->stage = stage;
-        report->part = part;
-        return !report->is_cancelled;
-    };
-    auto written = std::async(std::launch::async,
-                              [family = std::move(family), weights = std::move(weights), file, progress] {
-                                  return remarks_of_export(*family, weights, file, progress);
-                              });
-    work_.emplace(Work{std::move(file), std::move(report), std::move(written), now});
-}
-
-void FamilyExport::show(const Rect& area, double now) {
-    if (!work_) return;
-    const bool is_done = work_->written.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-    if (!is_done && now - work_->started > least_shown_time) work_->is_shown = true;
-    if (!work_->is_shown) return;
-    ProgressShown shown{.title = fmt::format("Exporting {}", shown_file(work_->file)),
-                        .stage = {},
-                        .part = 0,
-                        .seconds = now - work_->started};
-    {
-        const std::lock_guard lock(work_->report->mutex);
-        shown.stage = work_->report->is_cancelled ? "cancelling" : work_->report->stage;
-        shown.part = work_->report->part;
-    }
-    if (progress_dialog(shown, area, is_done)) cancel();
-    work_->is_closed = is_done;
-}
-
-void FamilyExport::cancel() {
-    if (!work_) return;
-    const std::lock_guard lock(work_->report->mutex);
-    work_->report->is_cancelled = true;
+    job_.wait();
+    file_ = file;
+    job_.start(
+        fmt::format("Exporting {}", shown_file(file)),
+        [family = std::move(family), weights = std::move(weights), file = std::move(file)](
+            const Progress& progress) { return remarks_of_export(*family, weights, file, progress); },
+        now, least_shown_time);
 }
 
 std::optional<Message> FamilyExport::take_result(double now) {
-    if (!work_ || work_->is_shown != work_->is_closed ||
-        work_->written.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-        return std::nullopt;
-    Work work = *std::exchange(work_, std::nullopt);
+    if (!job_.is_over()) return std::nullopt;
     std::string text =
-        fmt::format("Exported {} in {}", shown_file(work.file), shown_name(work.file.parent_path().string()));
+        fmt::format("Exported {} in {}", shown_file(file_), shown_name(file_.parent_path().string()));
     try {
-        for (const std::string& remark : work.written.get()) text += "\n" + remark;
+        for (const std::string& remark : job_.take()) text += "\n" + remark;
     } catch (const Cancelled&) {
-        return Message{.text = fmt::format("Export of {} cancelled", shown_file(work.file)),
+        return Message{.text = fmt::format("Export of {} cancelled", shown_file(file_)),
                        .kind = MessageKind::notice,
                        .seen = now};
     } catch (const std::exception& error) {

@@ -8,9 +8,10 @@
 #include <fmt/core.h>
 
 #include "app/document/message.h"
+#include "app/importing/import_job.h"
+#include "app/storage/import_offer.h"
 #include "hierarchy/progress.h"
 #include "io/text/words.h"
-#include "ui/dialogs/progress_dialog.h"
 
 namespace interleaf {
 namespace {
@@ -35,55 +36,67 @@ std::string sentences_of(const SeriesReport& report) {
 void SeriesImporting::start(std::vector<std::filesystem::path> files, Receiver receiver, double now) {
     files_ = std::move(files);
     receiver_ = std::move(receiver);
-    started_ = now;
-    job_.emplace(files_, ImportChoices{});
+    choices_ = {};
+    begin(now);
+}
+
+void SeriesImporting::offer(std::vector<std::filesystem::path> files, Receiver receiver) {
+    offered_ = import_offer(files);
+    files_ = std::move(files);
+    receiver_ = std::move(receiver);
+    options_.open(usual_choices(offered_));
+}
+
+void SeriesImporting::begin(double now) {
+    job_.start(fmt::format("Importing {}", shown_name(files_.front().filename().string())),
+               import_work(files_, choices_), now);
 }
 
 void SeriesImporting::show(const Rect& area, double now) {
-    if (dialog_.is_open()) {
+    if (options_.is_open()) {
+        offered_.fault = fault_of(options_.choices(), offered_);
+        if (const auto is_wanted = options_.show(area, offered_)) is_wanted_ = is_wanted;
+    } else if (dialog_.is_open()) {
         if (auto answer = dialog_.show(area)) answer_ = std::move(answer);
-    } else if (job_) {
-        const ImportJob::State state = job_->state();
-        const std::string title = fmt::format("Importing {}", shown_name(files_.front().filename().string()));
-        const bool is_cancelled = progress_dialog(
-            {.title = title, .stage = state.stage, .part = state.part, .seconds = now - started_}, area,
-            state.is_done);
-        if (is_cancelled) job_->cancel();
-        if (state.is_done) is_work_closed_ = true;
+    } else {
+        job_.show(area, now);
     }
 }
 
 std::optional<std::string> SeriesImporting::update(double now) {
+    if (const auto is_wanted = std::exchange(is_wanted_, std::nullopt)) {
+        choices_ = import_choices(options_.choices(), offered_);
+        if (*is_wanted)
+            begin(now);
+        else
+            receiver_ = nullptr;
+    }
     if (const auto answer = std::exchange(answer_, std::nullopt)) {
         if (answer->button == 0) {
-            started_ = now;
-            job_.emplace(files_, ImportChoices{.tolerance = tolerance_in(answer->entry)});
+            choices_.tolerance = tolerance_in(answer->entry);
+            begin(now);
         } else {
             receiver_ = nullptr;
         }
     }
-    return std::exchange(is_work_closed_, false) ? hand_on_keys() : std::nullopt;
+    return job_.is_over() ? hand_on_keys() : std::nullopt;
 }
 
 /// \pre the work is done
 std::optional<std::string> SeriesImporting::hand_on_keys() {
     ImportedSeries imported;
     try {
-        imported = job_->take();
+        imported = job_.take();
     } catch (const Cancelled&) {
-        job_.reset();
         receiver_ = nullptr;
         return std::nullopt;
     } catch (const NeedsTolerance& error) {
-        job_.reset();
         ask_for_tolerance(error.reason);
         return std::nullopt;
     } catch (const std::exception& error) {
-        job_.reset();
         receiver_ = nullptr;
         return cause_of(error);
     }
-    job_.reset();
     std::exchange(receiver_, nullptr)(std::move(imported));
     return std::nullopt;
 }

@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "app/importing/import_job.h"
 #include "app/importing/series_import.h"
+#include "app/work/shown_job.h"
 #include "ui/dialogs/dialog.h"
+#include "ui/dialogs/import_dialog.h"
 #include "ui/widgets/rect.h"
 
 namespace interleaf {
@@ -27,14 +28,20 @@ class SeriesImporting {
     /// \pre is_open() is false
     void start(std::vector<std::filesystem::path> files, Receiver receiver, double now);
 
-    /// Whether the progress or the question for a tolerance is in front of the window.
-    bool is_open() const { return job_.has_value() || dialog_.is_open(); }
+    /// Shows the options of an import of \p files, which begins when the user says so.
+    /// \param receiver  receives the result
+    /// \throw InputError, MachineError  if the first step cannot be read
+    /// \pre is_open() is false
+    void offer(std::vector<std::filesystem::path> files, Receiver receiver);
+
+    /// Whether the options, the progress or the question for a tolerance is in front of the window.
+    bool is_open() const { return job_.is_working() || dialog_.is_open() || options_.is_open(); }
 
     /// Whether work in progress needs new frames soon, even without input.
-    bool is_working() const { return job_.has_value(); }
+    bool is_working() const { return job_.is_working(); }
 
-    /// Shows the progress or the question, if open, in the middle of \p area. Call it in every frame from the same
-    /// place.
+    /// Shows the options, the progress or the question, if open, in the middle of \p area. Call it in every frame from
+    /// the same place.
     void show(const Rect& area, double now);
 
     /// Acts on the user's answer, and hands on the keys when the work is done. Call it in every frame.
@@ -43,15 +50,18 @@ class SeriesImporting {
 
   private:
     std::optional<std::string> hand_on_keys();
+    void begin(double now);
     void ask_for_tolerance(const std::string& reason);
 
     std::vector<std::filesystem::path> files_;
     Receiver receiver_;
+    ImportChoices choices_;  ///< of the last import
+    ImportDialog options_;
+    ImportDialogShown offered_;      ///< what options_ shows
+    std::optional<bool> is_wanted_;  ///< the user's answer to the options, kept for update()
     Dialog dialog_;
     std::optional<Answer> answer_;  ///< kept for update()
-    std::optional<ImportJob> job_;
-    bool is_work_closed_ = false;  ///< whether the progress dialog has closed after the work
-    double started_ = 0;
+    ShownJob<ImportedSeries> job_;
 };
 
 }  // namespace interleaf

@@ -112,6 +112,7 @@ std::string settings_text(const Settings& settings) {
         document["window"] = {{"width", settings.window_size->x}, {"height", settings.window_size->y}};
     if (settings.appearance != Appearance{}) document["appearance"] = appearance_json(settings.appearance);
     document["camera"] = {{"trackball", settings.trackball}, {"axes", settings.axes}};
+    if (!settings.shortcuts.empty()) document["shortcuts"] = settings.shortcuts;
     return document.dump(2) + "\n";
 }
 
@@ -183,6 +184,11 @@ Settings parse_settings(std::string_view json, std::string_view name) {
             settings.trackball = trackball->boolean();
         if (const auto axes = camera->optional_member("axes")) settings.axes = axes->boolean();
     }
+    if (const auto shortcuts = root.optional_member("shortcuts"))
+        for (std::string& command : shortcuts->member_names()) {
+            std::string text = shortcuts->member(command).string();
+            settings.shortcuts.emplace(std::move(command), std::move(text));
+        }
     return settings;
 }
 

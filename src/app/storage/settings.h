@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,9 @@ struct Settings {
     Appearance appearance{};
     bool trackball = false;  ///< whether drags turn the camera as a trackball
     bool axes = true;        ///< whether the view shows its axes
+
+    /// Texts of shortcuts by names of commands; what they mean is not checked here (app/window/shortcuts.h).
+    std::map<std::string, std::string> shortcuts;
 
     bool operator==(const Settings&) const = default;
 };

@@ -18,6 +18,10 @@ std::string_view obstacle_of_document(CommandId id, const ViewerState& state) {
         case use_arrows_in_domain:
         case drive_by_domain:
             return "the family has no parameter domain";
+        case set_field_unit:
+            return "color by a scalar field first";
+        case set_time_unit:
+            return "the family has no timeline";
         case set_landmarks:
             return "no meshes have been fitted";
         case follow_path:

@@ -9,6 +9,7 @@ namespace interleaf {
 
 std::span<const Command> document_commands();
 std::span<const Command> playback_commands();
+std::span<const Command> inspect_commands();
 std::span<const Command> blend_commands();
 std::span<const Command> camera_commands();
 std::span<const Command> view_commands();

@@ -10,7 +10,8 @@
 
 namespace interleaf {
 
-SearchEntries search_entries(const ViewerState& state, std::span<const std::filesystem::path> recent_files) {
+SearchEntries search_entries(const ViewerState& state, const Shortcuts& shortcuts,
+                             std::span<const std::filesystem::path> recent_files) {
     SearchEntries entries;
     const auto& keys = state.document.family().keys;
     entries.shown.reserve(commands().size() + keys.size() + recent_files.size());
@@ -22,7 +23,7 @@ SearchEntries search_entries(const ViewerState& state, std::span<const std::file
         entries.shown.push_back({
             .name = command.label != nullptr ? command.label(state) : std::string(command.name),
             .group = std::string(command.menu),
-            .shortcut = shortcut_text(command),
+            .shortcut = shortcuts.text(command),
             .description = std::string(command.description),
             .obstacle = std::string(obstacle_of(command, state)),
         });
@@ -43,10 +44,10 @@ SearchEntries search_entries(const ViewerState& state, std::span<const std::file
     return entries;
 }
 
-void CommandSearch::show(const Rect& area, const ViewerState& state,
+void CommandSearch::show(const Rect& area, const ViewerState& state, const Shortcuts& shortcuts,
                          std::span<const std::filesystem::path> recent_files) {
     if (!palette_.is_open()) return;
-    entries_ = search_entries(state, recent_files);
+    entries_ = search_entries(state, shortcuts, recent_files);
     if (const auto chosen = palette_.show(area, entries_.shown)) chosen_ = chosen;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/document/viewer_state.h"
+#include "app/window/shortcuts.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/widgets/rect.h"
 
@@ -20,14 +21,15 @@ struct SearchEntries {
     std::size_t keys = 0;
 };
 
-SearchEntries search_entries(const ViewerState& state, std::span<const std::filesystem::path> recent_files);
+SearchEntries search_entries(const ViewerState& state, const Shortcuts& shortcuts,
+                             std::span<const std::filesystem::path> recent_files);
 
 class CommandSearch {
   public:
     bool is_open() const { return palette_.is_open(); }
 
     /// Shows the palette, if it is open, in \p area. Call it in every frame, from the same place.
-    void show(const Rect& area, const ViewerState& state,
+    void show(const Rect& area, const ViewerState& state, const Shortcuts& shortcuts,
               std::span<const std::filesystem::path> recent_files);
 
     /// Carries out what was chosen. Opens the palette if a command has asked for it.

@@ -26,8 +26,8 @@ bool is_in_scope(CommandScope scope, const ViewerState& state) {
 std::vector<Command> all_commands() {
     std::vector<Command> all;
     for (const std::span<const Command> menu :
-         {document_commands(), playback_commands(), blend_commands(), camera_commands(), view_commands(),
-          appearance_commands(), help_commands()})
+         {document_commands(), playback_commands(), inspect_commands(), blend_commands(), camera_commands(),
+          view_commands(), appearance_commands(), help_commands()})
         all.insert(all.end(), menu.begin(), menu.end());
     for (std::size_t place = 0; place < all.size(); ++place)
         assert(static_cast<std::size_t>(all[place].id) == place && "commands are in the order of their ids");
@@ -39,14 +39,6 @@ std::vector<Command> all_commands() {
 std::span<const Command> commands() {
     static const std::vector<Command> all = all_commands();
     return all;
-}
-
-const Command* find_command(Shortcut shortcut) {
-    const auto found = std::ranges::find_if(commands(), [shortcut](const Command& command) {
-        return shortcut.keyboard_key != 0 &&
-               std::ranges::find(command.shortcuts, shortcut) != command.shortcuts.end();
-    });
-    return found == commands().end() ? nullptr : &*found;
 }
 
 const Command& command_of(CommandId id) {

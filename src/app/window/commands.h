@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ struct Shortcut {
 /// In the order of the table.
 enum class CommandId : std::uint8_t {
     open,
+    import_series,
     reopen,
     save,
     save_as,
@@ -30,6 +32,8 @@ enum class CommandId : std::uint8_t {
     undo,
     redo,
     rename_family,
+    set_field_unit,
+    set_time_unit,
     new_domain,
     edit_domain,
     add_keys,
@@ -71,6 +75,14 @@ enum class CommandId : std::uint8_t {
     show_all_times,
     go_to_place,
     use_arrows_in_domain,
+    inspect_leaf,
+    go_to_parent,
+    go_to_sibling,
+    go_to_first_child,
+    go_to_second_child,
+    cross_refinement_edge,
+    cross_second_edge,
+    cross_third_edge,
     drive_by_timeline,
     drive_by_domain,
     show_one_key,
@@ -108,10 +120,13 @@ enum class CommandId : std::uint8_t {
     wireframe,
     refinement_edges,
     root_edges,
+    vertices,
+    normals,
     next_coloring,
     less_detail,
     more_detail,
     follow_camera,
+    keys_beside,
     plot_blend,
     compare_with_mesh,
     reload_shaders,
@@ -119,7 +134,11 @@ enum class CommandId : std::uint8_t {
     larger_text,
     smaller_text,
     usual_look,
+    open_menu,
+    next_panel,
+    previous_panel,
     search_commands,
+    find,
     help,
     dismiss,
 };
@@ -150,9 +169,6 @@ std::span<const Command> commands();
 
 const Command& command_of(CommandId id);
 
-/// The command with \p shortcut; null if there is none.
-const Command* find_command(Shortcut shortcut);
-
 /// Runs \p command if it is enabled.
 void run_command(const Command& command, ViewerState& state, double now);
 void run_command(CommandId id, ViewerState& state, double now);
@@ -164,7 +180,10 @@ bool is_enabled(CommandId id, const ViewerState& state);
 /// Why \p command is not enabled, "select a key first"; empty if it is enabled.
 std::string_view obstacle_of(const Command& command, const ViewerState& state);
 
-/// The shortcuts of \p command as text, "Ctrl+Q" or "W or 1"; empty if there are none.
-std::string shortcut_text(const Command& command);
+/// \p shortcut as text, "Ctrl+Q".
+std::string shortcut_text(Shortcut shortcut);
+
+/// The shortcut in \p text, in any case; none if \p text is no shortcut.
+std::optional<Shortcut> parse_shortcut(std::string_view text);
 
 }  // namespace interleaf

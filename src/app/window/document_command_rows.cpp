@@ -10,6 +10,7 @@
 #include "app/brushing/brush_stroke.h"
 #include "app/document/edit_commands.h"
 #include "app/document/playback_commands.h"
+#include "app/document/unit_commands.h"
 
 namespace interleaf {
 
@@ -35,6 +36,12 @@ constexpr Command document_table[] = {
      .shortcuts = {{{GLFW_KEY_O, GLFW_MOD_CONTROL}}},
      .description = "Open a family, keys or meshes (or drop files on the picture)",
      .run = wish_for<FileWish::open>},
+    {.id = CommandId::import_series,
+     .menu = "File",
+     .name = "Import series...",
+     .shortcuts = {{{GLFW_KEY_I, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT}}},
+     .description = "Open a series from numerics with other options than Open takes",
+     .run = wish_for<FileWish::import_series>},
     {.id = CommandId::reopen,
      .menu = "File",
      .name = "Reopen",
@@ -99,6 +106,22 @@ constexpr Command document_table[] = {
      .shortcuts = {{{GLFW_KEY_F2, GLFW_MOD_SHIFT}}},
      .description = "Give the family another name",
      .run = [](ViewerState& state, double) { ask_for_family_name(state); }},
+    {.id = CommandId::set_field_unit,
+     .scope = CommandScope::document,
+     .menu = "Edit",
+     .name = "Unit of field...",
+     .shortcuts = {{{GLFW_KEY_U, GLFW_MOD_SHIFT}}},
+     .description = "Type the unit of the shown field, for its legend and values",
+     .run = [](ViewerState& state, double) { ask_for_field_unit(state); },
+     .is_possible = [](const ViewerState& state) { return shown_scalar(state) != nullptr; }},
+    {.id = CommandId::set_time_unit,
+     .scope = CommandScope::document,
+     .menu = "Edit",
+     .name = "Unit of time...",
+     .shortcuts = {{{GLFW_KEY_U, GLFW_MOD_ALT}}},
+     .description = "Type the unit of the timeline's times",
+     .run = [](ViewerState& state, double) { ask_for_time_unit(state); },
+     .is_possible = [](const ViewerState& state) { return state.document.family().timeline.has_value(); }},
     {.id = CommandId::new_domain,
      .scope = CommandScope::document,
      .menu = "Edit",

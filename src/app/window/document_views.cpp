@@ -23,7 +23,11 @@ constexpr double longest_spin_step = 0.1;  // seconds: a slow frame makes no jum
 
 void DocumentViews::apply_to_views(const WindowActions& actions, ViewerState& state,
                                    const FrameLayout& layout) {
-    if (actions.view) surface_.apply_to_camera(*actions.view, state.camera.orbit, layout.panels.view);
+    if (actions.view) {
+        surface_.apply_to_camera(*actions.view, state.camera.orbit, layout.panels.view);
+        apply_to_inspection(*actions.view, state, layout.panels.view);
+    }
+    apply_to_key_views(actions, state, layout);
     if (actions.axes) {
         surface_.camera().orbit(actions.axes->orbit, state.camera.orbit);
         if (const auto& from = actions.axes->look_from) surface_.camera().look_from(from->x, from->y);
@@ -31,12 +35,54 @@ void DocumentViews::apply_to_views(const WindowActions& actions, ViewerState& st
     if (actions.comparison) comparison_.apply_to_comparison(*actions.comparison, state);
 }
 
+/// The pictures of keys move the camera as the surface does, and a click in one inspects the leaf there.
+void DocumentViews::apply_to_key_views(const WindowActions& actions, ViewerState& state,
+                                       const FrameLayout& layout) {
+    const Rect& view = layout.panels.view;
+    for (std::size_t n = 0; n < std::min(actions.key_views.size(), layout.key_views.size()); ++n) {
+        const Rect& place = layout.key_views[n];
+        ViewInput input = actions.key_views[n];
+        if (input.clicked) state.inspected = key_views_.leaf_at(n, input.pointer, surface_.camera());
+        if (input.view_all) state.view_target = ViewTarget::surface;
+        const glm::vec2 part =
+            (input.pointer - glm::vec2(place.x, place.y)) / glm::vec2(place.width, place.height);
+        input.pointer = glm::vec2(view.x, view.y) + part * glm::vec2(view.width, view.height);
+        surface_.apply_to_camera(input, state.camera.orbit, view);
+    }
+    point_at_leaf(actions, state, layout);
+}
+
+void DocumentViews::point_at_leaf(const WindowActions& actions, const ViewerState& state,
+                                  const FrameLayout& layout) {
+    pointed_at_.reset();
+    if (layout.key_views.empty() || state.inspected || state.session.is_playing()) return;
+    if (actions.view && actions.view->pointed_at)
+        pointed_at_ = surface_.leaf_at(actions.view->pointer, layout.panels.view);
+    for (std::size_t n = 0; n < actions.key_views.size(); ++n)
+        if (actions.key_views[n].pointed_at)
+            pointed_at_ = key_views_.leaf_at(n, actions.key_views[n].pointer, surface_.camera());
+}
+
+/// A click on a leaf inspects it, a click beside the surface ends the inspection.
+void DocumentViews::apply_to_inspection(const ViewInput& input, ViewerState& state, const Rect& view) {
+    if (input.view_all) state.inspected = inspected_before_click_;
+    if (input.clicked && !state.brush.is_on)
+        inspected_before_click_ = std::exchange(state.inspected, surface_.leaf_at(input.pointer, view));
+}
+
+/// \pre the surface follows \p state
+void DocumentViews::follow_inspection(ViewerState& state, const Rect& view) {
+    if (std::exchange(state.inspects_middle, false))
+        state.inspected = surface_.leaf_at({view.x + view.width / 2, view.y + view.height / 2}, view);
+    inspection_.follow(state);
+}
+
 void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const Gui& gui, double now) {
     if (std::exchange(state.reload_wanted, false)) reload_shaders(state);
     if (state.document.snapshot() != family_) {
         family_ = state.document.snapshot();
         portraits_.update(*family_);
-        fields_ = fields_of(family_->keys);
+        fields_ = fields_of(*family_);
         surface_.set_extent(portraits_.extent());
         curves_of_.reset();
     }
@@ -59,6 +105,8 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
     if (const auto wanted = std::exchange(state.camera_wishes.viewpoint, std::nullopt))
         surface_.look(*wanted, layout.panels.view);
     surface_.refine(session, field, layout.panels.view);
+    follow_inspection(state, layout.panels.view);
+    key_views_.follow(session, layout.key_views, field);
     const glm::vec2 size = message_picture_size() * gui.density();
     mismatch_pictures_.update(state.message.mismatch, glm::max(glm::ivec2(glm::round(size)), 1));
 }
@@ -97,6 +145,7 @@ void DocumentViews::follow_curves(const ViewerState& state, float width) {
 void DocumentViews::reload_shaders(ViewerState& state) {
     try {
         surface_.reload_shaders();
+        key_views_.reload_shaders();
         comparison_.reload_shaders();
     } catch (const std::runtime_error& error) {
         state.message = message_of(error);
@@ -106,10 +155,9 @@ void DocumentViews::reload_shaders(ViewerState& state) {
 bool DocumentViews::draw_portrait(const ShownWindow& shown, const Gui& gui) {
     if (!shown.actions.keys) return false;
     const int side = static_cast<int>(std::lround(key_picture_side() * gui.density()));
-    if (portraits_.draw_next(shown.actions.keys->first, shown.actions.keys->end, side)) return true;
-    if (!shown.actions.domain) return false;
-    return std::ranges::any_of(shown.actions.domain->pictured,
-                               [&](std::size_t key) { return portraits_.draw_next(key, key + 1, side); });
+    const auto draw_missing = [&](std::size_t key) { return portraits_.draw_next(key, key + 1, side); };
+    if (std::ranges::any_of(shown.actions.keys->visible, draw_missing)) return true;
+    return shown.actions.domain && std::ranges::any_of(shown.actions.domain->pictured, draw_missing);
 }
 
 bool DocumentViews::draw(const ViewerState& state, const FrameLayout& layout,
@@ -120,12 +168,19 @@ bool DocumentViews::draw(const ViewerState& state, const FrameLayout& layout,
         comparison_.show_value();
         return is_good;
     }
-    const bool is_good = surface_.draw(session, layout.view, gui, layout.window.y);
+    bool is_good = surface_.draw(session, layout.view, gui, layout.window.y);
+    is_good &=
+        key_views_.draw(session.display, surface_.measured_scale(), surface_.camera(), gui, layout.window.y);
     surface_.draw_arrows(layout.view, gui);
+    const auto node = inspected() != nullptr ? std::optional(inspected()->node) : pointed_at_;
+    if (node) surface_.draw_outline(*node, inspected() != nullptr, layout.view, gui);
+    key_views_.draw_marks(surface_.camera(), node, gui);
     brush_.draw(state, surface_, layout.view, gui);
     const FamilyField* const field = shown_field(session.display, fields_);
     if (field != nullptr && view && view->pointed_at && !session.is_playing())
         surface_.show_value(session, *field, gui.pointer(), layout.view);
+    if (view && view->pointed_at && !session.is_playing())
+        surface_.show_measured(session, gui.pointer(), layout.view);
     return is_good;
 }
 

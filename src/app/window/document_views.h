@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/document/inspection.h"
 #include "app/document/viewer_state.h"
 #include "app/pictures/blend_history.h"
 #include "app/pictures/field_history.h"
@@ -13,6 +14,7 @@
 #include "app/pictures/mismatch_pictures.h"
 #include "app/window/comparison_view.h"
 #include "app/window/frame_layout.h"
+#include "app/window/key_views.h"
 #include "app/window/redraw.h"
 #include "app/window/surface_brush.h"
 #include "app/window/surface_view.h"
@@ -66,7 +68,10 @@ class DocumentViews {
     const FieldCurves& field_curves() { return history_.curves(); }
     /// Area, volume and leaves of the blend over time, as far as they are measured.
     const BlendCurves& blend_curves() { return blend_history_.curves(); }
-    bool is_measuring() const { return history_.is_working() || blend_history_.is_working(); }
+    bool is_measuring() const { return history_.is_working(); }
+
+    /// The scale of a coloring by values that the blend determines.
+    const ColorScale& measured_scale() const { return surface_.measured_scale(); }
 
     /// Whether all keys lie in one plane.
     bool is_flat() const { return surface_.is_flat(); }
@@ -75,9 +80,12 @@ class DocumentViews {
     std::optional<double> measured_part() const { return surface_.measured_part(); }
 
     /// Whether the views will change soon without any input.
-    bool is_working() const { return surface_.is_working(); }
+    bool is_working() const { return surface_.is_working() || blend_history_.is_working(); }
 
     const std::vector<MessagePicture>& message_pictures() const { return mismatch_pictures_.shown(); }
+
+    /// The inspected node; null for none, and while a comparison is shown.
+    const InspectedNode* inspected() const { return comparison() == nullptr ? inspection_.shown() : nullptr; }
 
     const Camera& camera() const { return surface_.camera(); }
 
@@ -91,6 +99,10 @@ class DocumentViews {
         std::size_t samples;
         bool operator==(const CurvesOf&) const = default;
     };
+    void apply_to_key_views(const WindowActions& actions, ViewerState& state, const FrameLayout& layout);
+    void point_at_leaf(const WindowActions& actions, const ViewerState& state, const FrameLayout& layout);
+    void apply_to_inspection(const ViewInput& input, ViewerState& state, const Rect& view);
+    void follow_inspection(ViewerState& state, const Rect& view);
     void reload_shaders(ViewerState& state);
     void follow_curves(const ViewerState& state, float width);
     void move_cameras(ViewerState& state, const FrameLayout& layout, double now);
@@ -102,6 +114,10 @@ class DocumentViews {
     FieldHistory history_;
     BlendHistory blend_history_;
     SurfaceView surface_;
+    Inspection inspection_;
+    KeyViews key_views_;
+    std::optional<NodePath> pointed_at_;  ///< the leaf under the pointer, while the keys are beside the blend
+    std::optional<NodePath> inspected_before_click_;  ///< a double-click is no click
     SurfaceBrush brush_;
     ComparisonView comparison_;
     KeyPortraits portraits_;

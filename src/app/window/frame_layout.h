@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
@@ -17,6 +18,7 @@ struct FrameLayout {
     Rect content;                  ///< everything below the menu bar
     Layout panels;                 ///< of the document
     Rect view;                     ///< of the surface; or of a comparison, with both surfaces and their panel
+    std::vector<Rect> key_views;   ///< of the pictures of active keys beside the surface; may be none
     Rect keys;                     ///< the visible rows of keys
     std::optional<Rect> domain;    ///< the bounding box of the domain's vertices
     std::optional<Rect> timeline;  ///< the track from begin to end

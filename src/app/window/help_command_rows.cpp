@@ -11,24 +11,59 @@ namespace interleaf {
 namespace {
 
 constexpr Command help_table[] = {
+    {.id = CommandId::open_menu,
+     .menu = "Help",
+     .name = "Open menu",
+     .shortcuts = {{{GLFW_KEY_F10}}},
+     .description = "Open the first menu, as pressing and releasing Alt does",
+     .run = [](ViewerState& state, double) { state.menu_wanted = true; }},
+    {.id = CommandId::next_panel,
+     .scope = CommandScope::document,
+     .menu = "Help",
+     .name = "Go to next panel",
+     .shortcuts = {{{GLFW_KEY_F6}, {GLFW_KEY_TAB}}},
+     .description = "Give the keyboard to the next panel; Esc takes it back",
+     .run = [](ViewerState& state, double) { state.panel_step = 1; }},
+    {.id = CommandId::previous_panel,
+     .scope = CommandScope::document,
+     .menu = "Help",
+     .name = "Go to previous panel",
+     .shortcuts = {{{GLFW_KEY_F6, GLFW_MOD_SHIFT}}},
+     .description = "Give the keyboard to the previous panel",
+     .run = [](ViewerState& state, double) { state.panel_step = -1; }},
     {.id = CommandId::search_commands,
      .menu = "Help",
      .name = "Find command...",
      .shortcuts = {{{GLFW_KEY_P, GLFW_MOD_CONTROL}}},
      .description = "Search commands, keys and recent files by name, and run what is found",
      .run = [](ViewerState& state, double) { state.search_wanted = true; }},
+    {.id = CommandId::find,
+     .menu = "Help",
+     .name = "Find",
+     .shortcuts = {{{GLFW_KEY_F, GLFW_MOD_CONTROL}}},
+     .description = "Search the list of keys, or the help while it is shown",
+     .run =
+         [](ViewerState& state, double) {
+             state.find_wanted = true;
+             if (!state.help_shown) state.key_search.is_shown = true;
+         }},
     {.id = CommandId::help,
      .menu = "Help",
      .name = "Keys and mouse",
      .shortcuts = {{{GLFW_KEY_F1}, {GLFW_KEY_H}}},
      .description = "Show or hide this help",
-     .run = [](ViewerState& state, double) { state.help_shown = !state.help_shown; },
+     .run =
+         [](ViewerState& state, double) {
+             state.help_shown = !state.help_shown;
+             state.help_search.clear();
+         },
      .is_on = [](const ViewerState& state) { return state.help_shown; }},
     {.id = CommandId::dismiss,
      .menu = "Help",
      .name = "Dismiss",
      .shortcuts = {{{GLFW_KEY_ESCAPE}}},
-     .description = "Take back the brush stroke; close the message, the help or the comparison",
+     .description =
+         "Take back the brush stroke; close the message, the help, the comparison or the inspector",
      .run =
          [](ViewerState& state, double) {
              if (state.brush.is_stroking)
@@ -41,8 +76,10 @@ constexpr Command help_table[] = {
                  state.domain_has_focus = false;
              else if (state.is_comparing)
                  state.is_comparing = false;
-             else
+             else if (state.brush.is_on)
                  state.brush.is_on = false;
+             else
+                 state.inspected.reset();
          }},
 };
 

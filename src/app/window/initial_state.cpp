@@ -1,5 +1,7 @@
 #include "app/window/initial_state.h"
 
+#include <string>
+
 #include "app/document/path_commands.h"
 #include "app/document/shown_field.h"
 #include "app/window/view_clipboard.h"
@@ -11,7 +13,7 @@ namespace interleaf {
 
 void require_for(const ViewerOptions& options, const Family& family) {
     if (options.at && !family.domain) throw UsageError("--at: the family has no parameter domain");
-    require_field(options.display, fields_of(family.keys));
+    require_field(options.display, fields_of(family));
     if (options.time && !source_of_time(family))
         throw UsageError("--time: the family has neither a timeline nor a path");
 }
@@ -23,6 +25,13 @@ void begin_with(const ViewerOptions& options, ViewerState& state, double now) {
     if (options.along) choose_time_source(state, *options.along, now);
     if (options.time) state.session.seek(*options.time, now);
     if (options.at) state.session.move_point(*options.at, now);
+}
+
+void change_shortcuts(Shortcuts& shortcuts, const Settings& settings, ViewerState& state) {
+    for (const std::string& remark : shortcuts.change(settings.shortcuts)) {
+        if (!state.message.empty()) state.message.text += '\n';
+        state.message.text += "settings.json: " + remark;
+    }
 }
 
 }  // namespace interleaf

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "app/document/viewer_state.h"
+#include "app/storage/settings.h"
+#include "app/window/shortcuts.h"
 #include "app/window/viewer.h"
 #include "family/family.h"
 
@@ -13,5 +15,8 @@ void require_for(const ViewerOptions& options, const Family& family);
 /// Gives \p state the display, the view, the time and the point of \p options.
 /// \pre require_for() accepts the family
 void begin_with(const ViewerOptions& options, ViewerState& state, double now);
+
+/// Gives commands the shortcuts of \p settings. The message of \p state says what is wrong with them.
+void change_shortcuts(Shortcuts& shortcuts, const Settings& settings, ViewerState& state);
 
 }  // namespace interleaf

@@ -1,6 +1,12 @@
-// The text of shortcuts in menus and help.
+// The text of shortcuts in menus, in the help and in the settings.
 #define GLFW_INCLUDE_NONE
 
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "text/characters.h"
 #include <GLFW/glfw3.h>
 #include <fmt/core.h>
 
@@ -14,6 +20,8 @@ std::string keyboard_key_text(int key) {
     switch (key) {
         case GLFW_KEY_SPACE:
             return "Space";
+        case GLFW_KEY_TAB:
+            return "Tab";
         case GLFW_KEY_HOME:
             return "Home";
         case GLFW_KEY_END:
@@ -48,6 +56,18 @@ std::string keyboard_key_text(int key) {
     return {static_cast<char>(key)};  // GLFW's numbers of letters and digits are their ASCII codes
 }
 
+/// Whether keyboard_key_text() names \p key.
+bool has_text(int key) {
+    const bool is_letter = key > GLFW_KEY_SPACE && key <= GLFW_KEY_GRAVE_ACCENT;
+    const bool is_named = key >= GLFW_KEY_ESCAPE && keyboard_key_text(key).size() > 1;
+    return key == GLFW_KEY_SPACE || is_letter || is_named;
+}
+
+constexpr std::array<std::pair<std::string_view, int>, 3> modifier_names{
+    {{"ctrl+", GLFW_MOD_CONTROL}, {"shift+", GLFW_MOD_SHIFT}, {"alt+", GLFW_MOD_ALT}}};
+
+}  // namespace
+
 std::string shortcut_text(Shortcut shortcut) {
     std::string text;
     if ((shortcut.modifiers & GLFW_MOD_CONTROL) != 0) text += "Ctrl+";
@@ -56,16 +76,25 @@ std::string shortcut_text(Shortcut shortcut) {
     return text + keyboard_key_text(shortcut.keyboard_key);
 }
 
-}  // namespace
-
-std::string shortcut_text(const Command& command) {
-    std::string text;
-    for (const Shortcut shortcut : command.shortcuts) {
-        if (shortcut.keyboard_key == 0) continue;
-        if (!text.empty()) text += " or ";
-        text += shortcut_text(shortcut);
+std::optional<Shortcut> parse_shortcut(std::string_view text) {
+    const std::string whole = folded(text);
+    std::string_view rest = whole;
+    Shortcut shortcut;
+    for (bool is_found = true; is_found;) {
+        is_found = false;
+        for (const auto& [name, modifier] : modifier_names) {
+            if (!rest.starts_with(name) || (shortcut.modifiers & modifier) != 0) continue;
+            rest.remove_prefix(name.size());
+            shortcut.modifiers |= modifier;
+            is_found = true;
+        }
     }
-    return text;
+    for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key) {
+        if (!has_text(key) || folded(keyboard_key_text(key)) != rest) continue;
+        shortcut.keyboard_key = key;
+        return shortcut;
+    }
+    return std::nullopt;
 }
 
 }  // namespace interleaf

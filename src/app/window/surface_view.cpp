@@ -14,6 +14,9 @@
 #include "app/document/shown_field.h"
 #include "app/window/camera_control.h"
 #include "hierarchy/color.h"
+#include "hierarchy/morph.h"
+#include "render/pick.h"
+#include "render/surface_values.h"
 #include "ui/widgets/arrow_marks.h"
 #include "ui/widgets/value_label.h"
 
@@ -98,7 +101,7 @@ void SurfaceView::follow(const Session& session, const FamilyField* field,
     last_camera_ = camera_;
     want_details(session);
     const bool showed_view = shows_view_;
-    const bool can_follow = !needs_whole(session, field, fields);
+    const bool can_follow = !needs_whole(session, fields);
     holds_view_ = false;
     shows_view_ =
         can_follow && wants_view(session, now) && view_.follow(session.family(), session.weights(), details_);
@@ -127,9 +130,8 @@ void SurfaceView::follow_whole(const Session& session, const FamilyField* field,
     surface_.update(warped_.family(), warped_.weights(), field != nullptr ? &field->label : nullptr,
                     warped_.sources());
     // A late surface has other keys than the weights.
-    const bool shows_arrows = session.display.arrows && field != nullptr && !surface_.figures().is_late;
     arrows_.follow(warped_.family(), warped_.weights(), surface_.mesh(), surface_.figures().rebuilds,
-                   shows_arrows ? vector_of(fields, field->label.name) : std::nullopt);
+                   surface_.figures().is_late ? std::nullopt : shown_vector(session.display, fields));
     if (session.display.detail >= 1 && !warped_.is_warped())
         surface_.expect(session.family(), session.next_key_sets());
     if (warped_.is_warped()) camera_.keep_unclipped(raised_extent());
@@ -156,11 +158,9 @@ void SurfaceView::want_details(const Session& session) {
 }
 
 /// Whether the display asks for what only the whole surface has: heights or arrows.
-bool SurfaceView::needs_whole(const Session& session, const FamilyField* field,
-                              std::span<const FamilyField> fields) const {
+bool SurfaceView::needs_whole(const Session& session, std::span<const FamilyField> fields) const {
     const Display& display = session.display;
-    return warped_.is_warped() || warp_of(display, fields, all_keys_.box) ||
-           (display.arrows && field != nullptr && vector_of(fields, field->label.name));
+    return warped_.is_warped() || warp_of(display, fields, all_keys_.box) || shown_vector(display, fields);
 }
 
 /// Whether the detail of the surface follows the camera: because the display says so, or while a large surface
@@ -209,12 +209,36 @@ void SurfaceView::look(const Viewpoint& viewpoint, const Rect& view) {
 }
 
 void SurfaceView::refine(const Session& session, const FamilyField* field, const Rect& view) {
+    if (!shows_view_) follow_measured(session);
     if (!shows_view_ || holds_view_) return;
     view_.refine(session.family(), session.weights(), camera_, aspect_of(view),
                  field != nullptr ? &field->label : nullptr);
     view_figures_ = view_.figures();
     view_figures_.rebuilds = surface_.figures().rebuilds;
     view_figures_.waits = surface_.figures().waits;
+    follow_measured(session);
+}
+
+/// Gives the shown surface the values of a coloring by values that the blend determines.
+void SurfaceView::follow_measured(const Session& session) {
+    const Coloring coloring = session.display.coloring;
+    if (!is_measured(coloring)) return measured_.forget();
+    const MeasuredColoring::Subject subject{
+        .coloring = coloring,
+        .mesh = {shows_view_, shows_view_ ? view_.version() : surface_.figures().rebuilds},
+        .weights = shows_view_ ? std::vector<float>{} : surface_.weights(),
+        .keys = figures().keys};
+    if (measured_.has(subject)) return;
+    measured_.take(subject, shows_view_ ? view_.mesh() : surface_.mesh(), blend_positions(),
+                   shows_view_ ? view_.renderer() : surface_.renderer());
+    picture_.forget();
+}
+
+/// Of the shown surface.
+Buffer<glm::vec3> SurfaceView::blend_positions() const {
+    if (!shows_view_) return morph(surface_.mesh(), surface_.weights());
+    const auto positions = view_.positions();
+    return {positions.begin(), positions.end()};
 }
 
 bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui, float window_height) {
@@ -230,6 +254,7 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
     // What the renderer is given has its detail already.
     scene.display.detail = 1;
     scene.display.follows_camera = false;
+    if (is_measured(scene.display.coloring)) scene.display.scale = measured_.scale();
     scene.display.line_width *= gui.scale() * gui.density();
     const bool is_good = picture_.update(shows_view_ ? view_.renderer() : surface_.renderer(), scene);
     if (!shows_view_ && session.display.detail >= 1) is_slow_ = picture_.milliseconds() > slow_whole_from;
@@ -239,13 +264,40 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
 
 void SurfaceView::draw_arrows(const Rect& view, const Gui& gui) {
     if (shows_view_ || !arrows_.are_shown()) return;
-    OffscreenTarget& target = *picture_.target();
-    const std::vector<float> depths = target.read_depths();
-    for (const Arrow& arrow :
-         arrows_.arrows(surface_.mesh(), warped_.weights(), camera_,
-                        {target.width(), target.height(), depths}, arrow_cell * gui.scale() * gui.density()))
+    const OffscreenTarget& target = *picture_.target();
+    for (const Arrow& arrow : arrows_.arrows(surface_.mesh(), warped_.weights(), camera_,
+                                             {target.width(), target.height(), depths()},
+                                             arrow_cell * gui.scale() * gui.density()))
         arrow_mark(glm::vec2(view.x, view.y) + arrow.from / gui.density(),
                    glm::vec2(view.x, view.y) + arrow.to / gui.density());
+}
+
+void SurfaceView::draw_outline(const NodePath& node, bool has_numbers, const Rect& view, const Gui& gui) {
+    const UnionMesh& mesh = shows_view_ ? view_.mesh() : surface_.mesh();
+    if (node.root >= mesh.roots.triangle_count()) return;
+    outline_.follow(mesh, {shows_view_, shows_view_ ? view_.version() : surface_.figures().rebuilds}, node);
+    const auto position = [&](Index vertex) {
+        if (shows_view_) return view_.positions()[vertex];
+        glm::vec3 sum(0);
+        for (std::size_t key = 0; key < mesh.key_count(); ++key)
+            sum += surface_.weights()[key] * mesh.positions[key][vertex];
+        return sum;
+    };
+    const OffscreenTarget& target = *picture_.target();
+    const Outline outline = outline_.outline(position, camera_, {target.width(), target.height(), depths()});
+    outline_mark(in_window(outline, {view.x, view.y}, gui.density()), view, has_numbers);
+}
+
+/// The depths of the picture, read once per drawing.
+const std::vector<float>& SurfaceView::depths() {
+    if (depths_of_ != picture_.drawings() || depths_.empty()) depths_ = picture_.target()->read_depths();
+    depths_of_ = picture_.drawings();
+    return depths_;
+}
+
+std::optional<NodePath> SurfaceView::leaf_at(glm::vec2 pointer, const Rect& view) const {
+    const Ray ray = ray_at(pointer, view);
+    return shows_view_ ? view_.leaf_at(ray) : surface_.leaf_at(ray);
 }
 
 void SurfaceView::show_value(const Session& session, const FamilyField& field, glm::vec2 pointer,
@@ -259,8 +311,22 @@ void SurfaceView::show_value(const Session& session, const FamilyField& field, g
     const glm::ivec3 bytes(glm::round(255.0F * color));
     value_label(pointer, view, color,
                 is_scalar
-                    ? fmt::format("{} {:.4g}", field.label.name, value->x)
+                    ? fmt::format("{} {}", field.label.name, shown_value(field, value->x))
                     : fmt::format("{} #{:02x}{:02x}{:02x}", field.label.name, bytes.r, bytes.g, bytes.b));
+}
+
+void SurfaceView::show_measured(const Session& session, glm::vec2 pointer, const Rect& view) {
+    const Coloring coloring = session.display.coloring;
+    if (!is_measured(coloring)) return;
+    const UnionMesh& mesh = shows_view_ ? view_.mesh() : surface_.mesh();
+    const std::optional<Hit> hit = first_hit(mesh.triangles, blend_positions(), ray_at(pointer, view));
+    if (!hit) return;
+    const std::optional<float> value = measured_.value_at(*hit, mesh);
+    if (!value) return;
+    value_label(pointer, view, measured_.scale().color(*value),
+                coloring == Coloring::angle       ? fmt::format("smallest angle {:.1f}°", *value)
+                : coloring == Coloring::curvature ? fmt::format("mean curvature {:.4g}", *value)
+                                                  : fmt::format("moved by {:.4g}", *value));
 }
 
 Ray SurfaceView::ray_at(glm::vec2 pointer, const Rect& view) const {

@@ -11,13 +11,16 @@
 #include "app/document/viewpoint.h"
 #include "app/pictures/detailed_family.h"
 #include "app/pictures/key_details.h"
+#include "app/pictures/measured_coloring.h"
 #include "app/pictures/morph_surface.h"
+#include "app/pictures/node_outline.h"
 #include "app/pictures/scene_picture.h"
 #include "app/pictures/vector_arrows.h"
 #include "app/pictures/view_surface.h"
 #include "app/pictures/warped_family.h"
 #include "family/family_fields.h"
 #include "family/warp.h"
+#include "hierarchy/buffer.h"
 #include "hierarchy/measure.h"
 #include "render/camera.h"
 #include "render/pick.h"
@@ -69,9 +72,21 @@ class SurfaceView {
     /// Draws the arrows of the session of the last follow(), over the picture of the last draw().
     void draw_arrows(const Rect& view, const Gui& gui);
 
+    /// Draws the outline of \p node over the picture of the last draw().
+    /// \param has_numbers  whether its corners have their numbers
+    void draw_outline(const NodePath& node, bool has_numbers, const Rect& view, const Gui& gui);
+
+    /// The leaf of the shown surface at \p pointer in \p view; none beside the surface.
+    std::optional<NodePath> leaf_at(glm::vec2 pointer, const Rect& view) const;
+
     /// Shows the value of \p field under \p pointer, or nothing if the pointer is not over the surface.
     void show_value(const Session& session, const FamilyField& field, glm::vec2 pointer, const Rect& view);
 
+    /// Shows the value under \p pointer of a coloring by values that the blend determines; otherwise nothing.
+    void show_measured(const Session& session, glm::vec2 pointer, const Rect& view);
+
+    /// The scale of such a coloring.
+    const ColorScale& measured_scale() const { return measured_.scale(); }
     /// The ray through \p pointer, window coordinates, over \p view.
     Ray ray_at(glm::vec2 pointer, const Rect& view) const;
 
@@ -99,9 +114,11 @@ class SurfaceView {
     bool is_working() const { return waits_ || details_.progress(); }
 
   private:
+    const std::vector<float>& depths();
+    void follow_measured(const Session& session);
+    Buffer<glm::vec3> blend_positions() const;
     void want_details(const Session& session);
-    bool needs_whole(const Session& session, const FamilyField* field,
-                     std::span<const FamilyField> fields) const;
+    bool needs_whole(const Session& session, std::span<const FamilyField> fields) const;
     bool wants_view(const Session& session, double now);
     void follow_whole(const Session& session, const FamilyField* field, std::span<const FamilyField> fields);
     void face_plane();
@@ -118,6 +135,10 @@ class SurfaceView {
     ViewSurface view_;
     SurfaceFigures view_figures_;
     VectorArrows arrows_;
+    MeasuredColoring measured_;
+    NodeOutline outline_;
+    std::vector<float> depths_;  ///< of the picture, once something needs them
+    std::size_t depths_of_ = 0;  ///< number of the drawing that they are of
     ScenePicture picture_;
     Camera camera_;
 

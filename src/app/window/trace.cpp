@@ -34,6 +34,8 @@ Json json_of(const Display& display) {
             {"wireframe", display.wireframe},
             {"refinement_edges", display.refinement_edges},
             {"root_edges", display.root_edges},
+            {"vertices", display.vertices},
+            {"normals", display.normals},
             {"detail", display.detail},
             {"follows_camera", display.follows_camera}};
 }
@@ -133,6 +135,8 @@ void Trace::record(std::size_t frame, double seconds, const ViewerState& state, 
     json["eye"] = {record.eye.x, record.eye.y, record.eye.z};
     json["view"] = text_of(viewpoint_of(record.camera));
     json["document"] = json_of(state.document);
+    json["inspected"] =
+        state.inspected ? Json{state.inspected->root, state.inspected->level, state.inspected->path} : Json();
     json["selected"] = state.selected_key ? Json(*state.selected_key) : Json();
     json["brush"] = state.brush.is_on;
     json["edits_domain"] = state.edits_domain;

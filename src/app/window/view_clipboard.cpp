@@ -46,7 +46,6 @@ std::string remark_on_command(const ViewerState& state) {
     const Display& display = state.session.display;
     if (state.document.is_changed()) return "It draws the saved family, without your unsaved changes.";
     if (display.detail < 1 || display.follows_camera) return "It draws all details.";
-    if (display.height > 0 || display.arrows) return "It draws no heights and no arrows.";
     return "";
 }
 

@@ -140,6 +140,7 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
         glfwSetWindowSize(window_.handle(), last->x, last->y);
     state_.appearance = files_.appearance();
     begin_with(options, state_, glfwGetTime());
+    change_shortcuts(input_.shortcuts, files_.settings(), state_);
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(window_.handle(), 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
 }
@@ -211,21 +212,17 @@ void Viewer::frame() {
 // ---- input ----
 
 FrameInput Viewer::read_input() {
+    const bool has_panel = gui_.panel_keys().has_keyboard();  // Esc takes it away in this frame
     gui_.follow(state_.appearance);
     gui_.begin_frame(std::exchange(input_.keyboard_keys, {}));
     FrameInput input;
     input.pressed = std::exchange(input_.pressed, {});
     input.dropped = std::exchange(input_.dropped, {});
     if (!has_keyboard()) input.pressed.clear();
+    if (has_panel) std::erase_if(input.pressed, belongs_to_panel);
     if (is_asking()) input.dropped.clear();
     const ShownWindow shown = show_panels();
-    if (!input.dropped.empty()) {
-        glm::dvec2 pointer;
-        glfwGetCursorPos(window_.handle(), &pointer.x, &pointer.y);
-        const Rect& list = shown.layout.keys;
-        input.drops_on_keys = pointer.x >= list.x && pointer.x < list.right() && pointer.y >= list.y &&
-                              pointer.y < list.bottom();
-    }
+    input.drops_on_keys = !input.dropped.empty() && is_pointer_over(shown.layout.keys, window_.handle());
     input.actions = shown.actions;
     return input;
 }
@@ -242,8 +239,9 @@ void Viewer::update(const FrameInput& input, double now) {
     apply_actions(input.actions, now);
     for (const Shortcut shortcut : input.pressed)
         if (!belongs_to_domain(shortcut, state_) && !belongs_to_brush(shortcut, state_))
-            run_command(*find_command(shortcut), state_, now);
+            run_command(*input_.shortcuts.find(shortcut), state_, now);
     if (const auto file = search_.act(state_, now)) files_.open({files_.recent_files()[*file]});
+    if (gui_.panel_keys().step(std::exchange(state_.panel_step, 0))) redraw_.settle();
     update_files(input, now);
     update_clipboard(now);
     follow_state(now);
@@ -322,10 +320,12 @@ ShownWindow Viewer::show_panels() {
     const FrameLayout frame = layout();
     ShownWindow shown = show_window({.state = state_,
                                      .recent_files = files_.recent_files(),
+                                     .shortcuts = input_.shortcuts,
                                      .title = title_,
                                      .portraits = views_.portraits(),
                                      .fields = views_.fields(),
                                      .field_curves = &views_.field_curves(),
+                                     .measured_scale = views_.measured_scale(),
                                      .blend_curves = &views_.blend_curves(),
                                      .is_flat = views_.is_flat(),
                                      .curves = views_.curves(),
@@ -338,11 +338,12 @@ ShownWindow Viewer::show_panels() {
                                      .is_over_surface = views_.is_over_surface(),
                                      .holds = holds_,
                                      .layout = frame,
+                                     .inspected = views_.inspected(),
                                      .comparison = views_.comparison(),
-                                     .has_keyboard = has_keyboard()});
+                                     .has_keyboard = has_keyboard() && !gui_.panel_keys().has_keyboard()});
     files_.show(frame.content, now_);
     film_.show(frame.content, now_);
-    search_.show(frame.content, state_, files_.recent_files());
+    search_.show(frame.content, state_, input_.shortcuts, files_.recent_files());
     return shown;
 }
 

@@ -1,5 +1,6 @@
 #include "app/window/window_actions.h"
 
+#include "app/document/blend_commands.h"
 #include "app/document/brush.h"
 #include "app/document/edit_commands.h"
 #include "app/document/path_commands.h"
@@ -146,6 +147,11 @@ void apply_to_track(const TrackResult& done, ViewerState& state, double now) {
         apply_to_key_marks(done, state, now);
 }
 
+void apply_to_help(const HelpResult& done, ViewerState& state) {
+    if (done.search) state.help_search = *done.search;
+    if (done.closed) state.help_shown = false;
+}
+
 /// Applies the settings of the brush; the strokes are applied to the surface (surface_brush.h).
 void apply_to_brush(const BrushResult& done, ViewerState& state, double now) {
     if (done.toggled) run_command(CommandId::refine_brush, state, now);
@@ -158,6 +164,8 @@ void apply_to_brush(const BrushResult& done, ViewerState& state, double now) {
 void apply_to_keys(const KeysPanelResult& done, ViewerState& state, double now) {
     if (done.chosen) select_key(state, *done.chosen, now);
     if (done.renamed) ask_for_key_name(state);
+    if (done.search) state.key_search = *done.search;
+    if (done.toggled) toggle_key(state, *done.toggled, now);
     if (done.dragged) {
         state.selected_key = done.dragged;
         move_key(state, done.dropped_on, now);
@@ -171,12 +179,19 @@ void apply_to_keys(const KeysPanelResult& done, ViewerState& state, double now) 
 
 void apply_to_state(const WindowActions& actions, ViewerState& state, MouseHolds& holds, double now) {
     if (actions.display) state.session.display = *actions.display;
+    if (actions.asks_for_unit) run_command(CommandId::set_field_unit, state, now);
     if (actions.panel_sizes) state.appearance.panels = *actions.panel_sizes;
     if (actions.view && actions.view->view_all) state.view_target = ViewTarget::surface;
     if (actions.points_at_notice) state.message.seen = now;
     if (actions.dismisses_message) state.message.clear();
     if (actions.wants_landmarks) run_command(CommandId::set_landmarks, state, now);
-    if (actions.closes_help) state.help_shown = false;
+    if (actions.inspector) {
+        if (actions.inspector->step) state.node_step = actions.inspector->step;
+        if (actions.inspector->is_over) state.inspected.reset();
+    }
+    if (actions.help) apply_to_help(*actions.help, state);
+    state.find_wanted = false;  // the panels have seen it
+    state.menu_wanted = false;
 
     // The domain and the timeline come first, because actions on keys may change their indices.
     holds = {};

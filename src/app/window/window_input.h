@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "app/window/commands.h"
+#include "app/window/shortcuts.h"
+#include "ui/widgets/rect.h"
 
 struct GLFWwindow;
 
@@ -15,6 +17,8 @@ struct WindowInput {
     std::vector<int> keyboard_keys;  ///< pressed, each after its modifiers, as GLFW numbers them
     std::vector<Shortcut> pressed;
     std::vector<std::filesystem::path> dropped;
+    bool is_alt_alone = false;  ///< Alt is down, and nothing else has been pressed since
+    Shortcuts shortcuts{};      ///< only these are collected in `pressed`
 };
 
 /// Installs the callbacks that add to \p input. Call this function before Dear ImGui installs its callbacks,
@@ -22,6 +26,12 @@ struct WindowInput {
 /// \param input  must outlive \p window
 /// \return       \p window
 GLFWwindow* watch_input(GLFWwindow* window, WindowInput& input);
+
+/// Whether the pointer is over \p rect, in screen coordinates of \p window.
+bool is_pointer_over(const Rect& rect, GLFWwindow* window);
+
+/// Whether a panel that has the keyboard reads \p shortcut: to move in it, to press, and to leave it.
+bool belongs_to_panel(Shortcut shortcut);
 
 /// Whether the parameter domain reads \p shortcut, because it has the arrow keys.
 bool belongs_to_domain(Shortcut shortcut, const ViewerState& state);

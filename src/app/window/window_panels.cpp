@@ -1,14 +1,16 @@
 #include "app/window/window_panels.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
+
+#include <fmt/core.h>
 
 #include "app/brushing/brush_stroke.h"
 #include "app/pictures/view_surface.h"
 #include "family/family_time.h"
 #include "ui/panels/detail_panel.h"
 #include "ui/panels/display_panel.h"
-#include "ui/panels/help_overlay.h"
 #include "ui/panels/status_line.h"
 #include "ui/splitters.h"
 #include "ui/widgets/style.h"
@@ -17,9 +19,10 @@ namespace interleaf {
 
 namespace {
 
-std::vector<MenuEntry> entries_of(const ViewerState& state) {
+std::vector<MenuEntry> entries_of(const ViewerState& state, const Shortcuts& shortcuts) {
     std::vector<MenuEntry> entries;
-    for (const Command& command : commands()) entries.push_back(menu_entry(command, state));
+    entries.reserve(commands().size());
+    for (const Command& command : commands()) entries.push_back(menu_entry(command, state, shortcuts));
     return entries;
 }
 
@@ -68,10 +71,15 @@ KeysPanelResult show_keys(const WindowShown& shown) {
                         .picture = shown.portraits[key].picture.name()});
     }
     std::vector<MenuEntry> entries;
-    for (const Command* const command : key_commands()) entries.push_back(menu_entry(*command, state));
-    return keys_panel(
-        {.keys = rows, .weights = state.session.weights(), .selected = state.selected_key, .menu = entries},
-        0.4F * shown.layout.panels.view.height);
+    for (const Command* const command : key_commands())
+        entries.push_back(menu_entry(*command, state, shown.shortcuts));
+    return keys_panel({.keys = rows,
+                       .weights = state.session.weights(),
+                       .selected = state.selected_key,
+                       .menu = entries,
+                       .search = state.key_search,
+                       .takes_focus = state.find_wanted && !state.help_shown},
+                      0.4F * shown.layout.panels.view.height);
 }
 
 void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
@@ -80,16 +88,18 @@ void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
     section_gap();
     const SurfaceFigures& figures = shown.figures;
     const Display& display = shown.state.session.display;
-    Display wanted = display_panel(display, {.levels = figures.levels,
-                                             .origins = figures.origins,
-                                             .active_keys = figures.keys,
-                                             .active_names = figures.key_names,
-                                             .fields = shown.fields,
-                                             .key_without_field = figures.key_without_field,
-                                             .curves = shown.field_curves,
-                                             .time = shown.state.session.time(),
-                                             .is_flat = shown.is_flat});
-    if (wanted != display) result.actions.display = std::move(wanted);
+    DisplayPanelResult wanted = display_panel(display, {.levels = figures.levels,
+                                                        .origins = figures.origins,
+                                                        .active_keys = figures.keys,
+                                                        .active_names = figures.key_names,
+                                                        .fields = shown.fields,
+                                                        .key_without_field = figures.key_without_field,
+                                                        .curves = shown.field_curves,
+                                                        .time = shown.state.session.time(),
+                                                        .measured = shown.measured_scale,
+                                                        .is_flat = shown.is_flat});
+    if (wanted.display != display) result.actions.display = std::move(wanted.display);
+    result.actions.asks_for_unit = wanted.asks_for_unit;
     result.legend_keys = figures.key_names;
 }
 
@@ -129,6 +139,7 @@ TransportState transport_of(const Session& session) {
     return {.time = session.time(),
             .end = session.playback().end(),
             .unit = unit_of(family, source_of_time(family).value_or(TimeSource::keys)),
+            .unit_name = unit_name_of(family, source_of_time(family).value_or(TimeSource::keys)),
             .playing = session.is_playing(),
             .plays_back = session.plays_back(),
             .repeat = session.playback().repeat(),
@@ -158,6 +169,18 @@ void show_timeline(const WindowShown& shown, ShownWindow& result) {
     result.layout.timeline = result.actions.timeline->area;
 }
 
+InspectorResult show_inspector(const InspectedNode& node, const Rect& view) {
+    constexpr std::array commands_of_steps = {CommandId::go_to_parent,          CommandId::go_to_sibling,
+                                              CommandId::go_to_first_child,     CommandId::go_to_second_child,
+                                              CommandId::cross_refinement_edge, CommandId::cross_second_edge,
+                                              CommandId::cross_third_edge};
+    static_assert(commands_of_steps.size() == all_node_steps.size());
+    std::array<std::string, commands_of_steps.size()> shortcuts;
+    std::ranges::transform(commands_of_steps, shortcuts.begin(),
+                           [](CommandId id) { return shortcut_text(command_of(id)); });
+    return inspector_panel(node, shortcuts, view);
+}
+
 void show_brush(const WindowShown& shown, ShownWindow& result) {
     const Brush& brush = shown.state.brush;
     result.actions.brush = brush_bar(shown.layout.panels.view,
@@ -179,6 +202,9 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
     result.weights = weights;
     if (shown.state.camera.shows_axes) result.actions.axes = axes_widget(panels.view, shown.camera_axes);
     result.actions.view = view_area(panels.view);
+    for (std::size_t n = 0; n < shown.layout.key_views.size(); ++n)
+        result.actions.key_views.push_back(
+            view_area(shown.layout.key_views[n], fmt::format("key {}", n).c_str()));
     show_brush(shown, result);
     if (panels.left) {
         begin_panel("left", *panels.left);
@@ -199,6 +225,7 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
     }
     end_panel();
     if (shown.state.session.has_time()) show_timeline(shown, result);
+    if (shown.inspected != nullptr) result.actions.inspector = show_inspector(*shown.inspected, panels.view);
     status_line(panels.status,
                 {.active_keys = weights.size(),
                  .leaves = shown.figures.leaves,
@@ -226,10 +253,10 @@ void show_message(const WindowShown& shown, const Rect& view, WindowActions& act
 
 }  // namespace
 
-MenuEntry menu_entry(const Command& command, const ViewerState& state) {
+MenuEntry menu_entry(const Command& command, const ViewerState& state, const Shortcuts& shortcuts) {
     return {.menu = command.menu,
             .name = command.label != nullptr ? command.label(state) : std::string(command.name),
-            .shortcut = shortcut_text(command),
+            .shortcut = shortcuts.text(command),
             .description = command.description,
             .on = command.is_on != nullptr && command.is_on(state),
             .enabled = is_enabled(command, state)};
@@ -247,13 +274,17 @@ ShownWindow show_window(const WindowShown& shown) {
     result.layout = shown.layout;
     result.layout.view = shown.comparison != nullptr ? shown.layout.content : shown.layout.panels.view;
     result.family = shown.state.document.snapshot();
-    const std::vector<MenuEntry> entries = entries_of(shown.state);
-    result.actions.menu = menu_bar(entries, recent_menu(shown.recent_files), shown.title);
+    const std::vector<MenuEntry> entries = entries_of(shown.state, shown.shortcuts);
+    result.actions.menu =
+        menu_bar(entries, recent_menu(shown.recent_files), shown.title, shown.state.menu_wanted);
     if (shown.comparison != nullptr)
         result.actions.comparison = shown.comparison->show(shown.state, shown.has_keyboard);
     else
         show_document(shown, result);
-    if (shown.state.help_shown) result.actions.closes_help = help_overlay(entries, shown.layout.content);
+    if (shown.state.help_shown)
+        result.actions.help = help_overlay(
+            {.entries = entries, .search = shown.state.help_search, .takes_focus = shown.state.find_wanted},
+            shown.layout.content);
     show_message(shown, result.layout.view, result.actions);
     return result;
 }

@@ -19,11 +19,15 @@
 #include "app/window/commands.h"
 #include "app/window/comparison_view.h"
 #include "app/window/frame_layout.h"
+#include "app/window/shortcuts.h"
 #include "family/family_fields.h"
+#include "render/color_map.h"
 #include "ui/dialogs/message_panel.h"
 #include "ui/panels/axes_widget.h"
 #include "ui/panels/brush_bar.h"
 #include "ui/panels/field_curves.h"
+#include "ui/panels/help_overlay.h"
+#include "ui/panels/inspector_panel.h"
 #include "ui/panels/keys_panel.h"
 #include "ui/panels/menu_bar.h"
 #include "ui/panels/parameter_domain_panel.h"
@@ -44,10 +48,12 @@ struct MouseHolds {
 struct WindowShown {
     const ViewerState& state;
     std::span<const std::filesystem::path> recent_files;
+    const Shortcuts& shortcuts = table_shortcuts();
     std::string_view title;
     std::span<const KeyPortrait> portraits;  ///< one per key
     std::span<const FamilyField> fields;
     const FieldCurves* field_curves = nullptr;  ///< of the shown scalar over time; null for none
+    ColorScale measured_scale = {};             ///< of a coloring by values of the blend
     const BlendCurves* blend_curves = nullptr;  ///< area, volume and leaves over time; null for none
     bool is_flat = false;                       ///< whether all keys lie in one plane
     std::span<const WeightCurve> curves;        ///< of the timeline, in its shown times
@@ -60,9 +66,10 @@ struct WindowShown {
     double frame_milliseconds;
     bool is_over_surface = false;  ///< the pointer, in the last frame
     MouseHolds holds;
-    FrameLayout layout;                ///< window, content and panels
-    const ComparisonView* comparison;  ///< shown instead of the document; null for none
-    bool has_keyboard = true;          ///< whether the document or a comparison receives the keyboard
+    FrameLayout layout;                        ///< window, content and panels
+    const InspectedNode* inspected = nullptr;  ///< null for none
+    const ComparisonView* comparison;          ///< shown instead of the document; null for none
+    bool has_keyboard = true;                  ///< whether the document or a comparison receives the keyboard
 };
 
 /// The user's actions in the panels. Indices refer to the content that the panel showed.
@@ -75,10 +82,13 @@ struct WindowActions {
     std::optional<BlendActions> blend;
     std::optional<PanelSizes> panel_sizes;  ///< the new sizes, if the user dragged an edge
     std::optional<Display> display;         ///< the new display, if the user changed it
+    bool asks_for_unit = false;             ///< of the shown field
     std::optional<ParameterDomainResult> domain;
     std::optional<TimelineResult> timeline;
     std::optional<ComparisonActions> comparison;
-    bool closes_help = false;
+    std::vector<ViewInput> key_views;  ///< the mouse input over the pictures of active keys
+    std::optional<InspectorResult> inspector;
+    std::optional<HelpResult> help;
     bool dismisses_message = false;
     bool wants_landmarks = false;  ///< the button of a notice was pressed
     bool points_at_notice = false;
@@ -98,7 +108,7 @@ struct ShownWindow {
 ShownWindow show_window(const WindowShown& shown);
 
 /// The menu entry of \p command.
-MenuEntry menu_entry(const Command& command, const ViewerState& state);
+MenuEntry menu_entry(const Command& command, const ViewerState& state, const Shortcuts& shortcuts);
 
 /// The commands on the selected key, in the order of a key's context menu.
 std::vector<const Command*> key_commands();

@@ -31,38 +31,37 @@ struct SplitCandidate {
     }
 };
 
-std::vector<Triangle> triangles_in(const HalfEdgeMesh& mesh) {
-    std::vector<Triangle> triangles;
-    for (Index t = 0; t < mesh.triangle_capacity(); ++t)
-        if (mesh.has_triangle(t))
-            triangles.push_back({mesh.origin(3 * t), mesh.origin(3 * t + 1), mesh.origin(3 * t + 2)});
-    return triangles;
-}
-
 /// Numbers the vertices anew that triangles use.
-SphereMesh without_unused_vertices(const SphereMesh& mesh) {
+/// \param mesh  its triangles may use only some of its vertices
+void leave_out_unused_vertices(const SphereMesh& mesh, CoarsenedMesh& result) {
     std::vector<Index> number(mesh.positions.size(), no_index);
-    for (const Triangle& triangle : mesh.triangles)
+    for (const Triangle& triangle : result.mesh.triangles)
         for (const Index vertex : triangle) number[vertex] = 0;
-    SphereMesh packed;
-    for (std::size_t vertex = 0; vertex < number.size(); ++vertex) {
+    for (Index vertex = 0; vertex < number.size(); ++vertex) {
         if (number[vertex] == no_index) continue;
-        number[vertex] = static_cast<Index>(packed.positions.size());
-        packed.positions.push_back(mesh.positions[vertex]);
-        packed.points.push_back(mesh.points[vertex]);
+        number[vertex] = static_cast<Index>(result.vertices.size());
+        result.vertices.push_back(vertex);
+        result.mesh.positions.push_back(mesh.positions[vertex]);
+        result.mesh.points.push_back(mesh.points[vertex]);
     }
-    packed.triangles.reserve(mesh.triangles.size());
-    for (const auto& [a, b, c] : mesh.triangles)
-        packed.triangles.push_back({number[a], number[b], number[c]});
+    for (Triangle& triangle : result.mesh.triangles)
+        for (Index& vertex : triangle) vertex = number[vertex];
     for (const SphereLandmark& landmark : mesh.landmarks)
-        packed.landmarks.push_back({number[landmark.vertex], landmark.direction});
-    return packed;
+        result.mesh.landmarks.push_back({number[landmark.vertex], landmark.direction});
 }
 
 }  // namespace
 
 double even_edge(double vertices) {
     return std::sqrt(2 / (std::sqrt(3.0) * vertices));
+}
+
+std::vector<Triangle> triangles_in(const HalfEdgeMesh& mesh) {
+    std::vector<Triangle> triangles;
+    for (Index t = 0; t < mesh.triangle_capacity(); ++t)
+        if (mesh.has_triangle(t))
+            triangles.push_back({mesh.origin(3 * t), mesh.origin(3 * t + 1), mesh.origin(3 * t + 2)});
+    return triangles;
 }
 
 std::vector<std::array<Index, 2>> split_long_edges(SphereMesh& mesh, std::size_t vertices,
@@ -102,15 +101,18 @@ std::vector<std::array<Index, 2>> split_long_edges(SphereMesh& mesh, std::size_t
     return halved;
 }
 
-SphereMesh even_mesh(SphereMesh mesh, std::size_t vertices, ProgressMeter& meter) {
-    split_long_edges(mesh, vertices, meter);
+CoarsenedMesh coarsened(const SphereMesh& mesh, std::size_t vertices, ProgressMeter& meter) {
     HalfEdgeMesh half_edges(static_cast<Index>(mesh.positions.size()), mesh.triangles);
     std::vector<char> are_held(mesh.positions.size(), 0);
     for (const SphereLandmark& landmark : mesh.landmarks) are_held[landmark.vertex] = 1;
-    coarsen(half_edges, vertices, {.positions = mesh.positions, .points = mesh.points, .are_held = are_held},
-            meter);
-    mesh.triangles = triangles_in(half_edges);
-    return without_unused_vertices(mesh);
+    std::vector<Index> collapses =
+        coarsen(half_edges, vertices,
+                {.positions = mesh.positions, .points = mesh.points, .are_held = are_held}, meter);
+    CoarsenedMesh result{
+        .mesh = {}, .vertices = {}, .half_edges = std::move(half_edges), .collapses = std::move(collapses)};
+    result.mesh.triangles = triangles_in(result.half_edges);
+    leave_out_unused_vertices(mesh, result);
+    return result;
 }
 
 }  // namespace interleaf

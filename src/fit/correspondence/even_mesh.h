@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fit/correspondence/sphere_mesh.h"
+#include "fit/mesh/half_edge_mesh.h"
 #include "fit/mesh/progress_meter.h"
 #include "hierarchy/triangle.h"
 
@@ -16,6 +17,9 @@ namespace interleaf {
 
 /// The edge of a mesh of equilateral triangles with \p vertices vertices and area 1.
 double even_edge(double vertices);
+
+/// The triangles that are there now.
+std::vector<Triangle> triangles_in(const HalfEdgeMesh& mesh);
 
 /// Halves the longest edges until none is longer than an even mesh of \p vertices vertices allows, or until eight
 /// times as many vertices are added.
@@ -25,9 +29,18 @@ double even_edge(double vertices);
 std::vector<std::array<Index, 2>> split_long_edges(SphereMesh& mesh, std::size_t vertices,
                                                    ProgressMeter& meter);
 
-/// An even mesh of the same mapped surface with about \p vertices vertices, among them all landmarks.
+/// A mapped surface on fewer of its vertices, and the way back to all of them.
+struct CoarsenedMesh {
+    SphereMesh mesh;               ///< with numbers of its own
+    std::vector<Index> vertices;   ///< the number that each of its vertices has in the whole mesh
+    HalfEdgeMesh half_edges;       ///< the whole mesh, collapsed
+    std::vector<Index> collapses;  ///< the collapsed half-edges, in order
+};
+
+/// Collapses short edges of \p mesh until it has \p vertices vertices, among them all landmarks, or no more can be
+/// collapsed.
 /// \param mesh  area 1; its map is one to one
 /// \throw Cancelled
-SphereMesh even_mesh(SphereMesh mesh, std::size_t vertices, ProgressMeter& meter);
+CoarsenedMesh coarsened(const SphereMesh& mesh, std::size_t vertices, ProgressMeter& meter);
 
 }  // namespace interleaf

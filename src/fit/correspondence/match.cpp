@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -11,6 +9,8 @@
 
 #include "fit/correspondence/direction_insertion.h"
 #include "fit/correspondence/even_mesh.h"
+#include "fit/correspondence/finished_map.h"
+#include "fit/correspondence/movement.h"
 #include "fit/correspondence/pull_back.h"
 #include "fit/correspondence/sphere_mesh.h"
 #include "fit/landmarks/similarity.h"
@@ -22,79 +22,24 @@ namespace {
 
 /// The fractions of the whole work at which its parts begin.
 constexpr double moving_begins = 0.1;
-constexpr double finishing_begins = 0.9;
+constexpr double model_moves_from = 0.35;
+constexpr double finishing_begins = 0.6;
 
-/// The meshes from which the first passes start, in vertices. Which one gives the best match differs.
-constexpr std::array<std::size_t, 3> start_sizes = {100, 400, 200};
+/// The same of the comparison of one body.
+constexpr double measuring_begins = 0.3;
 
-/// To these numbers of vertices, the best match so far is coarsened in the passes after the first ones.
-constexpr std::array<std::size_t, 5> pass_sizes = {500, 300, 1000, 700, 400};
+/// Bodies with more vertices than this multiple of the even mesh's are compared on a coarser mesh.
+constexpr std::size_t finest_part = 3;
 
-struct Movement {
-    MovingMesh::Places places;
-    MatchFigures figures;
-    int passes = 0;
-};
+/// The model's mesh also moves over the body, unless the distortion is below this without that.
+constexpr double good_distortion = 1.15;
 
-/// Moves the model's mesh over the other body in several passes, and keeps the best.
-/// \return nothing if no pass ends with all vertices on the other body
-std::optional<Movement> move_over(MovingMesh& mesh, const MatchOptions& options, ProgressMeter& meter) {
-    constexpr int sweeps_of_coarse = 300;
-    constexpr int sweeps_per_growth = 60;
-    constexpr double stiffer = 3;
-    constexpr int last_sweeps = 100;
-    const std::size_t all = mesh.count();
-    Movement best;
-    best.figures.energy = std::numeric_limits<double>::infinity();
-    bool is_found = false;
-    for (int pass = 0; pass < options.max_passes; ++pass) {
-        meter.enter("matching", double(pass) / (options.max_passes + 1));
-        const auto number = static_cast<std::size_t>(pass);
-        if (number < start_sizes.size() || !is_found) {
-            mesh.put_at_own_points();
-            mesh.coarsen_to(start_sizes[number % start_sizes.size()],
-                            number < start_sizes.size() ? 0 : static_cast<std::uint32_t>(pass), false);
-        } else {
-            mesh.set_places(best.places);
-            mesh.coarsen_to(pass_sizes[number % pass_sizes.size()], static_cast<std::uint32_t>(pass), true);
-        }
-        mesh.set_weights(weights_at(double(mesh.count())));
-        mesh.relax(sweeps_of_coarse);
-        if (!mesh.refine(sweeps_per_growth)) continue;
-        const MatchFigures figures = mesh.figures();
-        best.passes = pass + 1;
-        if (!(figures.energy < best.figures.energy)) continue;
-        is_found = true;
-        best.places = mesh.places();
-        best.figures = figures;
-        if (figures.distortion < options.enough) break;
-    }
-    if (!is_found) return std::nullopt;
-    meter.enter("matching", double(options.max_passes) / (options.max_passes + 1));
-    MatchWeights weights = weights_at(double(all));
-    mesh.set_places(best.places);
-    weights.distortion *= stiffer;
-    mesh.set_weights(weights);
-    mesh.relax(last_sweeps);
-    weights.distortion /= stiffer;
-    mesh.set_weights(weights);
-    best.places = mesh.places();
-    best.figures = mesh.figures();
-    return best;
-}
+/// From this distortion on, or with landmarks, that is worth several attempts.
+constexpr double bad_distortion = 2;
 
-/// Relaxes a match once more, with distortion weighted by \p factor: less strained places are pulled back with fewer
-/// triangles turned over.
-void stiffen(MovingMesh& mesh, const MovingMesh::Places& places, double factor) {
-    constexpr int sweeps = 100;
-    MatchWeights weights = weights_at(double(mesh.count()));
-    mesh.set_places(places);
-    weights.distortion *= factor;
-    mesh.set_weights(weights);
-    mesh.relax(sweeps);
-    weights.distortion /= factor;
-    mesh.set_weights(weights);
-}
+/// At the end, shapes on the sphere are restored where their distortion is larger than the first of these; where that
+/// gives no good key, than the next.
+constexpr std::array<double, 4> worst_shapes = {4, 2, 1.3, 1};
 
 /// Vertices of the even mesh of a body with \p count vertices. Over twice as many would only cost time.
 std::size_t even_vertices(const MatchOptions& options, std::size_t count) {
@@ -108,6 +53,13 @@ std::vector<std::array<Index, 2>> split(SphereMesh& body, std::size_t vertices, 
     return split_long_edges(body, vertices, meter);
 }
 
+/// \p body on at most \p vertices vertices.
+CoarsenedMesh compared_part(const SphereMesh& body, std::size_t vertices, const Progress& progress) {
+    ProgressMeter meter(progress);
+    meter.enter("making an even mesh", 0);
+    return coarsened(body, vertices, meter);
+}
+
 /// \p mesh with the middles of the halved edges.
 SurfaceMesh with_middles(const SurfaceMesh& mesh, std::span<const std::array<Index, 2>> halved,
                          const std::vector<Triangle>& triangles) {
@@ -116,27 +68,6 @@ SurfaceMesh with_middles(const SurfaceMesh& mesh, std::span<const std::array<Ind
     for (const auto& [a, b] : halved)
         fine.positions.push_back(fine.positions[a] / 2.0 + fine.positions[b] / 2.0);
     return fine;
-}
-
-/// Where the map \p points of the split body puts the model's vertices on the other body.
-MovingMesh::Places places_by_map(const SphereMesh& body, std::span<const glm::dvec3> points,
-                                 const MatchedBody& model, const MatchedBody& other) {
-    const SphereLocation in_map(body.triangles, points);
-    MovingMesh::Places places;
-    Index guess = no_index;
-    Index guess_on_other = no_index;
-    for (const glm::dvec3& point : model.points()) {
-        const MeshPoint on_body = in_map.locate(point, guess);
-        guess = on_body.triangle;
-        const glm::dvec3 direction =
-            glm::normalize(on_body.of(std::span(body.triangles), std::span(body.points)));
-        const MeshPoint place = other.locate(direction, guess_on_other);
-        guess_on_other = place.triangle;
-        places.on_mesh.push_back(place);
-        places.in_space.push_back(other.position(place));
-        places.on_sphere.push_back(direction);
-    }
-    return places;
 }
 
 /// Turns \p body so that its landmarks come nearest to those of \p model, if they determine a rotation.
@@ -159,6 +90,149 @@ void turn_to_landmarks(SphereMesh& body, const MatchedBody& model) {
     }
 }
 
+/// Where a map of \p body puts the vertices of the model on \p moved.
+/// \param points  the map, one per vertex of \p body
+MovingMesh::Places places_by_map(const SphereMesh& body, std::span<const glm::dvec3> points,
+                                 const MatchedBody& model, const MatchedBody& moved) {
+    const SphereLocation in_map(body.triangles, points);
+    MovingMesh::Places places;
+    Index guess = no_index;
+    Index guess_on_body = no_index;
+    for (const glm::dvec3& point : model.points()) {
+        const MeshPoint on_body = in_map.locate(point, guess);
+        guess = on_body.triangle;
+        const glm::dvec3 direction =
+            glm::normalize(on_body.of(std::span(body.triangles), std::span(body.points)));
+        const MeshPoint place = moved.locate(direction, guess_on_body);
+        guess_on_body = place.triangle;
+        places.on_mesh.push_back(place);
+        places.in_space.push_back(moved.position(place));
+        places.on_sphere.push_back(direction);
+    }
+    return places;
+}
+
+MatchFigures mean_of(const MatchFigures& a, const MatchFigures& b) {
+    return {.energy = (a.energy + b.energy) / 2,
+            .distortion = (a.distortion + b.distortion) / 2,
+            .mean_cosine = (a.mean_cosine + b.mean_cosine) / 2,
+            .stretched = (a.stretched + b.stretched) / 2};
+}
+
+/// A map of the whole body, and how well it agrees with the model's.
+struct Candidate {
+    std::vector<glm::dvec3> points;
+    MatchFigures figures;
+    int passes = 0;
+};
+
+/// The two bodies of one match.
+class Match {
+  public:
+    Match(const MatchedBody& model, const SphereMesh& body, CoarsenedMesh compared, std::size_t vertices,
+          const MatchOptions& options, const Progress& progress)
+        : model_(model),
+          body_(body),
+          compared_(std::move(compared)),
+          moved_(compared_.mesh, part_of(progress, moving_begins * measuring_begins, moving_begins)),
+          movement_{.vertices = vertices, .max_passes = options.max_passes, .enough = options.enough},
+          progress_(progress),
+          meter_(progress),
+          own_mesh_(moved_, model, meter_),
+          models_mesh_(model, moved_, meter_),
+          own_weights_(weights_at(double(own_mesh_.count()))),
+          models_weights_(weights_at(double(models_mesh_.count()))) {}
+    Match(const Match&) = delete;
+    Match& operator=(const Match&) = delete;
+
+    /// How well a map agrees with the model's: the mean over the body's mesh on the model and the model's mesh on the
+    /// body. Either alone steps over what the other body has between two of its vertices.
+    MatchFigures figures_of(std::span<const glm::dvec3> points) {
+        std::vector<glm::dvec3> compared_points;
+        compared_points.reserve(compared_.vertices.size());
+        for (const Index vertex : compared_.vertices) compared_points.push_back(points[vertex]);
+        own_mesh_.put_at(compared_points);
+        own_mesh_.set_weights(own_weights_);
+        models_mesh_.set_places(places_by_map(body_, points, model_, moved_));
+        models_mesh_.set_weights(models_weights_);
+        return mean_of(own_mesh_.figures(), models_mesh_.figures());
+    }
+
+    /// Moves the body's mesh over the model. The result never turns over.
+    std::optional<Candidate> move_own_mesh() {
+        own_mesh_.put_at_own_points();
+        own_mesh_.set_weights(own_weights_);
+        movement_.part_begins = moving_begins;
+        movement_.part_ends = model_moves_from;
+        own_mesh_.avoid_needles();
+        const std::optional<int> passes = move_to_best(own_mesh_, movement_, meter_);
+        if (!passes) return std::nullopt;
+        Candidate candidate;
+        CoarsenedMesh compared = compared_;
+        candidate.points = finished_map(body_, compared, own_mesh_.places().on_sphere, meter_);
+        candidate.passes = *passes;
+        return finished(std::move(candidate));
+    }
+
+    /// Moves the model's mesh over the body, and inverts the result. This heeds details that only the model has.
+    /// \param tries_hard  where triangles stay turned over, tries again with more weight on shapes, which takes as long
+    ///                    again
+    std::optional<Candidate> move_models_mesh(bool tries_hard) {
+        const Progress still = part_of(progress_, model_moves_from, model_moves_from);
+        const SphereMesh models_mesh = compared_part(model_.mesh(), movement_.vertices, still).mesh;
+        const MatchedBody even_model(models_mesh, still);
+        const MatchedBody even_body(compared_part(body_, movement_.vertices, still).mesh, still);
+        MovingMesh moving(even_model, even_body, meter_);
+        movement_.part_begins = model_moves_from;
+        movement_.part_ends = finishing_begins;
+        movement_.max_idle_passes = movement_.max_passes;
+        const std::optional<int> passes = move_to_best(moving, movement_, meter_);
+        if (!passes) return std::nullopt;
+        Candidate candidate;
+        candidate.passes = *passes;
+        for (const double stiffness : {1.0, 10.0, 40.0}) {
+            // Less strained places are pulled back with fewer triangles turned over.
+            if (stiffness > 1) moving.relax_stiffly(stiffness);
+            candidate.points = pull_back(body_, models_mesh, moving.places().on_sphere, meter_);
+            if (!tries_hard || is_one_to_one(candidate)) break;
+        }
+        return finished(std::move(candidate));
+    }
+
+    void restore(double worst_shape, double part, Candidate& candidate) {
+        meter_.enter("matching", part);
+        restore_shapes(body_, worst_shape, candidate.points, meter_);
+        if (is_one_to_one(candidate)) candidate.figures = figures_of(candidate.points);
+    }
+
+    bool is_one_to_one(const Candidate& candidate) const {
+        return fault_of_map({.positions = body_.positions, .triangles = body_.triangles, .colors = {}},
+                            candidate.points)
+            .empty();
+    }
+
+  private:
+    std::optional<Candidate> finished(Candidate candidate) {
+        if (candidate.points.empty() || !is_one_to_one(candidate)) return std::nullopt;
+        restore_shapes(body_, worst_shapes.front(), candidate.points, meter_);
+        if (!is_one_to_one(candidate)) return std::nullopt;
+        candidate.figures = figures_of(candidate.points);
+        return candidate;
+    }
+
+    const MatchedBody& model_;
+    const SphereMesh& body_;
+    CoarsenedMesh compared_;
+    MatchedBody moved_;
+    MovementOptions movement_;
+    const Progress& progress_;
+    ProgressMeter meter_;
+    MovingMesh own_mesh_;
+    MovingMesh models_mesh_;
+    MatchWeights own_weights_;
+    MatchWeights models_weights_;
+};
+
 MatchedMap unmatched(MatchReport report, std::string fault) {
     report.after = report.before;
     report.fault = std::move(fault);
@@ -172,52 +246,59 @@ std::unique_ptr<const MatchedBody> model_of(const SurfaceMesh& mesh, std::span<c
                                             const MatchOptions& options, const Progress& progress) {
     SphereMesh body = normalized(mesh, points, turn);
     insert_directions(body, landmarks);
-    return std::make_unique<const MatchedBody>(std::move(body), even_vertices(options, points.size()),
-                                               progress);
+    const std::size_t vertices = even_vertices(options, points.size());
+    split(body, vertices, progress);
+    return std::make_unique<const MatchedBody>(
+        compared_part(body, finest_part * vertices, part_of(progress, 0, measuring_begins)).mesh,
+        part_of(progress, measuring_begins, 1));
 }
 
 MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
                  const glm::dmat3& turn, std::span<const Index> held, const MatchOptions& options,
-                 const Progress& progress) {
-    const Progress begin = part_of(progress, 0, moving_begins);
-    const Progress middle = part_of(progress, moving_begins, 1);
+                 const Progress& progress, const KeyJudge& judge) {
     SphereMesh body = normalized(mesh, points, turn);
     for (const Index vertex : held) body.landmarks.push_back({vertex, points[vertex]});
     turn_to_landmarks(body, model);
     const std::size_t vertices = even_vertices(options, points.size());
+    const Progress begin = part_of(progress, 0, moving_begins * measuring_begins);
     const std::vector<std::array<Index, 2>> halved = split(body, vertices, begin);
-    const MatchedBody other(body, vertices, begin);
+    Match both(model, body, compared_part(body, finest_part * vertices, begin), vertices, options, progress);
 
     MatchReport report;
-    ProgressMeter meter(middle);
-    meter.enter("matching", 0);
-    MovingMesh moving(model, other, meter);
-    moving.set_weights(weights_at(double(moving.count())));
-    report.before = moving.figures();
+    report.before = both.figures_of(body.points);
     if (report.before.distortion < options.enough)
         return unmatched(std::move(report), "the maps agree already");
-    const std::optional<Movement> movement = move_over(moving, options, meter);
-    if (!movement) return unmatched(std::move(report), "there is no room for a vertex of the first mesh");
-    report.passes = movement->passes;
-    meter.enter("matching", finishing_begins);
-    MatchedMap matched{.mesh = with_middles(mesh, halved, body.triangles), .points = {}, .report = {}};
-    std::string fault;
-    for (const double stiffness : {1.0, 10.0, 40.0}) {
-        if (stiffness > 1) stiffen(moving, movement->places, stiffness);
-        const std::span<const glm::dvec3> on_sphere =
-            stiffness > 1 ? moving.places().on_sphere : movement->places.on_sphere;
-        matched.points = pull_back(body, model, on_sphere, meter);
-        fault = fault_of_map(matched.mesh, matched.points);
-        // Another attempt takes as long again, and pays where landmarks tell what belongs together.
-        if (fault.empty() || body.landmarks.empty()) break;
+    std::vector<Candidate> candidates;
+    if (auto own = both.move_own_mesh()) candidates.push_back(std::move(*own));
+    const double distortion = candidates.empty() ? bad_distortion : candidates.front().figures.distortion;
+    if (distortion > good_distortion)
+        if (auto models = both.move_models_mesh(!held.empty() || distortion >= bad_distortion))
+            candidates.push_back(std::move(*models));
+    if (candidates.empty())
+        return unmatched(std::move(report), "there is no room for a vertex, or triangles turn over");
+    std::ranges::stable_sort(candidates, {}, [](const Candidate& each) { return each.figures.energy; });
+
+    const double attempt = (1 - finishing_begins) / double(candidates.size() * worst_shapes.size());
+    double part = finishing_begins;
+    std::string fault = "the matched map agrees no better";
+    for (Candidate& candidate : candidates) {
+        for (const double worst : worst_shapes) {
+            if (worst < worst_shapes.front()) both.restore(worst, part, candidate);
+            if (!both.is_one_to_one(candidate) || !(candidate.figures.energy < report.before.energy)) break;
+            MatchedMap matched{.mesh = with_middles(mesh, halved, body.triangles),
+                               .points = candidate.points,
+                               .report = report};
+            matched.report.after = candidate.figures;
+            matched.report.passes = candidate.passes;
+            const std::string fault_of_key =
+                judge ? judge(matched, part_of(progress, part, part + attempt)) : "";
+            if (fault_of_key.empty()) return matched;
+            fault = "no good key: " + fault_of_key;
+            part += attempt;
+        }
     }
-    if (!fault.empty()) return unmatched(std::move(report), "the matched map is not one to one: " + fault);
-    moving.set_places(places_by_map(body, matched.points, model, other));
-    report.after = moving.figures();
-    if (!(report.after.energy < report.before.energy))
-        return unmatched(std::move(report), "the matched map agrees no better");
-    matched.report = std::move(report);
-    return matched;
+    report.passes = candidates.front().passes;
+    return unmatched(std::move(report), std::move(fault));
 }
 
 }  // namespace interleaf

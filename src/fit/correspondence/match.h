@@ -2,12 +2,13 @@
 // sphere, and blends of the two bodies make sense half way.
 //
 // A map to the sphere depends on the mesh: two meshes of one body have different maps, and one rotation cannot
-// make them agree. So an even mesh of the model moves over the surface of the other body until the two agree
-// best (moving_mesh.h), from coarse to fine (Schmidt, Pieper and Kobbelt 2023 optimize maps over spheres for a
-// like energy). Each vertex of the other body then takes over the model's point on the sphere (pull_back.h).
+// make them agree. So the mesh of the body moves over the surface of the model until the two agree best
+// (moving_mesh.h), from coarse to fine (Schmidt, Pieper and Kobbelt 2023 optimize maps over spheres for a like
+// energy). Each vertex then takes over the model's point on the sphere, at its place on the model.
 // Without landmarks, all bodies should stand alike. Landmarks that both bodies have stay on each other.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -24,9 +25,10 @@
 namespace interleaf {
 
 struct MatchOptions {
-    std::size_t vertices = 8000;  ///< at most, of the even meshes; twice those of a small body
-    int max_passes = 10;          ///< from coarse to fine; at least 1
-    double enough = 1.01;         ///< no further pass once the distortion is below this
+    std::size_t vertices =
+        8000;  ///< at most, of the mesh that moves from coarse to fine; twice those of a small body
+    int max_passes = 10;   ///< from coarse to fine; at least 1
+    double enough = 1.01;  ///< no further pass once the distortion is below this
 };
 
 struct MatchReport {
@@ -41,6 +43,9 @@ struct MatchedMap {
     std::vector<glm::dvec3> points;  ///< of the unit sphere, one per vertex of that mesh
     MatchReport report;
 };
+
+/// Says in words why a map gives no good key; empty if the key is good.
+using KeyJudge = std::function<std::string(const MatchedMap& map, const Progress& progress)>;
 
 /// A body to which others are matched.
 /// \param mesh    clean
@@ -60,9 +65,11 @@ std::unique_ptr<const MatchedBody> model_of(const SurfaceMesh& mesh, std::span<c
 /// \param turn    applied to the body before it is compared: the rotation of its map after the alignment
 /// \param held    vertices of \p mesh, landmarks: they keep their points. Three or more also turn the body, as they lie
 ///                on the model
+/// \param judge   of the matched map; none to take it as it is. Where the key is no good, shapes on the sphere are
+///                restored in more places, which costs agreement, up to three times
 /// \throw Cancelled
 MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<const glm::dvec3> points,
                  const glm::dmat3& turn, std::span<const Index> held, const MatchOptions& options,
-                 const Progress& progress);
+                 const Progress& progress, const KeyJudge& judge = {});
 
 }  // namespace interleaf

@@ -7,7 +7,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "fit/correspondence/even_mesh.h"
 #include "fit/correspondence/surface_features.h"
 #include "fit/mesh/half_edge_mesh.h"
 #include "fit/mesh/space_triangle.h"
@@ -21,15 +20,8 @@ namespace {
 constexpr double first_radius = 0.12;
 constexpr double radius_factor = 0.6;
 
-/// The fractions of the whole work at which its parts begin.
-constexpr double measuring_begins = 0.3;
-constexpr double smoothing_begins = 0.6;
-
-SphereMesh even_part(SphereMesh body, std::size_t vertices, const Progress& progress) {
-    ProgressMeter meter(progress);
-    meter.enter("making an even mesh", 0);
-    return even_mesh(std::move(body), vertices, meter);
-}
+/// The fraction of the whole work at which normals are smoothed.
+constexpr double smoothing_begins = 0.4;
 
 std::vector<Triangle> triangles_across(std::span<const Triangle> triangles, std::size_t vertex_count) {
     const HalfEdgeMesh mesh(static_cast<Index>(vertex_count), triangles);
@@ -62,21 +54,20 @@ SphereMesh normalized(const SurfaceMesh& mesh, std::span<const glm::dvec3> point
     return result;
 }
 
-MatchedBody::MatchedBody(SphereMesh body, std::size_t vertices, const Progress& progress)
-    : even_(even_part(std::move(body), vertices, part_of(progress, 0, measuring_begins))),
-      neighbors_(triangles_across(even_.triangles, even_.positions.size())),
-      location_(even_.triangles, even_.points) {
-    for (const auto& [a, b, c] : even_.triangles)
+MatchedBody::MatchedBody(SphereMesh body, const Progress& progress)
+    : mesh_(std::move(body)),
+      neighbors_(triangles_across(mesh_.triangles, mesh_.positions.size())),
+      location_(mesh_.triangles, mesh_.points) {
+    for (const auto& [a, b, c] : mesh_.triangles)
         triangle_normals_.push_back(
-            unit_normal({even_.positions[a], even_.positions[b], even_.positions[c]}));
+            unit_normal({mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]}));
     ProgressMeter meter(progress);
-    meter.enter("measuring the body", measuring_begins);
-    outwardness_ =
-        interleaf::outwardness(even_.triangles, even_.positions, measuring_begins, smoothing_begins, meter);
-    const std::vector<glm::dvec3> raw = vertex_normals(even_.triangles, even_.positions);
+    meter.enter("measuring the body", 0);
+    outwardness_ = interleaf::outwardness(mesh_.triangles, mesh_.positions, 0, smoothing_begins, meter);
+    const std::vector<glm::dvec3> raw = vertex_normals(mesh_.triangles, mesh_.positions);
     double radius = first_radius;
     for (std::vector<glm::dvec3>& normals : normals_) {
-        normals = smoothed_directions(even_.triangles, even_.positions, raw, radius, meter);
+        normals = smoothed_directions(mesh_.triangles, mesh_.positions, raw, radius, meter);
         radius *= radius_factor;
     }
 }

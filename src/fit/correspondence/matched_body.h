@@ -1,5 +1,5 @@
-// A body as it is compared with another one: an even mesh of area 1 about its center of area, mapped to the
-// sphere, with the functions that are compared.
+// A body as it is compared with another one: a mesh of area 1 about its center of area, mapped to the sphere, with
+// the functions that are compared.
 #pragma once
 
 #include <array>
@@ -28,20 +28,20 @@ SphereMesh normalized(const SurfaceMesh& mesh, std::span<const glm::dvec3> point
 
 class MatchedBody {
   public:
-    /// \param body      normalized(); its map is one to one
-    /// \param vertices  wanted number of vertices of the even mesh
+    /// \param body  normalized() and without long edges (even_mesh.h); its map is one to one
     /// \throw Cancelled
-    MatchedBody(SphereMesh body, std::size_t vertices, const Progress& progress);
+    MatchedBody(SphereMesh body, const Progress& progress);
     MatchedBody(const MatchedBody&) = delete;
     MatchedBody& operator=(const MatchedBody&) = delete;
 
-    std::span<const Triangle> triangles() const { return even_.triangles; }
-    std::span<const glm::dvec3> positions() const { return even_.positions; }
+    const SphereMesh& mesh() const { return mesh_; }
+    std::span<const Triangle> triangles() const { return mesh_.triangles; }
+    std::span<const glm::dvec3> positions() const { return mesh_.positions; }
     /// Of the unit sphere, in the given map, one per vertex.
-    std::span<const glm::dvec3> points() const { return even_.points; }
+    std::span<const glm::dvec3> points() const { return mesh_.points; }
 
     /// Vertices that correspond to vertices of other bodies.
-    std::span<const SphereLandmark> landmarks() const { return even_.landmarks; }
+    std::span<const SphereLandmark> landmarks() const { return mesh_.landmarks; }
 
     /// Triangles across the sides opposite the corners.
     const std::vector<Triangle>& neighbors() const { return neighbors_; }
@@ -60,7 +60,7 @@ class MatchedBody {
     MeshPoint place_of(Index vertex) const;
 
   private:
-    SphereMesh even_;
+    SphereMesh mesh_;
     std::vector<Triangle> neighbors_;
     std::vector<glm::dvec3> triangle_normals_;
     std::array<std::vector<glm::dvec3>, smoothing_levels> normals_;

@@ -71,16 +71,17 @@ MovingMesh::MovingMesh(const MatchedBody& moving, const MatchedBody& onto, Progr
     put_at_own_points();
 }
 
-void MovingMesh::put_at_own_points() {
+void MovingMesh::put_at(std::span<const glm::dvec3> points) {
     Index guess = no_index;
     for (Index v = 0; v < mesh_.vertex_capacity(); ++v) {
-        const MeshPoint place = onto_.locate(moving_.points()[v], guess);
+        const MeshPoint place = onto_.locate(points[v], guess);
         guess = place.triangle;
         places_.on_mesh[v] = place;
         places_.in_space[v] = onto_.position(place);
-        places_.on_sphere[v] = moving_.points()[v];
+        places_.on_sphere[v] = points[v];
     }
     hold_landmarks();
+    rotation_ = glm::dmat3(1);
     linear_ = glm::dmat3(1);
     offset_ = glm::dvec3(0);
 }
@@ -200,18 +201,24 @@ void MovingMesh::coarsen_to(std::size_t vertices, std::uint32_t variation, bool 
         if (mesh_.has_triangle(t)) update_shape(t);
 }
 
+void MovingMesh::make_base(std::size_t vertices) {
+    coarsen_to(vertices, 0, false);
+    base_ = collapses_.size();
+}
+
 bool MovingMesh::refine(int sweeps) {
     double next = level_growth * double(count_);
-    while (!collapses_.empty()) {
+    while (collapses_.size() > base_) {
         const Index half_edge = collapses_.back();
         if (!restore(half_edge)) {
-            for (; !collapses_.empty(); collapses_.pop_back(), ++count_)
+            for (; collapses_.size() > base_; collapses_.pop_back(), ++count_)
                 mesh_.undo_collapse(collapses_.back());
-            for (Index t = 0; t < mesh_.triangle_capacity(); ++t) update_shape(t);
+            for (Index t = 0; t < mesh_.triangle_capacity(); ++t)
+                if (mesh_.has_triangle(t)) update_shape(t);
             return false;
         }
         collapses_.pop_back();
-        if (double(count_) < next && !collapses_.empty()) continue;
+        if (double(count_) < next && collapses_.size() > base_) continue;
         set_weights(weights_at(double(count_)));
         relax(sweeps);
         next = level_growth * double(count_);

@@ -56,12 +56,26 @@ class MovingMesh {
     /// \param onto    must outlive this object
     MovingMesh(const MatchedBody& moving, const MatchedBody& onto, ProgressMeter& meter);
 
-    /// Puts each vertex where the other body's map has its own point.
-    void put_at_own_points();
+    /// Puts each vertex where the other body's map has its point.
+    /// \param points  a map of the moving mesh, one to one: one point of the unit sphere per vertex
+    /// \pre nothing is collapsed beyond the base
+    void put_at(std::span<const glm::dvec3> points);
+    void put_at_own_points() { put_at(moving_.points()); }
+
+    /// Coarsens the mesh to \p vertices vertices, and makes the result the base to which refine() returns.
+    /// \pre nothing is collapsed
+    void make_base(std::size_t vertices);
+
+    /// Forgets the base: refine() returns to all vertices again.
+    void leave_base() { base_ = 0; }
+
+    /// From now on, no vertex moves to a place where it makes needles on the sphere. The mesh is then easily relaxed
+    /// there, too, but there may be less room.
+    void avoid_needles() { avoids_needles_ = true; }
 
     std::size_t count() const { return count_; }
     const Places& places() const { return places_; }
-    /// \pre nothing is collapsed
+    /// \pre nothing is collapsed beyond the base
     void set_places(const Places& places);
 
     /// Coarsens the mesh to \p vertices vertices, if it can.
@@ -69,9 +83,9 @@ class MovingMesh {
     /// \param heeds_places   also keeps good shapes on the other body, and removes strained vertices first
     void coarsen_to(std::size_t vertices, std::uint32_t variation, bool heeds_places);
 
-    /// Undoes all collapses. Each vertex goes to the best of several places in the kernel of its star. Whenever
+    /// Undoes all collapses beyond the base. Each vertex goes to the best of several places in the kernel of its star. Whenever
     /// the mesh has grown by a quarter, it is relaxed by at most \p sweeps sweeps.
-    /// \return false if there is no room for a vertex; then the mesh has all its vertices, in no useful places
+    /// \return false if there is no room for a vertex; then the vertices of the base are in no useful places
     bool refine(int sweeps);
 
     /// Sets the weights, which apply until they are set again.
@@ -80,6 +94,9 @@ class MovingMesh {
     /// Moves one vertex after the other to where the energy is less, then again those that moved and their
     /// neighbors, at most \p sweeps times.
     void relax(int sweeps);
+
+    /// The same in at most 100 sweeps, with distortion weighted \p factor times as much.
+    void relax_stiffly(double factor);
 
     MatchFigures figures();
 
@@ -101,6 +118,7 @@ class MovingMesh {
     double star_energy(Index vertex, const MeshPoint& place, const glm::dvec3& position) const;
     void hold_landmarks();
     bool is_positive_at(const glm::dvec3& point) const;
+    bool is_roomy_at(const glm::dvec3& point) const;
     std::optional<double> try_place(Index vertex, const MeshPoint& place, double energy);
     double relax_vertex(Index vertex);
     double relax_to_middle(Index vertex, double energy);
@@ -121,6 +139,7 @@ class MovingMesh {
     HalfEdgeMesh mesh_;
     std::size_t count_;
     std::vector<Index> collapses_;
+    std::size_t base_ = 0;  ///< number of collapses that refine() does not undo
     Places places_;
     MatchWeights weights_;
     std::vector<double> cotangent_;  ///< per half-edge, of the rest angle at its origin
@@ -129,6 +148,8 @@ class MovingMesh {
     std::vector<char> is_active_;
     std::vector<char> is_held_;  ///< 1 per vertex that stays at a landmark of the other body, else 0
     std::vector<StarSide> star_;
+    bool avoids_needles_ = false;
+    glm::dmat3 rotation_{1};  ///< of this body, by which it agrees best with the other one
     glm::dmat3 linear_{1};
     glm::dvec3 offset_{0};
 };

@@ -12,6 +12,7 @@
 
 #include "fit/correspondence/moving_mesh.h"
 #include "fit/sphere_map/orientation.h"
+#include "fit/sphere_map/rotation_fit.h"
 #include "fit/sphere_map/spherical_star.h"
 
 namespace interleaf {
@@ -31,9 +32,19 @@ double value_at(const MatchedBody& body, const MeshPoint& place) {
            values[c] * place.barycentric.z;
 }
 
+/// The rotation that turns positions best into places, or none if that is no small one: bodies stand about alike.
+glm::dmat3 small_rotation(const glm::dmat3& across) {
+    constexpr double least_cosine = 0.85;
+    const std::array<glm::dvec3, 3> axes = {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
+    const std::array<glm::dvec3, 3> turned = {across[0], across[1], across[2]};
+    const glm::dmat3 rotation = fit_rotation(axes, turned).rotation;
+    const double cosine = (rotation[0][0] + rotation[1][1] + rotation[2][2] - 1) / 2;
+    return cosine > least_cosine ? rotation : glm::dmat3(1);
+}
+
 }  // namespace
 
-/// Fits the affine map from positions to places, drawn towards no linear change.
+/// Fits the affine map from positions to places, drawn towards the best rotation.
 void MovingMesh::fit_affine() {
     constexpr double ridge = 0.3;
     double whole = 0;
@@ -56,7 +67,8 @@ void MovingMesh::fit_affine() {
         across += mass_[v] / whole * glm::outerProduct(places_.in_space[v] - center_there, from);
     }
     const glm::dmat3 drawn(ridge * (own[0][0] + own[1][1] + own[2][2]) / 3);
-    linear_ = (across + drawn) * glm::inverse(own + drawn);
+    rotation_ = small_rotation(across);
+    linear_ = (across + drawn * rotation_) * glm::inverse(own + drawn);
     offset_ = center_there - linear_ * center;
 }
 
@@ -64,9 +76,10 @@ double MovingMesh::data_energy(Index vertex, const MeshPoint& place, const glm::
     const std::vector<glm::dvec3>& normals_there = onto_.normals(weights_.level);
     const glm::dvec3 normal = place.of(onto_.triangles(), std::span(normals_there));
     const double outward = value_at(onto_, place) - moving_.outwardness()[vertex];
-    return mass_[vertex] * (weights_.position * squared_norm(position - affine_place(vertex)) +
-                            weights_.normal * squared_norm(normal - moving_.normals(weights_.level)[vertex]) +
-                            weights_.outwardness * outward * outward);
+    return mass_[vertex] *
+           (weights_.position * squared_norm(position - affine_place(vertex)) +
+            weights_.normal * squared_norm(normal - rotation_ * moving_.normals(weights_.level)[vertex]) +
+            weights_.outwardness * outward * outward);
 }
 
 double MovingMesh::star_energy(Index vertex, const MeshPoint& place, const glm::dvec3& position) const {
@@ -80,6 +93,19 @@ bool MovingMesh::is_positive_at(const glm::dvec3& point) const {
         star_, [&](const StarSide& side) { return orientation(point, side.point_a, side.point_b) > 0; });
 }
 
+/// Whether the triangles of the gathered star are no needles on the sphere with the vertex at \p point. Nothing relaxes
+/// a triangle any more that is positive by a hair.
+bool MovingMesh::is_roomy_at(const glm::dvec3& point) const {
+    constexpr double least_height = 1e-3;  // of a triangle, per length
+    return std::ranges::all_of(star_, [&](const StarSide& side) {
+        const glm::dvec3 to_a = side.point_a - point;
+        const glm::dvec3 to_b = side.point_b - point;
+        const glm::dvec3 across = side.point_b - side.point_a;
+        const double longest = std::max({squared_norm(to_a), squared_norm(to_b), squared_norm(across)});
+        return glm::dot(point, glm::cross(to_a, to_b)) > least_height * longest;
+    });
+}
+
 void MovingMesh::put(Index vertex, const MeshPoint& place) {
     places_.on_mesh[vertex] = place;
     places_.in_space[vertex] = onto_.position(place);
@@ -90,7 +116,9 @@ void MovingMesh::put(Index vertex, const MeshPoint& place) {
 /// \return the new energy
 std::optional<double> MovingMesh::try_place(Index vertex, const MeshPoint& place, double energy) {
     const double there = star_energy(vertex, place, onto_.position(place));
-    if (!(there < energy) || !is_positive_at(onto_.point(place))) return std::nullopt;
+    if (!(there < energy)) return std::nullopt;
+    const glm::dvec3 point = onto_.point(place);
+    if (!is_positive_at(point) || (avoids_needles_ && !is_roomy_at(point))) return std::nullopt;
     put(vertex, place);
     return there;
 }
@@ -122,7 +150,7 @@ void MovingMesh::add_data_derivatives(Index vertex, const glm::dvec3& s, const g
     const glm::dvec3 normal_s = rate_s.x * normals[i] + rate_s.y * normals[j] + rate_s.z * normals[k];
     const glm::dvec3 normal_t = rate_t.x * normals[i] + rate_t.y * normals[j] + rate_t.z * normals[k];
     const glm::dvec3 turned =
-        place.of(onto_.triangles(), std::span(normals)) - moving_.normals(weights_.level)[vertex];
+        place.of(onto_.triangles(), std::span(normals)) - rotation_ * moving_.normals(weights_.level)[vertex];
     sum.gradient +=
         mass * weights_.normal * glm::dvec2(glm::dot(turned, normal_s), glm::dot(turned, normal_t));
     const double mixed = glm::dot(normal_s, normal_t);
@@ -220,6 +248,14 @@ int MovingMesh::sweep() {
 void MovingMesh::relax(int sweeps) {
     std::fill(is_active_.begin(), is_active_.end(), char{1});
     for (int i = 0; i < sweeps && sweep() > 0; ++i) meter_.step();
+}
+
+void MovingMesh::relax_stiffly(double factor) {
+    constexpr int sweeps = 100;
+    const MatchWeights weights = weights_;
+    weights_.distortion *= factor;
+    relax(sweeps);
+    weights_ = weights;
 }
 
 MatchFigures MovingMesh::figures() {

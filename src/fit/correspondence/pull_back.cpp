@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "fit/mesh/half_edge_mesh.h"
+#include "fit/sampling/sphere_location.h"
 #include "fit/sphere_map/orientation.h"
 #include "fit/sphere_map/relaxation.h"
 
@@ -67,11 +68,11 @@ void untangle_map(const SphereMesh& mesh, Relaxation& relaxation, std::vector<gl
 
 }  // namespace
 
-std::vector<glm::dvec3> pull_back(const SphereMesh& body, const MatchedBody& model,
+std::vector<glm::dvec3> pull_back(const SphereMesh& body, const SphereMesh& model,
                                   std::span<const glm::dvec3> on_sphere, ProgressMeter& meter) {
     constexpr double blend = 0.1;
     constexpr int last_sweeps = 10;
-    const SphereLocation in_model(model.triangles(), on_sphere);
+    const SphereLocation in_model(model.triangles, on_sphere);
     std::vector<glm::dvec3> points;
     points.reserve(body.points.size());
     Index guess = no_index;
@@ -79,7 +80,7 @@ std::vector<glm::dvec3> pull_back(const SphereMesh& body, const MatchedBody& mod
         meter.step(20);
         const MeshPoint place = in_model.locate(point, guess);
         guess = place.triangle;
-        points.push_back(glm::normalize(place.of(model.triangles(), model.points())));
+        points.push_back(glm::normalize(place.of(std::span(model.triangles), std::span(model.points))));
     }
     for (const SphereLandmark& landmark : body.landmarks) points[landmark.vertex] = landmark.direction;
     const HalfEdgeMesh half_edges(static_cast<Index>(points.size()), body.triangles);

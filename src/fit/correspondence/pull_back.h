@@ -1,4 +1,4 @@
-// The last step of matching: each vertex of a matched body takes over the model's point on the sphere.
+// Inverts a match of the model's mesh: each vertex of the body takes over the model's point on the sphere.
 #pragma once
 
 #include <span>
@@ -6,7 +6,6 @@
 
 #include <glm/vec3.hpp>
 
-#include "fit/correspondence/matched_body.h"
 #include "fit/correspondence/sphere_mesh.h"
 #include "fit/mesh/progress_meter.h"
 
@@ -15,10 +14,11 @@ namespace interleaf {
 /// The matched map of \p body. The match is linear on triangles of another mesh, so triangles of \p body may
 /// turn over on the sphere. These are untangled, and a few sweeps restore shapes. Landmarks of \p body get their
 /// directions to the last bit. The result may still not be one to one: see fault_of_map().
-/// \param on_sphere  where the vertices of the model's even mesh are in the map of \p body
+/// \param model      any mesh of the model, with its map
+/// \param on_sphere  where the vertices of that mesh are in the map of \p body
 /// \return           points of the unit sphere, one per vertex of \p body
 /// \throw Cancelled
-std::vector<glm::dvec3> pull_back(const SphereMesh& body, const MatchedBody& model,
+std::vector<glm::dvec3> pull_back(const SphereMesh& body, const SphereMesh& model,
                                   std::span<const glm::dvec3> on_sphere, ProgressMeter& meter);
 
 }  // namespace interleaf

@@ -13,8 +13,8 @@ void export_obj(const Export& exported, const OutputTarget& target) {
 
 void export_ply(const Export& exported, const OutputTarget& target) {
     const Blend blend = blend_of(exported);
-    write_output(target,
-                 ply_bytes(blend.mesh.triangles, blend.positions, blend.fields, exported.family.origin));
+    write_output(target, ply_bytes(blend.mesh.triangles, blend.positions, blend.fields,
+                                   exported.family.origin, exported.family.field_scales));
 }
 
 void export_key(const Export& exported, const OutputTarget& target) {

@@ -19,6 +19,8 @@ static_assert(std::endian::native == std::endian::little, "arrays are written as
 
 constexpr std::uint8_t vtk_triangle = 5;  // vtkCellType.h
 
+constexpr std::string_view components_word = "NumberOfComponents";
+
 struct Deflater {
     void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
 };
@@ -40,15 +42,21 @@ constexpr const char* vtk_type<double> = "Float64";
 class AppendedArrays {
   public:
     /// Appends an array.
+    /// \param unit  of its numbers; empty for none
     /// \return its element
     template <typename Number>
     std::string add(std::string_view name, std::size_t components, std::span<const Number> numbers,
-                    std::string_view count = "NumberOfComponents") {
+                    std::string_view count = components_word, std::string_view unit = {}) {
         const std::size_t offset = bytes_.size();
         append_block(std::as_bytes(numbers));
+        std::string element =
+            fmt::format("<DataArray type=\"{}\" Name=\"{}\" {}=\"{}\" format=\"appended\" offset=\"{}\"",
+                        vtk_type<Number>, xml_escaped(name), count, components, offset);
+        if (unit.empty()) return element + "/>\n";
         return fmt::format(
-            "<DataArray type=\"{}\" Name=\"{}\" {}=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
-            vtk_type<Number>, xml_escaped(name), count, components, offset);
+            "{}>\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{}"
+            "</InformationKey>\n</DataArray>\n",
+            element, xml_escaped(unit));
     }
 
     const std::string& bytes() const { return bytes_; }
@@ -115,23 +123,58 @@ std::size_t vector_components(std::span<const Field> fields, std::size_t first) 
     return std::max<std::size_t>(count, 1);
 }
 
-std::string vector_element(std::span<const Field> components, AppendedArrays& arrays) {
+/// A vector, which has the unit of its first component. Components with an offset make it an array of doubles.
+std::string vector_element(std::span<const Field> components, std::span<const FieldScale> scales,
+                           AppendedArrays& arrays) {
+    std::vector<double> offsets;
+    offsets.reserve(components.size());
+    for (const Field& component : components) offsets.push_back(scale_of(scales, component.name).offset);
+    const std::string unit = scale_of(scales, components.front().name).unit;
+    std::string_view stem = components.front().name;
+    stem.remove_suffix(2);
+    if (std::ranges::any_of(offsets, [](double offset) { return offset != 0; })) {
+        std::vector<double> sums;
+        sums.reserve(components.size() * components.front().values.size());
+        for (std::size_t vertex = 0; vertex < components.front().values.size(); ++vertex)
+            for (std::size_t c = 0; c < components.size(); ++c)
+                sums.push_back(double{components[c].values[vertex]} + offsets[c]);
+        return arrays.add(stem, components.size(), std::span<const double>(sums), components_word, unit);
+    }
     std::vector<float> values;
     values.reserve(components.size() * components.front().values.size());
     for (std::size_t vertex = 0; vertex < components.front().values.size(); ++vertex)
         for (const Field& component : components) values.push_back(component.values[vertex]);
-    std::string_view stem = components.front().name;
-    stem.remove_suffix(2);
-    return arrays.add(stem, components.size(), std::span<const float>(values));
+    return arrays.add(stem, components.size(), std::span<const float>(values), components_word, unit);
 }
 
-std::string field_element(const Field& field, AppendedArrays& arrays) {
-    if (field.kind == FieldKind::scalar)
-        return arrays.add(field.name, 1, std::span<const float>(field.values));
+std::string scalar_element(const Field& field, const FieldScale& scale, AppendedArrays& arrays) {
+    if (scale.offset == 0)
+        return arrays.add(field.name, 1, std::span<const float>(field.values), components_word, scale.unit);
+    std::vector<double> values;
+    values.reserve(field.values.size());
+    for (const float value : field.values) values.push_back(double{value} + scale.offset);
+    return arrays.add(field.name, 1, std::span<const double>(values), components_word, scale.unit);
+}
+
+std::string color_element(const Field& field, AppendedArrays& arrays) {
     std::vector<std::uint8_t> bytes;
     bytes.reserve(field.values.size());
     for (const float part : field.values) bytes.push_back(static_cast<std::uint8_t>(std::lround(255 * part)));
     return arrays.add(field.name, component_count(field.kind), std::span<const std::uint8_t>(bytes));
+}
+
+/// Per leaf, in preorder, the number of its root.
+std::vector<std::uint32_t> roots_of(std::span<const LeafTag> tags) {
+    std::vector<std::uint32_t> roots;
+    roots.reserve(tags.size());
+    std::uint32_t root = 0;
+    std::uint64_t part = 0;  // of the root, in 2^-64 of it: 0 again where its leaves are complete
+    for (const LeafTag tag : tags) {
+        roots.push_back(root);
+        if (tag.level() > 0) part += std::uint64_t{1} << (max_level - tag.level());
+        if (part == 0) ++root;
+    }
+    return roots;
 }
 
 std::string cell_data_element(const VtkSurface& surface, AppendedArrays& arrays) {
@@ -140,7 +183,9 @@ std::string cell_data_element(const VtkSurface& surface, AppendedArrays& arrays)
         std::vector<std::uint8_t> levels;
         levels.reserve(surface.tags.size());
         for (const LeafTag tag : surface.tags) levels.push_back(static_cast<std::uint8_t>(tag.level()));
+        const std::vector<std::uint32_t> roots = roots_of(surface.tags);
         text += arrays.add("level", 1, std::span<const std::uint8_t>(levels));
+        text += arrays.add("root", 1, std::span<const std::uint32_t>(roots));
     }
     if (!surface.origins.empty()) text += arrays.add("origin", 1, surface.origins);
     return text + "</CellData>\n";
@@ -166,8 +211,13 @@ std::string vtk_bytes(const VtkSurface& surface, VtkDataSet data_set) {
     std::string fields = "<PointData>\n";
     for (std::size_t n = 0; n < surface.fields.size();) {
         const std::size_t count = vector_components(surface.fields, n);
-        fields += count > 1 ? vector_element(surface.fields.subspan(n, count), arrays)
-                            : field_element(surface.fields[n], arrays);
+        const Field& field = surface.fields[n];
+        if (count > 1)
+            fields += vector_element(surface.fields.subspan(n, count), surface.scales, arrays);
+        else if (field.kind == FieldKind::scalar)
+            fields += scalar_element(field, scale_of(surface.scales, field.name), arrays);
+        else
+            fields += color_element(field, arrays);
         n += count;
     }
     const std::string cell_data = cell_data_element(surface, arrays);

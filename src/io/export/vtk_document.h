@@ -9,6 +9,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "family/field_scale.h"
 #include "hierarchy/field.h"
 #include "hierarchy/union_mesh.h"
 
@@ -22,7 +23,9 @@ struct VtkSurface {
     glm::dvec3 origin{0};                  ///< is added to all positions; unless it is 0, they become doubles
     std::span<const Field>
         fields{};  ///< per vertex: a float for a scalar, three bytes for a color; "u x", "u y" (and "u z") become a vector "u"
-    std::span<const LeafTag> tags{};    ///< per triangle: its level
+    std::span<const FieldScale>
+        scales{};                     ///< offsets, which make fields doubles, and units, as VTK's UNITS_LABEL
+    std::span<const LeafTag> tags{};  ///< per triangle: its level and its root
     std::span<const KeySet> origins{};  ///< per triangle: the keys in which it is a node
     std::optional<double> time{};
 };

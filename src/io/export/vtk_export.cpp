@@ -119,6 +119,7 @@ std::string blend_bytes(const Export& exported, const Blend& blend, std::span<co
                       .positions = blend.positions,
                       .origin = exported.family.origin,
                       .fields = blend.fields,
+                      .scales = exported.family.field_scales,
                       .tags = blend.mesh.tags,
                       .origins = origins,
                       .time = time},

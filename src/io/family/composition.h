@@ -9,11 +9,11 @@
 
 namespace interleaf {
 
-/// A JSON object with the members `version`, `name`, `keys` (their names alone), `timeline`, `domain` and
-/// `origin` of family.json.
+/// A JSON object with the members `version`, `name`, `keys` (their names alone), `timeline`, `domain`,
+/// `origin` and `scales` of family.json.
 std::string composition_text(const Family& family);
 
-/// Reads the timeline, the parameter domain with its path, and the origin.
+/// Reads the timeline, the parameter domain with its path, the origin, and the offsets and units of fields.
 /// \param place   an object with members as composition_text() writes them
 /// \param family  has its keys
 /// \throw InputError naming the place and what was expected

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "family/family.h"
+#include "hierarchy/progress.h"
 #include "io/file/file_keys.h"
 #include "io/hierarchy/hierarchy_file.h"
 
@@ -20,6 +21,11 @@ namespace interleaf {
 ///                     do not match the roots of the first key (synchronize_keys.h)
 /// \throw MachineError if a file cannot be opened or read
 Family read_family(const std::filesystem::path& path, std::vector<std::string>* changes = nullptr);
+
+/// The same, with progress per key.
+/// \throw Cancelled    when \p progress says so
+Family read_family(const std::filesystem::path& path, std::vector<std::string>* changes,
+                   const Progress& progress);
 
 /// Makes a new family of keys that were read from \p files. All keys are put over the roots of the first key.
 /// Each key has its name, or else the name of its file. Timeline and domain are those of family_of_keys().

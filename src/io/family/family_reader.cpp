@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "text/characters.h"
+#include "text/shown_text.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -12,9 +13,11 @@
 #include "family/origin.h"
 #include "family/synchronize_keys.h"
 #include "hierarchy/error.h"
+#include "hierarchy/progress.h"
 #include "io/family/composition.h"
 #include "io/family/family_file.h"
 #include "io/family/family_format.h"
+#include "io/family/family_scales.h"
 #include "io/file/file_pattern.h"
 #include "io/file/input_file.h"
 #include "io/hierarchy/hierarchy_file.h"
@@ -60,7 +63,7 @@ fs::path key_file_at(const JsonPlace& place, const fs::path& folder) {
     return file;
 }
 
-std::vector<Key> keys_at(const JsonPlace& place, const fs::path& folder) {
+std::vector<Key> keys_at(const JsonPlace& place, const fs::path& folder, const Progress& progress) {
     std::vector<Key> keys;
     keys.reserve(place.size());
     std::map<std::string, std::size_t> names;
@@ -77,6 +80,9 @@ std::vector<Key> keys_at(const JsonPlace& place, const fs::path& folder) {
         const JsonPlace file = key.member("file");
         const auto [same_file, file_is_new] = files.emplace(key_file_at(file, folder), i);
         if (!file_is_new) file.fail(fmt::format("is also the file of keys[{}]", same_file->second));
+        const double part = static_cast<double>(i) / static_cast<double>(place.size());
+        if (progress && !progress(fmt::format("reading {}", shown_name(same_name->first)), part))
+            throw Cancelled();
         try {
             keys.push_back({same_name->first, read_hierarchy(same_file->first)});
         } catch (const InputError& error) {
@@ -286,7 +292,7 @@ fs::path folder_of(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : ".";
 }
 
-Family read_family_json(const fs::path& file, std::vector<std::string>* changes) {
+Family read_family_json(const fs::path& file, std::vector<std::string>* changes, const Progress& progress) {
     const nlohmann::json document = parse_family_json(file);
     const JsonPlace root(document, file.string());
     const JsonPlace format = root.member("format");
@@ -296,7 +302,7 @@ Family read_family_json(const fs::path& file, std::vector<std::string>* changes)
     Family family;
     family.name = name_at(root.member("name"));
     const JsonPlace keys = root.member("keys");
-    family.keys = keys_at(keys, folder_of(file));
+    family.keys = keys_at(keys, folder_of(file), progress);
     if (!family.keys.empty()) {
         const auto place_of = [&](std::size_t key) {
             return fmt::format("{}: keys[{}]", file.string(), key);
@@ -324,8 +330,12 @@ void read_composition(const JsonPlace& place, Family& family) {
         family.domain = domain_at(*domain, names);
         if (version.number() > 1) read_path(*domain, family);
     }
-    if (const auto origin = place.optional_member("origin"); origin && version.number() > 1)
-        family.origin = origin_at(*origin);
+    if (version.number() == 1) return;
+    if (const auto origin = place.optional_member("origin")) family.origin = origin_at(*origin);
+    if (const auto scales = place.optional_member("scales")) family.field_scales = scales_at(*scales);
+    if (const auto timeline = place.optional_member("timeline"))
+        if (const auto unit = timeline->optional_member("unit_name"))
+            family.time_unit = written_unit_at(*unit);
 }
 
 std::vector<fs::path> key_files(const fs::path& path) {
@@ -343,15 +353,19 @@ std::vector<fs::path> key_files(const fs::path& path) {
 }
 
 Family read_family(const fs::path& path, std::vector<std::string>* changes) {
+    return read_family(path, changes, {});
+}
+
+Family read_family(const fs::path& path, std::vector<std::string>* changes, const Progress& progress) {
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) {
         const fs::path file = path / "family.json";
         if (fs::status(file, ignored).type() == fs::file_type::not_found)
             throw InputError(
                 fmt::format("{}: is a folder without family.json, expected a family", path.string()));
-        return read_family_json(file, changes);
+        return read_family_json(file, changes, progress);
     }
-    return read_family_json(path, changes);
+    return read_family_json(path, changes, progress);
 }
 
 Family family_of_files(std::span<const fs::path> files, FileKeys read, std::vector<std::string>* changes) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <set>
+#include <span>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -120,7 +121,8 @@ std::string interpolation_text(const Interpolation& interpolation) {
 bool needs_version_2(const Family& family) {
     return family.origin != glm::dvec3(0) || family.path || !family.landmarks.empty() ||
            (family.timeline && (family.timeline->interpolation().basis != Basis::linear ||
-                                family.timeline->unit() != TimeUnit::seconds));
+                                family.timeline->unit() != TimeUnit::seconds || !family.time_unit.empty())) ||
+           !family.field_scales.empty();
 }
 
 std::string timeline_text(const Timeline& timeline, const Family& family) {
@@ -131,6 +133,8 @@ std::string timeline_text(const Timeline& timeline, const Family& family) {
     std::vector<std::string> members{interpolation_text(timeline.interpolation())};
     if (timeline.unit() != TimeUnit::seconds)
         members.push_back(fmt::format("    \"unit\": \"{}\"", name_of(timeline.unit())));
+    if (!family.time_unit.empty())
+        members.push_back(fmt::format("    \"unit_name\": {}", ordered_json(family.time_unit).dump()));
     members.push_back(array_text("    ", "keys", keys));
     return fmt::format("  \"timeline\": {{\n{}\n  }}", joined(members, ",\n"));
 }
@@ -166,6 +170,17 @@ std::vector<ordered_json> directions_json(const Family& family) {
     return landmarks;
 }
 
+std::vector<ordered_json> scales_json(std::span<const FieldScale> scales) {
+    std::vector<ordered_json> elements;
+    elements.reserve(scales.size());
+    for (const FieldScale& scale : scales) {
+        ordered_json& element = elements.emplace_back(ordered_json{{"field", scale.field}});
+        if (scale.offset != 0) element["offset"] = scale.offset;
+        if (!scale.unit.empty()) element["unit"] = scale.unit;
+    }
+    return elements;
+}
+
 /// The members of family.json from `version` on that do not concern files.
 /// \param keys  the member `keys`
 std::vector<std::string> composition_members(const Family& family, std::string_view keys) {
@@ -180,6 +195,8 @@ std::vector<std::string> composition_members(const Family& family, std::string_v
     if (family.origin != glm::dvec3(0))
         members.push_back(fmt::format(
             "  \"origin\": {}", ordered_json{family.origin.x, family.origin.y, family.origin.z}.dump()));
+    if (!family.field_scales.empty())
+        members.push_back(array_text("  ", "scales", scales_json(family.field_scales)));
     return members;
 }
 

@@ -201,18 +201,20 @@ std::string obj_text(std::span<const Triangle> triangles, std::span<const glm::v
 }
 
 std::string ply_bytes(std::span<const Triangle> triangles, std::span<const glm::vec3> positions,
-                      std::span<const Field> fields, const glm::dvec3& origin) {
+                      std::span<const Field> fields, const glm::dvec3& origin,
+                      std::span<const FieldScale> scales) {
     const bool is_local = origin == glm::dvec3(0);
-    const std::vector<PlyProperty> properties = ply_properties(fields, vertex_colors(fields));
+    const std::vector<PlyProperty> properties = ply_properties(fields, vertex_colors(fields), scales);
     std::string bytes = fmt::format(
         "ply\nformat binary_little_endian 1.0\n"
         "element vertex {0}\nproperty {1} x\nproperty {1} y\nproperty {1} z\n",
         positions.size(), is_local ? "float" : "double");
     for (const PlyProperty& property : properties)
-        bytes += fmt::format("property {} {}\n", property.is_byte ? "uchar" : "float", property.name);
+        bytes += fmt::format("property {} {}\n", property.type(), property.name);
     bytes += fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
                          triangles.size());
-    bytes.reserve(bytes.size() + positions.size() * (sizeof(glm::dvec3) + sizeof(float) * properties.size()) +
+    bytes.reserve(bytes.size() +
+                  positions.size() * (sizeof(glm::dvec3) + sizeof(double) * properties.size()) +
                   triangles.size_bytes() + triangles.size());
     for (std::size_t v = 0; v < positions.size(); ++v) {
         const glm::dvec3 placed = glm::dvec3(positions[v]) + origin;
@@ -224,6 +226,8 @@ std::string ply_bytes(std::span<const Triangle> triangles, std::span<const glm::
             const float value = property.field->at(static_cast<Index>(v))[property.component];
             if (property.is_byte)
                 bytes += static_cast<char>(std::lround(255 * value));
+            else if (const double sum = double{value} + property.offset; property.offset != 0)
+                append_bytes(bytes, &sum, sizeof(sum));
             else
                 append_bytes(bytes, &value, sizeof(value));
         }

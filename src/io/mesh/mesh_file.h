@@ -11,6 +11,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "family/field_scale.h"
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/triangle.h"
 #include "io/file/file_keys.h"
@@ -50,8 +51,10 @@ std::string obj_text(std::span<const Triangle> triangles, std::span<const glm::v
 /// \param fields  become properties of the vertices: a float for a scalar, three bytes for a color;
 ///                docs/file-formats.md describes the names
 /// \param origin  is added to all positions; unless it is 0, positions are written as doubles
+/// \param scales  their offsets are added to the fields, which then are doubles
 std::string ply_bytes(std::span<const Triangle> triangles, std::span<const glm::vec3> positions,
-                      std::span<const Field> fields = {}, const glm::dvec3& origin = glm::dvec3(0));
+                      std::span<const Field> fields = {}, const glm::dvec3& origin = glm::dvec3(0),
+                      std::span<const FieldScale> scales = {});
 
 /// The bytes of a PNG file.
 /// \param rgba  the picture, 8 bits per channel, top row first; 4 \p width \p height bytes

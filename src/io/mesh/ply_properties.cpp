@@ -34,11 +34,13 @@ std::string free_name(const std::string& name, std::span<const PlyProperty> prop
 
 }  // namespace
 
-std::vector<PlyProperty> ply_properties(std::span<const Field> fields, const Field* vertex_colors) {
+std::vector<PlyProperty> ply_properties(std::span<const Field> fields, const Field* vertex_colors,
+                                        std::span<const FieldScale> scales) {
     std::vector<PlyProperty> properties;
     for (const Field& field : fields) {
         if (field.kind == FieldKind::scalar) {
-            properties.push_back({free_name(word(field.name), properties), false, &field, 0});
+            properties.push_back({free_name(word(field.name), properties), false, &field, 0,
+                                  scale_of(scales, field.name).offset});
             continue;
         }
         for (std::size_t c = 0; c < components.size(); ++c) {

@@ -116,7 +116,7 @@ std::vector<Numbers> whole_values(const Field& field, const FamilyField& range) 
 
 /// The fields that all keys have.
 std::vector<FamilyField> common_fields_of(const Family& family) {
-    std::vector<FamilyField> common = fields_of(family.keys);
+    std::vector<FamilyField> common = fields_of(family);
     std::erase_if(common, [&family](const FamilyField& field) {
         return std::ranges::any_of(family.keys, [&](const Key& key) {
             return find_field(key.hierarchy->fields, field.label) == nullptr;
@@ -150,10 +150,12 @@ void append_key(std::string& bytes, const Hierarchy& key, std::span<const Family
 
 ordered_json fields_json(std::span<const FamilyField> fields) {
     ordered_json array = ordered_json::array();
-    for (const auto& [label, min, max] : fields) {
-        ordered_json field = {{"name", label.name}, {"kind", name_of(label.kind)}};
-        if (label.kind == FieldKind::scalar) field.update({{"min", min}, {"max", max}});
-        array.push_back(std::move(field));
+    for (const FamilyField& field : fields) {
+        ordered_json json = {{"name", field.label.name}, {"kind", name_of(field.label.kind)}};
+        if (field.label.kind == FieldKind::scalar) json.update({{"min", field.min}, {"max", field.max}});
+        if (field.offset != 0) json["offset"] = field.offset;
+        if (!field.unit.empty()) json["unit"] = field.unit;
+        array.push_back(std::move(json));
     }
     return array;
 }

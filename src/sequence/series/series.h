@@ -86,6 +86,11 @@ struct StepReport {
     /// Largest difference of the integrals over the surface, as a part of area times range.
     double integral_error = 0;
 
+    /// How far corresponding points of a fitted key move until the next key, and how far the surface moves: means
+    /// over the area, as parts of the diagonal of the box. 0 in the last step, and for keys that are not fitted.
+    double point_motion = 0;
+    double surface_motion = 0;
+
     /// How far fronts move until the next key, in widths of a front; of the field with the most. Linear
     /// interpolation shows fronts that move by more than a width as two fading fronts. 0 in the last step.
     double moved_widths = 0;

@@ -26,6 +26,7 @@ struct FilmChoices {
     bool is_loop = false;
     bool is_transparent = false;  ///< a picture without background
     bool has_edges = true;        ///< a picture with the edges that the window shows
+    bool has_legend = true;       ///< with the scale of the colors, if they have one
 };
 
 struct FilmOfferShown {
@@ -35,6 +36,7 @@ struct FilmOfferShown {
     bool shows_edges = false;  ///< whether the window shows edges, so that a picture can leave them out
     unsigned preview = 0;      ///< OpenGL name of the texture of the first frame; 0 for none
     float aspect = 16 / 9.F;   ///< width / height of the frames
+    bool shows_scale = false;  ///< whether colors have a scale, so that the frames can have its legend
     std::string fault;  ///< what is wrong with the choices, so that nothing can be made; "" if nothing is
 };
 

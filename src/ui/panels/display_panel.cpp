@@ -9,8 +9,10 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include "render/surface_values.h"
 #include "ui/panels/field_panel.h"
 #include "ui/widgets/choice.h"
+#include "ui/widgets/scale_legend.h"
 #include "ui/widgets/section.h"
 #include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
@@ -20,27 +22,10 @@ namespace interleaf {
 
 namespace {
 
-const char* tip_of(Coloring coloring) {
-    switch (coloring) {
-        case Coloring::plain:
-            return "One color, of the chosen material (C)";
-        case Coloring::level:
-            return "By the level of each leaf: the number of bisections above it (C)";
-        case Coloring::origin:
-            return "By the keys that bisect this far (C)";
-        case Coloring::checker:
-            return "A pattern over the roots, which shows what corresponds in the keys (C)";
-        case Coloring::field:
-            return "By a field of the keys (C)";
-    }
-    return "";
-}
-
-/// Shows the colorings, in two rows if there are many.
+/// Shows the colorings in rows.
 void coloring_choice(Coloring& value, bool has_fields) {
-    constexpr std::size_t columns = 4;
+    constexpr std::size_t in_row = 3;
     const std::vector<Coloring> all = colorings(has_fields);
-    const std::size_t in_row = all.size() > columns ? (all.size() + 1) / 2 : all.size();
     for (std::size_t begin = 0; begin < all.size(); begin += in_row) {
         const auto row = std::span(all).subspan(begin, std::min(in_row, all.size() - begin));
         std::vector<const char*> labels;
@@ -49,7 +34,7 @@ void coloring_choice(Coloring& value, bool has_fields) {
         tips.reserve(row.size());
         for (const Coloring coloring : row) {
             labels.push_back(label_of(coloring));
-            tips.push_back(tip_of(coloring));
+            tips.push_back(explanation_of(coloring));
         }
         const auto chosen = static_cast<std::size_t>(std::ranges::find(row, value) - row.begin());
         const float width = ImGui::GetContentRegionAvail().x;
@@ -115,6 +100,21 @@ void level_legend(const LevelRange& levels) {
     level_ticks({corner.x, corner.y + height + scaled(1)}, levels, width / static_cast<float>(count));
 }
 
+/// A line with a square of \p color before it, and a tooltip.
+void legend_row(glm::vec3 color, const std::string& text, const std::string& tooltip) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float swatch = scaled(10);
+    const float indent = scaled(18);
+    const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+    const float height = ImGui::GetTextLineHeight();
+    const float top = corner.y + std::round((height - swatch) / 2);
+    ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + swatch, top + swatch},
+                                              to_color(color), scaled(2));
+    draw_text({corner.x + indent, corner.y}, width - indent, colors::text, text);
+    ImGui::Dummy({width, height});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip.c_str());
+}
+
 /// Many active keys can make thousands of origins.
 constexpr std::size_t max_origin_rows = 12;
 
@@ -162,6 +162,50 @@ void origin_legend(const Legend& legend) {
     ImGui::PopFont();
 }
 
+/// The shares that occur on the surface.
+void common_legend(const Legend& legend) {
+    struct Row {
+        Share share;
+        const char* text;
+        const char* tooltip;
+    };
+    static constexpr std::array<Row, 3> rows = {{
+        {Share::all, "in all active keys",
+         "The common complex: the leaves that are nodes in every active key."},
+        {Share::some, "in some of them", "Several active keys bisect this far, but not all."},
+        {Share::one, "in one of them", "A single active key bisects this far."},
+    }};
+    ImGui::PushFont(small_font());
+    for (const auto& [share, text, tooltip] : rows) {
+        const auto has_share = [&](KeySet origin) {
+            return share_of(origin, legend.active_keys.size()) == share;
+        };
+        if (std::ranges::any_of(legend.origins, has_share)) legend_row(common_color(share), text, tooltip);
+    }
+    ImGui::PopFont();
+}
+
+void measured_legend(Coloring coloring, const Legend& legend) {
+    const std::string first = legend.active_names.empty() ? "" : legend.active_names.front();
+    const std::string text = coloring == Coloring::angle       ? "Smallest angle of each leaf, degrees"
+                             : coloring == Coloring::curvature ? "Mean curvature"
+                                                               : fmt::format("Distance from {}", first);
+    const char* const tooltip =
+        coloring == Coloring::angle ? "0 for a leaf of no area, 60 for one with equal sides."
+        : coloring == Coloring::curvature
+            ? "Half the sum of the principal curvatures, above 0 where the surface bulges outwards. The\n"
+              "range covers 95 % of the vertices of the active keys."
+            : "How far the blend has moved each vertex from its place in the first active key. The range\n"
+              "covers all active keys.";
+    ImGui::PushFont(small_font());
+    draw_text(from_imgui(ImGui::GetCursorScreenPos()), ImGui::GetContentRegionAvail().x, colors::dim_text,
+              text);
+    ImGui::Dummy({ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight()});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\n%s", text.c_str(), tooltip);
+    ImGui::PopFont();
+    scale_legend(legend.measured);
+}
+
 void choose_shading(Display& display) {
     constexpr std::array<const char*, 2> labels{"Smooth", "Flat"};
     constexpr std::array<const char*, 2> tips{"Shade smoothly, with the exact normals of the blend (S)",
@@ -180,28 +224,36 @@ void choose_lines(Display& display) {
     check("Roots", display.root_edges, "Show the edges of the root complex, which all keys share (E)", true);
     check("Refinement edges", display.refinement_edges,
           "Show the edge of each leaf that bisection would split next (R)");
+    check("Vertices", display.vertices, "Show a dot at each vertex of the leaves (V)");
+    check("Normals", display.normals,
+          "Show a line along the normal at each vertex, or at some of very many (N)", true);
 }
 
-void choose_color(Display& display, const Legend& legend) {
+void choose_color(Display& display, const Legend& legend, bool& asks_for_unit) {
     coloring_choice(display.coloring, !legend.fields.empty());
     if (display.coloring == Coloring::level) level_legend(legend.levels);
     if (display.coloring == Coloring::origin) origin_legend(legend);
+    if (display.coloring == Coloring::common) common_legend(legend);
+    if (is_measured(display.coloring)) measured_legend(display.coloring, legend);
     if (display.coloring == Coloring::field)
-        display = field_panel(display, legend.fields, legend.key_without_field.value_or(""), legend.is_flat);
+        display = field_panel(display, legend.fields, legend.key_without_field.value_or(""), legend.is_flat,
+                              asks_for_unit);
     if (display.coloring == Coloring::field && legend.curves != nullptr)
         field_curves(*legend.curves, legend.time);
 }
 
 }  // namespace
 
-Display display_panel(const Display& shown, const Legend& legend) {
-    Display display = shown;
+DisplayPanelResult display_panel(const Display& shown, const Legend& legend) {
+    DisplayPanelResult result{.display = shown};
+    Display& display = result.display;
     if (section("Shading", {}, "How the surface is lit, and what it is made of.")) choose_shading(display);
     section_gap();
-    if (section("Lines", {}, "Edges over the surface.")) choose_lines(display);
+    if (section("Lines", {}, "Edges, vertices and normals over the surface.")) choose_lines(display);
     section_gap();
-    if (section("Color", {}, "What the colors of the surface mean.")) choose_color(display, legend);
-    return display;
+    if (section("Color", {}, "What the colors of the surface mean."))
+        choose_color(display, legend, result.asks_for_unit);
+    return result;
 }
 
 }  // namespace interleaf

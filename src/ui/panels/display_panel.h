@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "family/family_fields.h"
+#include "render/color_map.h"
 #include "render/display.h"
 #include "render/palette.h"
 #include "ui/panels/field_curves.h"
@@ -23,10 +24,15 @@ struct Legend {
     std::optional<std::string> key_without_field;  ///< an active key that lacks the shown field; may be none
     const FieldCurves* curves = nullptr;           ///< of the shown scalar over time; null for none
     double time = 0;
+    ColorScale measured;   ///< of a coloring by values that the blend determines
     bool is_flat = false;  ///< whether the keys lie in a plane, so that a field can raise them
 };
 
-/// \return the display that the user wants: \p shown with any changes
-Display display_panel(const Display& shown, const Legend& legend);
+struct DisplayPanelResult {
+    Display display;             ///< that the user wants: the shown one with any changes
+    bool asks_for_unit = false;  ///< the user wants to type the unit of the shown field
+};
+
+DisplayPanelResult display_panel(const Display& shown, const Legend& legend);
 
 }  // namespace interleaf

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "text/value_text.h"
 #include <fmt/core.h>
 #include <glm/vec2.hpp>
 #include <imgui.h>
@@ -56,8 +57,17 @@ class PanelPlot {
     CurvePlot plot_;
 };
 
-std::string range_text(double least, double most) {
-    return most > least ? fmt::format("{:.4g} to {:.4g}", least, most) : fmt::format("{:.4g}", least);
+std::string values_text(double least, double most, const std::string& unit) {
+    const double range = most - least;
+    return with_unit(most > least ? fmt::format("{} to {}", value_text(least, range), value_text(most, range))
+                                  : value_text(least, 0),
+                     unit);
+}
+
+/// "step 3: " or "0.5 ms: ".
+std::string time_prefix(const FieldCurves& curves, std::size_t key) {
+    return curves.time_unit.empty() ? fmt::format("step {:.4g}: ", curves.times[key])
+                                    : fmt::format("{:.4g} {}: ", curves.times[key], curves.time_unit);
 }
 
 }  // namespace
@@ -65,20 +75,21 @@ std::string range_text(double least, double most) {
 void field_curves(const FieldCurves& curves, double time) {
     if (curves.times.size() < 2) return;
     const auto [low, high] = std::ranges::minmax(curves.integrals);
-    heading("Integral", range_text(low, high));
+    heading("Integral", values_text(low, high, {}));
     const PanelPlot integral(curves.times, low, high);
     integral.draw(curves.integrals, colors::accent);
     if (const std::size_t key = integral.end(time); key < curves.times.size())
-        ImGui::SetTooltip("time %.4g: %.6g", curves.times[key], curves.integrals[key]);
+        ImGui::SetTooltip("%s%.6g", time_prefix(curves, key).c_str(), curves.integrals[key]);
 
     const double least = std::ranges::min(curves.least);
     const double most = std::ranges::max(curves.most);
-    heading("Least and largest", range_text(least, most));
+    heading("Least and largest", values_text(least, most, curves.unit));
     const PanelPlot ends(curves.times, least, most);
     ends.draw(curves.least, colors::dim_text);
     ends.draw(curves.most, colors::accent);
     if (const std::size_t key = ends.end(time); key < curves.times.size())
-        ImGui::SetTooltip("time %.4g: %.4g to %.4g", curves.times[key], curves.least[key], curves.most[key]);
+        ImGui::SetTooltip("%s%s", time_prefix(curves, key).c_str(),
+                          values_text(curves.least[key], curves.most[key], curves.unit).c_str());
 }
 
 }  // namespace interleaf

@@ -1,5 +1,6 @@
 #include "ui/panels/field_panel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -58,18 +59,21 @@ void lock_range(Display& display) {
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Keeps this range. Otherwise the range covers the values of all keys.");
     if (!display.range_locked) return;
-    float ends[] = {display.scale.range.min, display.scale.range.max};
+    ColorScale& scale = display.scale;
+    double ends[] = {double{scale.range.min} + scale.offset, double{scale.range.max} + scale.offset};
     ImGui::SetNextItemWidth(-1);
-    const bool is_changed = ImGui::InputFloat2("##range", ends, "%.5g");
+    const bool is_changed = ImGui::InputScalarN("##range", ImGuiDataType_Double, ends, 2, nullptr, nullptr,
+                                                scale.offset == 0 ? "%.5g" : "%.9g");
     tooltip("Values of the first and the last color");
     if (!is_changed) return;
-    if (std::isfinite(ends[0]) && std::isfinite(ends[1]) && ends[0] < ends[1])
-        display.scale.range = {ends[0], ends[1]};
+    const ValueRange range{static_cast<float>(ends[0] - scale.offset),
+                           static_cast<float>(ends[1] - scale.offset)};
+    if (std::isfinite(range.min) && std::isfinite(range.max) && range.min < range.max) scale.range = range;
 }
 
 /// Offers a logarithmic scale, which needs a range above 0.
 void choose_logarithm(ColorScale& scale) {
-    const bool can_be = scale.range.min > 0;
+    const bool can_be = scale.range.min > 0 && scale.offset == 0;
     if (!can_be) ImGui::BeginDisabled();
     ImGui::Checkbox("Logarithmic", &scale.is_logarithmic);
     if (!can_be) ImGui::EndDisabled();
@@ -78,19 +82,37 @@ void choose_logarithm(ColorScale& scale) {
                                  : "Needs a range above 0: lock the range, and type where it begins.");
 }
 
-void choose_height(float& height) {
+void choose_height(Display& display) {
+    float& height = display.height;
     heading("Height", height > 0 ? fmt::format("{:.0f} %", 100 * height) : "flat");
     ImGui::SetNextItemWidth(-1);
-    ImGui::SliderFloat("##height", &height, 0, 1, "");
+    if (ImGui::SliderFloat("##height", &height, 0, 1, "")) display.raised_by.clear();
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Raises the surface by the field: the range becomes this part of the surface's size.");
 }
 
+/// Shows the name of \p field over its legend, with its unit on a button.
+/// \return whether the button is pressed
+bool show_title(const FamilyField& field) {
+    const std::string unit = field.unit.empty() ? "no unit" : field.unit;
+    const glm::vec2 padding(ImGui::GetStyle().FramePadding.x, ImGui::GetStyle().FramePadding.y);
+    const float row = ImGui::GetContentRegionAvail().x;
+    const float width = std::min(text_size(unit).x + 2 * padding.x + 1, row / 2);
+    const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+    draw_name({corner.x, corner.y + padding.y}, row - width - scaled(6), colors::text, field.label.name);
+    ImGui::SetCursorScreenPos({corner.x + row - width, corner.y});
+    const bool is_pressed = ImGui::Button("##unit", {width, 0});
+    tooltip("Unit of the field: type another one (Shift+U)");
+    draw_text({corner.x + row - width + padding.x, corner.y + padding.y}, width - 2 * padding.x,
+              field.unit.empty() ? colors::dim_text : colors::text, unit);
+    return is_pressed;
+}
+
 }  // namespace
 
 Display field_panel(const Display& shown, std::span<const FamilyField> fields, std::string_view key_without,
-                    bool can_rise) {
+                    bool can_rise, bool& asks_for_unit) {
     Display display = shown;
     choose_field(display, fields);
     const FamilyField* const field = find_field(fields, display.field);
@@ -101,14 +123,15 @@ Display field_panel(const Display& shown, std::span<const FamilyField> fields, s
     if (field->label.kind == FieldKind::color) return display;
     choose_map(display.scale.map);
     ImGui::Spacing();
+    asks_for_unit = show_title(*field);
     scale_legend(display.scale);
     lock_range(display);
     choose_logarithm(display.scale);
     if (const auto vector = vector_of(fields, display.field)) {
-        ImGui::Checkbox("Arrows", &display.arrows);
+        if (ImGui::Checkbox("Arrows", &display.arrows)) display.arrow_parts = {};
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Draws the vectors %s.", vector->name.c_str());
     }
-    if (can_rise) choose_height(display.height);
+    if (can_rise) choose_height(display);
     return display;
 }
 

@@ -5,8 +5,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "family/weights.h"
+#include "ui/panels/key_search.h"
 #include "ui/panels/menu_bar.h"
 #include "ui/widgets/rect.h"
 
@@ -24,16 +26,19 @@ struct KeysPanel {
     const Weights& weights;  ///< the list highlights the active keys
     std::optional<std::size_t> selected;
     std::span<const MenuEntry> menu;  ///< context menu of the selected key
+    const KeySearch& search;
+    bool takes_focus = false;  ///< whether the search field takes the keyboard
 };
 
 struct KeysPanelResult {
     Rect list;                              ///< rectangle of the visible rows
-    std::size_t first = 0;                  ///< first visible row
-    std::size_t end = 0;                    ///< row behind the last visible row
-    std::optional<std::size_t> chosen;      ///< clicked row
-    std::optional<std::size_t> renamed;     ///< double-clicked row
-    std::optional<std::size_t> dragged;     ///< row dropped on another row
-    std::size_t dropped_on = 0;             ///< that other row
+    std::vector<std::size_t> visible;       ///< the keys whose rows are visible
+    std::optional<std::size_t> chosen;      ///< clicked key
+    std::optional<std::size_t> toggled;     ///< key clicked with Ctrl: into the blend, or out of it
+    std::optional<std::size_t> renamed;     ///< double-clicked key
+    std::optional<std::size_t> dragged;     ///< key dropped on another key
+    std::size_t dropped_on = 0;             ///< that other key
+    std::optional<KeySearch> search;        ///< the new search, if the user has changed it
     std::optional<std::size_t> menu_entry;  ///< chosen from the context menu
     bool add = false;                       ///< add keys from files
     bool keep_blend = false;

@@ -81,9 +81,14 @@ float menu_bar_height() {
     return ImGui::GetFrameHeight();
 }
 
-MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submenu, std::string_view title) {
+MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submenu, std::string_view title,
+                       bool opens) {
     MenuBarResult result;
     if (!ImGui::BeginMainMenuBar()) return result;
+    if (opens && !entries.empty()) {
+        const std::string first(entries.front().menu);
+        if (!ImGui::IsPopupOpen(first.c_str())) ImGui::OpenPopup(first.c_str());
+    }
     std::vector<std::string> menus;
     std::optional<std::size_t> open_menu;
     for (std::size_t begin = 0; begin < entries.size();) {

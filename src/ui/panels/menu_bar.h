@@ -37,7 +37,9 @@ float menu_bar_height();
 
 /// \param entries  the entries of one menu follow each other
 /// \param title  title of the open document, shown at the right
-MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submenu, std::string_view title);
+/// \param opens  whether the first menu is to open
+MenuBarResult menu_bar(std::span<const MenuEntry> entries, const Submenu& submenu, std::string_view title,
+                       bool opens = false);
 
 /// Shows entries as a context menu.
 /// \return the index of the chosen entry

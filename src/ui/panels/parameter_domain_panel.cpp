@@ -241,7 +241,7 @@ bool show_heading(const Family& family, const DomainPanel& panel, ParameterDomai
     const glm::vec2 size = text_size(remark);
     ImGui::PopFont();
     ImGui::SetCursorScreenPos({right - size.x, corner.y});
-    if (ImGui::InvisibleButton("place", {size.x, size.y})) result.asks_for_place = true;
+    if (mouse_area("place", {size.x, size.y})) result.asks_for_place = true;
     if (ImGui::IsItemHovered()) {
         ImGui::GetWindowDrawList()->AddLine({right - size.x, corner.y + size.y}, {right, corner.y + size.y},
                                             colors::dim_text);
@@ -300,7 +300,7 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const DomainP
     const PlotFrame frame(box, {plot.x, widest.y, plot.width, plot.height});
 
     ImGui::SetCursorScreenPos({area.x, area.y});
-    ImGui::InvisibleButton("domain", {area.width, area.height});
+    mouse_area("domain", {area.width, area.height});
     const bool is_hovered = ImGui::IsItemHovered();
     const glm::vec2 low = frame.pixel(whole.low);
     const glm::vec2 high = frame.pixel(whole.high);

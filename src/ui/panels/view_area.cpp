@@ -28,9 +28,9 @@ ViewInput view_area(const Rect& rect, const char* name) {
     begin_panel(name, rect);
     if (rect.width >= 1 && rect.height >= 1) {
         ImGui::SetCursorScreenPos({rect.x, rect.y});
-        ImGui::InvisibleButton("surface", {rect.width, rect.height},
-                               ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                                   ImGuiButtonFlags_MouseButtonMiddle);
+        mouse_area("surface", {rect.width, rect.height},
+                   ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                       ImGuiButtonFlags_MouseButtonMiddle);
         const ImGuiIO& io = ImGui::GetIO();
         input.pointer = from_imgui(io.MousePos);
         // In the frame of the press, the mouse delta also contains the movement before the press.
@@ -42,6 +42,10 @@ ViewInput view_area(const Rect& rect, const char* name) {
             else
                 (pans ? input.pan : input.orbit) = from_imgui(io.MouseDelta) / rect.height;
         }
+        constexpr float farthest = 3;  // screen coordinates; the hand may shake
+        input.clicked = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+                        io.MouseClickedLastCount[ImGuiMouseButton_Left] == 1 && !io.KeyShift && !io.KeyCtrl &&
+                        io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] <= farthest * farthest;
         input.hovered = ImGui::IsItemHovered();
         input.pressed = ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
         input.held = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);

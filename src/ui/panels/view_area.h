@@ -15,6 +15,7 @@ struct ViewInput {
     glm::vec2 pointer{0};     ///< window coordinates
     bool view_all = false;    ///< show the whole model
     bool pointed_at = false;  ///< the pointer is over the area, and drags nothing
+    bool clicked = false;     ///< the left button was pressed and released in one place, once
     bool hovered = false;     ///< the pointer is over the area, whatever it drags there
     bool pressed = false;     ///< the left button went down over the area in this frame
     bool held = false;        ///< the left button has been down since

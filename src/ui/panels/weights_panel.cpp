@@ -72,7 +72,7 @@ bool activity_dot(std::size_t key, bool is_active, bool is_only, float height) {
     const float radius = scaled(4);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool pressed = ImGui::InvisibleButton("active", {scaled(16), height});
-    const bool is_hovered = ImGui::IsItemHovered();
+    const bool is_hovered = ImGui::IsItemHovered() || (shows_focus() && ImGui::IsItemFocused());
     const ImVec2 center{corner.x + radius + scaled(1), corner.y + height / 2};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (is_active)

@@ -79,7 +79,7 @@ void blend_plots(const Rect& area, const TimeScale& scale, const BlendCurves& cu
         label_plot(place, text);
         ImGui::SetCursorScreenPos({place.x, place.y});
         ImGui::PushID(figure.name);
-        ImGui::InvisibleButton("plot", {std::max(place.width, 1.0F), std::max(place.height, 1.0F)});
+        mouse_area("plot", {std::max(place.width, 1.0F), std::max(place.height, 1.0F)});
         ImGui::PopID();
         if (!ImGui::IsItemHovered() || times.empty()) continue;
         const std::size_t at = plot.nearest(times, from_imgui(ImGui::GetIO().MousePos));

@@ -32,7 +32,7 @@ void show_mark(const TrackLayout& layout, const DomainPath& path, std::size_t pl
     const float top = layout.names.y;
     ImGui::PushID(static_cast<int>(place));
     ImGui::SetCursorScreenPos({x - half, top});
-    ImGui::InvisibleButton("point", {2 * half, scaled(9)});
+    mouse_area("point", {2 * half, scaled(9)});
     const bool is_pointed = ImGui::IsItemHovered() || held;
     if (is_pointed) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive())

@@ -79,7 +79,7 @@ TimelineResult timeline_panel(const Rect& rect, const Family& family, const Time
                                .source = state.transport.source});
     if (has_curves) {
         ImGui::SetCursorScreenPos({curves.x, curves.y});
-        ImGui::InvisibleButton("curves", {curves.width, curves.height});
+        mouse_area("curves", {curves.width, curves.height});
         if (ImGui::IsItemActive())
             result.track.seek_to =
                 std::clamp(scale.time(ImGui::GetIO().MousePos.x), scale.visible.begin, scale.visible.end);

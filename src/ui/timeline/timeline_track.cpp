@@ -213,13 +213,13 @@ class NameRow {
     /// An area by which the key is dragged.
     bool show_grip(const char* id, const Rect& area, const TimelineKey& key, std::size_t place) {
         ImGui::SetCursorScreenPos({area.x, area.y});
-        ImGui::InvisibleButton(id, {area.width, area.height});
+        mouse_area(id, {area.width, area.height});
         const bool is_held = state_.drag && state_.drag->place == place;
         const bool is_pointed = ImGui::IsItemHovered();
         if (is_pointed || is_held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
         if (is_pointed && !ImGui::IsItemActive())
             ImGui::SetTooltip("%s, %s\nDrag to move it in time", family_.keys[key.key].name.c_str(),
-                              time_text(key.time, family_.timeline->unit()).c_str());
+                              time_text(key.time, unit_name_of(family_, TimeSource::keys)).c_str());
         if (ImGui::IsItemActive()) result_.drag = is_held ? *state_.drag : TimeDrag{place, scale_.visible};
         ImGui::OpenPopupOnItemClick("time menu", ImGuiPopupFlags_MouseButtonRight);
         return is_pointed || is_held;
@@ -272,8 +272,7 @@ TrackResult show_track(const TrackLayout& layout, const Family& family, const Ti
     const float margin = scaled(14);
     const float pointer = ImGui::GetIO().MousePos.x;
     ImGui::SetCursorScreenPos({layout.ruler.x - margin, layout.ruler.y});
-    ImGui::InvisibleButton("track",
-                           {layout.ruler.width + 2 * margin, layout.track.bottom() - layout.ruler.y});
+    mouse_area("track", {layout.ruler.width + 2 * margin, layout.track.bottom() - layout.ruler.y});
     if (ImGui::IsItemActive()) result.seek_to = pointed_time(timeline, scale, pointer);
     result.visible = moved_view(scale, whole);
     show_range_menu(scale, whole, state, result);

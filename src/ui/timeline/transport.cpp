@@ -233,14 +233,14 @@ void choose_frame_rate(const TransportState& state, TransportResult& result) {
 
 /// The time at the right end of the row; a click asks for another time.
 void show_time(const TransportState& state, float right, float row_end, TransportResult& result) {
-    const std::string text = state.unit == TimeUnit::steps
+    const std::string text = state.unit_name.empty()
                                  ? fmt::format("step {:.2f} / {:.6g}", state.time, state.end)
-                                 : fmt::format("{:.3f} / {:.6g} s", state.time, state.end);
+                                 : fmt::format("{:.3f} / {:.6g} {}", state.time, state.end, state.unit_name);
     const float width = text_size(text).x + 2 * ImGui::GetStyle().FramePadding.x;
     const ImVec2 cursor = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({std::max(right - width, row_end), cursor.y});
     ImGui::PushStyleColor(ImGuiCol_Button, 0);
-    if (ImGui::Button((text + "##time").c_str())) result.pressed = TransportButton::ask_for_time;
+    if (ImGui::Button((text + "###time").c_str())) result.pressed = TransportButton::ask_for_time;
     ImGui::PopStyleColor();
     tooltip_above("Go to a time (G)");
 }

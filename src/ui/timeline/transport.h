@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "family/family.h"
 #include "family/interpolation.h"
@@ -15,6 +16,7 @@ struct TransportState {
     double time;                        ///< seconds
     double end;                         ///< of the timeline, seconds
     TimeUnit unit = TimeUnit::seconds;  ///< what these times count
+    std::string unit_name = "s";        ///< as people write it; empty for steps
     bool playing;
     bool plays_back;  ///< whether playback runs backward
     Repeat repeat;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "text/value_text.h"
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -36,8 +37,11 @@ class Numbers {
     Numbers(glm::vec2 corner, float width, const ColorScale& scale)
         : corner_(corner), width_(width), scale_(scale) {}
 
-    void put(double value, const std::string& text) {
-        const float x = width_ * part_at(scale_, value);
+    /// \param value  with the offset of the scale
+    void put(double value) {
+        const double range = double{scale_.range.max} - double{scale_.range.min};
+        const std::string text = value_text(value, range);
+        const float x = width_ * part_at(scale_, value - scale_.offset);
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.AddRectFilled({corner_.x + std::floor(std::min(x, width_ - 1)), corner_.y},
                            {corner_.x + std::floor(std::min(x, width_ - 1)) + 1, corner_.y + scaled(4)},
@@ -79,15 +83,16 @@ void scale_legend(const ColorScale& scale) {
     draw_scale_colors(corner, {width, height}, scale);
     ImGui::PushFont(small_font());
     Numbers numbers({corner.x, corner.y + height}, width, scale);
+    const double least = double{scale.range.min} + scale.offset;
+    const double most = double{scale.range.max} + scale.offset;
     if (scale.range.max > scale.range.min) {
-        numbers.put(scale.range.min, fmt::format("{:.4g}", scale.range.min));
-        numbers.put(scale.range.max, fmt::format("{:.4g}", scale.range.max));
+        numbers.put(least);
+        numbers.put(most);
         const auto ticks = scale.uses_logarithm() ? logarithmic_ticks : scale_ticks;
-        for (const double tick : ticks(scale.range.min, scale.range.max, 5))
-            numbers.put(tick, fmt::format("{:.4g}", tick));
+        for (const double tick : ticks(least, most, 5)) numbers.put(tick);
     } else {
         draw_text({corner.x, corner.y + height + scaled(5)}, width, colors::text,
-                  fmt::format("{:.4g} everywhere", scale.range.min));
+                  fmt::format("{} everywhere", value_text(least, 0)));
     }
     ImGui::Dummy({width, height + scaled(6) + ImGui::GetTextLineHeight()});
     ImGui::PopFont();

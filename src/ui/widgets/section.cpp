@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "ui/widgets/gui_state.h"
+#include "ui/widgets/modal.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -42,6 +43,7 @@ bool section(std::string_view title, std::string_view remark, const char* meanin
         ImGui::PushID("section");
         const std::string id(title);
         const bool is_clicked = ImGui::InvisibleButton(id.c_str(), {button, line});
+        if (shows_focus() && ImGui::IsItemFocused()) draw_focus();
         const bool is_hovered = ImGui::IsItemHovered();
         if (is_clicked && is_open) state->closed_sections.emplace(title);
         if (is_clicked && !is_open) state->closed_sections.erase(id);

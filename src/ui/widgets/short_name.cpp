@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "text/characters.h"
+#include <imgui_internal.h>
 
 #include "ui/widgets/style.h"
 
@@ -48,7 +49,9 @@ std::string shortened(std::string_view name, float max_width) {
 bool name_item(std::string_view name, float max_width, bool is_chosen) {
     const glm::vec2 size = text_size(shortened(name, max_width));
     const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
-    const bool is_pressed = ImGui::Selectable("##name", is_chosen, 0, {std::max(size.x, 1.0F), 0});
+    // As wide as the menu, which is at least as wide as the name.
+    const bool is_pressed = ImGui::Selectable("##name", is_chosen, ImGuiSelectableFlags_SpanAvailWidth,
+                                              {std::max(size.x, 1.0F), 0});
     if (ImGui::IsItemVisible()) draw_name(corner, max_width, colors::text, name);
     return is_pressed;
 }

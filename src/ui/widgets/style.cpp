@@ -75,11 +75,34 @@ void begin_panel(const char* name, const Rect& rect) {
     ImGui::Begin(name, nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus);
 }
 
 void end_panel() {
+    if (shows_focus() && ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows)) {
+        const ImVec2 corner = ImGui::GetWindowPos();
+        const ImVec2 size = ImGui::GetWindowSize();
+        const float line = scaled(2);
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.PushClipRectFullScreen();
+        list.AddRect({corner.x + line / 2, corner.y + line / 2},
+                     {corner.x + size.x - line / 2, corner.y + size.y - line / 2}, colors::accent, 0, 0,
+                     line);
+        list.PopClipRect();
+    }
     ImGui::End();
+}
+
+bool mouse_area(const char* name, glm::vec2 size, ImGuiButtonFlags flags) {
+    ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
+    const bool pressed = ImGui::InvisibleButton(name, to_imgui(size), flags);
+    ImGui::PopItemFlag();
+    return pressed;
+}
+
+bool shows_focus() {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    return (context.IO.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0 && !context.NavDisableHighlight;
 }
 
 void section_gap() {

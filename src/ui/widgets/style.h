@@ -35,6 +35,13 @@ glm::vec2 from_imgui(ImVec2 point);
 void begin_panel(const char* name, const Rect& rect);
 void end_panel();
 
+/// An area for the mouse alone, which the keyboard does not reach.
+/// \return whether it was pressed
+bool mouse_area(const char* name, glm::vec2 size, ImGuiButtonFlags flags = 0);
+
+/// Whether a panel has the keyboard, so that the focus is visible.
+bool shows_focus();
+
 /// Adds the gap between two parts of a panel.
 void section_gap();
 

@@ -111,6 +111,7 @@ void set_colors(ImGuiStyle& style) {
     set(ImGuiCol_ScrollbarGrab, palette.scrollbar);
     set(ImGuiCol_ScrollbarGrabHovered, palette.scrollbar_hovered);
     set(ImGuiCol_ScrollbarGrabActive, palette.accent);
+    set(ImGuiCol_NavHighlight, palette.accent);
     set(ImGuiCol_TextSelectedBg, palette.selected_text);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -44,6 +45,10 @@ Family random_sample(std::uint64_t seed) {
     family.domain.emplace(std::vector<DomainVertex>{{{0, 0}, 0}, {{1, 0}, 1}, {{0, 1}, 2}},
                           std::vector<Triangle>{{0, 1, 2}});
     return family;
+}
+
+Family keys_alone(std::vector<Key> keys) {
+    return {.name = {}, .keys = std::move(keys), .timeline = {}, .domain = {}};
 }
 
 /// The corners of the leaves of the surface that \p weights give, in preorder.
@@ -185,7 +190,8 @@ TEST_CASE("what cannot be done becomes the message and is no step") {
     CHECK(refused());
     add_domain_vertex(state, {std::nan(""), 0}, 0, 0.1, 0);
     CHECK(refused());
-    add_keys(state, {{"other", unrefined(RootComplex(4, {{0, 1, 2}, {2, 1, 3}}), {{}, {}, {}, {}})}}, {}, 0);
+    add_keys(state,
+             keys_alone({{"other", unrefined(RootComplex(4, {{0, 1, 2}, {2, 1, 3}}), {{}, {}, {}, {}})}}), 0);
     CHECK(refused());
     Family many = sample_family();
     for (int i = 0; i < 9; ++i) many = with_key_added(many, many.keys[0]);
@@ -257,10 +263,10 @@ TEST_CASE("undoing the rename of a copy selects the copy") {
 TEST_CASE("keys are added in their order under names of their own, as one step") {
     ViewerState state(sample_family());
     const Key key = sample_family().keys[0];
-    add_keys(state, {key, {"new", key.hierarchy}, key}, {}, 0);
+    add_keys(state, keys_alone({key, {"new", key.hierarchy}, key}), 0);
     CHECK(names(state) == std::vector<std::string>{"a", "b", "c", "d", "e", "a 2", "new", "a 3"});
     CHECK(undo_step(state) == "Add 3 keys");
-    add_keys(state, {{"one", key.hierarchy}}, {}, 0);
+    add_keys(state, keys_alone({{"one", key.hierarchy}}), 0);
     CHECK(undo_step(state) == "Add one");
     undo(state, 0);
     undo(state, 0);

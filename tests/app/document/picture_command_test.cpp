@@ -48,7 +48,9 @@ TEST_CASE("only options that differ from the defaults are named") {
     CHECK(display_options(display).back() == "--log-scale");
     display.field = "heat";
     CHECK(display_options(display)[4] == "--color=heat");
-    const Display made{.material = Material::steel, .ground = true, .light_background = true};
+    Display made;
+    made.material = Material::steel;
+    made.ground = made.light_background = true;
     CHECK(display_options(made) == std::vector<std::string>{"--ground", "--material=steel", "--theme=light"});
 }
 

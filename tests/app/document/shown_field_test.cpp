@@ -46,6 +46,25 @@ TEST_CASE("a locked range stays, another follows the field") {
     CHECK(display.scale.range == ValueRange{1, 3});
 }
 
+TEST_CASE("a locked range stays the range of shown values where fields have offsets") {
+    std::vector<FamilyField> far = fields;
+    far[1].offset = 300;
+    Display display;
+    display.field = std::string("T");
+    adapt_display(display, far);
+    CHECK(display.scale.range == ValueRange{-2, 7});
+    CHECK(display.scale.offset == 300);
+    display.range_locked = true;
+    display.field = std::string("p");
+    adapt_display(display, far);
+    CHECK(display.scale.range == ValueRange{298, 307});
+    CHECK(display.scale.offset == 0);
+    display.field = std::string("T");
+    adapt_display(display, far);
+    CHECK(display.scale.range == ValueRange{-2, 7});
+    CHECK(shown_value(far[1], 0.25) == "300.25");
+}
+
 TEST_CASE("where keys have no fields the surface is plain") {
     Display display;
     display.coloring = Coloring::field;

@@ -39,7 +39,7 @@ TEST_CASE("a job imports a series, and names its family after the first file") {
     const ScratchFolder folder;
     put(folder / "a.vtk", square(false));
     put(folder / "b.vtk", square(false));
-    ImportJob job({folder / "a.vtk", folder / "b.vtk"}, {});
+    BackgroundJob<ImportedSeries> job(import_work({folder / "a.vtk", folder / "b.vtk"}, {}));
     wait_for([&] { return job.state().is_done; });
     const ImportedSeries imported = job.take();
     CHECK(imported.family.name == "a");
@@ -52,7 +52,7 @@ TEST_CASE("a job that is cancelled ends, and says so") {
     std::vector<std::filesystem::path> files;
     for (int n = 0; n < 2000; ++n) files.emplace_back(folder / "a.vtk");
     put(folder / "a.vtk", square(false));
-    ImportJob job(files, {});
+    BackgroundJob<ImportedSeries> job(import_work(files, {}));
     job.cancel();
     wait_for([&] { return job.state().is_done; });
     CHECK_THROWS_AS(job.take(), Cancelled);

@@ -56,6 +56,15 @@ void save(DocumentFiles& files) {
     }));
 }
 
+/// Opens a document as the window does, on a worker, and waits until it is there.
+void open_in_window(DocumentFiles& files, const fs::path& path) {
+    files.open({path});
+    REQUIRE(comes_true([&] {
+        files.act(1, 0);
+        return !files.is_asking();
+    }));
+}
+
 void change(ViewerState& state) {
     edit(
         state, "Rename", [](const Family&) { return named("changed"); }, 0);
@@ -286,7 +295,7 @@ TEST_CASE("what goes wrong with the settings while another document is opened is
     ViewerState state(named("first"));
     DocumentFiles files(state, {}, false);
     CHECK(state.message.empty());
-    files.open({folder / "second"});
+    open_in_window(files, folder / "second");
     CHECK(state.document.family().name == "second");
     CHECK(state.message.text.find((folder / "config").string()) != std::string::npos);
 }
@@ -311,13 +320,32 @@ TEST_CASE("that an autosave cannot be removed is said, also when another documen
     fs::remove(autosave / "family" / "family.json");
     fs::create_directories(autosave / "family" / "family.json" / "in the way");
     files.grant(FileWish::save);
-    files.open({folder / "second"});
+    open_in_window(files, folder / "second");
     CHECK(state.document.family().name == "second");
     double now = 4;
     CHECK(comes_true([&] {
         files.look_after(++now);
         return state.message.text.find(autosave.string()) != std::string::npos;
     }));
+}
+
+TEST_CASE("the window goes on while files are read, and its document stays until they are whole") {
+    const ScratchFolder folder;
+    const EnvironmentChange config("XDG_CONFIG_HOME", (folder / "config").string());
+    const EnvironmentChange own("XDG_STATE_HOME", (folder / "state").string());
+    write_family(named("second"), folder / "second");
+    write_family(named("third"), folder / "broken");
+    put(folder / "broken" / "a.ilh", "no key");
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, false);
+    const auto first = state.document.snapshot();
+    open_in_window(files, folder / "broken");
+    CHECK(state.document.snapshot() == first);
+    CHECK(state.message.text.find("a.ilh") != std::string::npos);
+    open_in_window(files, folder / "second");
+    CHECK(state.document.family().name == "second");
+    CHECK(files.recent_files().front() == folder / "second");
+    CHECK_FALSE(files.is_working());
 }
 
 TEST_CASE("keys that do not match are kept with the message, and go with it") {

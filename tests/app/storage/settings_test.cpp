@@ -27,7 +27,8 @@ Settings sample_settings() {
                            .panels = {.left = 300, .right = std::nullopt, .timeline = 200},
                            .closed_sections = {"Lines", "Weights"}},
             .trackball = true,
-            .axes = false};
+            .axes = false,
+            .shortcuts = {{"Play", "K or Space"}, {"no command", "no key"}}};
 }
 
 std::string error_of(std::string_view json) {

@@ -19,7 +19,7 @@ TEST_CASE("every command, key and recent file can be found by its name, and a di
             ViewerState state(is_bare ? family : sample_family());
             state.is_comparing = is_comparing;
             const std::vector<std::filesystem::path> recent{"/home/someone/star.ilh"};
-            const SearchEntries entries = search_entries(state, recent);
+            const SearchEntries entries = search_entries(state, table_shortcuts(), recent);
             CHECK(entries.commands.size() == commands().size() - 2);
             CHECK(entries.keys == 5);
             CHECK(entries.shown.size() == entries.commands.size() + 5 + 1);
@@ -45,7 +45,7 @@ TEST_CASE("no command has to fall back on the general reason in a family without
 
 TEST_CASE("names of keys are found among the commands") {
     ViewerState state(sample_family());
-    const SearchEntries entries = search_entries(state, {});
+    const SearchEntries entries = search_entries(state, table_shortcuts(), {});
     const std::vector<std::size_t> found = ranked_entries("go key e", entries.shown);
     const std::size_t wanted = entries.commands.size() + 4;
     CHECK(entries.shown[wanted].name == "Go to key e");

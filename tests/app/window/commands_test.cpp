@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include "app/sample_family.h"
+#include "app/window/shortcuts.h"
 
 using namespace interleaf;
 
@@ -23,7 +24,7 @@ ViewerState sample_state() {
 
 /// Runs the command of \p shortcut at wall time \p now.
 void press(ViewerState& state, Shortcut shortcut, double now = 0) {
-    const Command* const command = find_command(shortcut);
+    const Command* const command = table_shortcuts().find(shortcut);
     REQUIRE(command != nullptr);
     command->run(state, now);
 }
@@ -34,8 +35,8 @@ TEST_CASE("the user guide lists every command with its keys") {
     std::ifstream file(USER_GUIDE);
     const std::string guide{std::istreambuf_iterator<char>(file), {}};
     for (const Command& command : commands()) {
-        const std::string row =
-            fmt::format("| {} | {} | {} |\n", shortcut_text(command), command.name, command.description);
+        const std::string row = fmt::format("| {} | {} | {} |\n", table_shortcuts().text(command),
+                                            command.name, command.description);
         CAPTURE(row);
         CHECK(guide.find(row) != std::string::npos);
     }
@@ -52,7 +53,7 @@ TEST_CASE("every command can be found in a menu and in the help, and by its keys
         CHECK(names.insert(command.name).second);
         CHECK(command.shortcuts[0].keyboard_key != 0);
         for (const Shortcut shortcut : command.shortcuts) {
-            if (shortcut.keyboard_key != 0) CHECK(find_command(shortcut) == &command);
+            if (shortcut.keyboard_key != 0) CHECK(table_shortcuts().find(shortcut) == &command);
         }
     }
 }
@@ -81,7 +82,7 @@ TEST_CASE("the scope of a command says when it is enabled, whatever menu it is i
 
 TEST_CASE("shortcuts are written differently if they differ") {
     std::set<std::string> texts;
-    for (const Command& command : commands()) CHECK(texts.insert(shortcut_text(command)).second);
+    for (const Command& command : commands()) CHECK(texts.insert(table_shortcuts().text(command)).second);
     CHECK(texts.contains("Space"));
     CHECK(texts.contains("Ctrl+Q"));
     CHECK(texts.contains("W or 1"));
@@ -98,10 +99,10 @@ TEST_CASE("the commands of one menu stand in a row") {
 }
 
 TEST_CASE("no command has a key that is not in the table, nor one with other modifiers") {
-    CHECK(find_command({}) == nullptr);
-    CHECK(find_command({GLFW_KEY_J, 0}) == nullptr);
-    CHECK(find_command({GLFW_KEY_Q, 0}) == nullptr);
-    CHECK(find_command({GLFW_KEY_W, GLFW_MOD_CONTROL}) == nullptr);
+    CHECK(table_shortcuts().find({}) == nullptr);
+    CHECK(table_shortcuts().find({GLFW_KEY_J, 0}) == nullptr);
+    CHECK(table_shortcuts().find({GLFW_KEY_Q, 0}) == nullptr);
+    CHECK(table_shortcuts().find({GLFW_KEY_W, GLFW_MOD_CONTROL}) == nullptr);
 }
 
 TEST_CASE("what is on or off changes with its command and comes back with the second") {
@@ -150,9 +151,10 @@ TEST_CASE("each display key switches its own part of the display") {
 }
 
 TEST_CASE("colorings come round, that by a field where there is one") {
-    for (const std::size_t count : {4u, 5u}) {
+    for (const bool has_fields : {false, true}) {
+        const std::size_t count = colorings(has_fields).size();
         ViewerState state = sample_state();
-        if (count == 5) state.session.display.field = "height";
+        if (has_fields) state.session.display.field = "height";
         std::set<Coloring> seen;
         for (std::size_t i = 0; i < count; ++i) {
             seen.insert(state.session.display.coloring);

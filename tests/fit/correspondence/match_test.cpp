@@ -196,12 +196,39 @@ TEST_CASE("an even mesh has the wanted number of vertices, and its map is one to
         const SphereMesh whole = normalized(body.mesh, body.points, glm::dmat3(1));
         const Progress none;
         ProgressMeter meter(none);
-        const SphereMesh even = even_mesh(whole, vertices, meter);
+        SphereMesh divided = whole;
+        split_long_edges(divided, vertices, meter);
+        const SphereMesh even = coarsened(divided, vertices, meter).mesh;
         CHECK(even.positions.size() <= vertices);
         CHECK(even.positions.size() > 0.7 * double(vertices));
         const SurfaceMesh mesh{.positions = even.positions, .triangles = even.triangles, .colors = {}};
         CHECK(fault_of_map(mesh, even.points).empty());
     }
+}
+
+TEST_CASE("a match whose key is no good is relaxed further, and given up in the end") {
+    const MappedMesh first = body_on_mesh(3, glm::dmat3(1), 0);
+    const MappedMesh second = body_on_mesh(3, turn_about_z(0.5), 0.2);
+    const std::vector<glm::dvec3> given = wrong_map(second, turn_about_z(0.2));
+    const auto model = model_of(first.mesh, first.points, glm::dmat3(1), {}, quick, {});
+    std::vector<std::vector<glm::dvec3>> judged;
+    const auto match_with = [&](std::size_t refused) {
+        judged.clear();
+        return match(*model, second.mesh, given, glm::dmat3(1), {}, quick, {},
+                     [&](const MatchedMap& map, const Progress&) {
+                         judged.push_back(map.points);
+                         return judged.size() > refused ? std::string() : std::string("bad leaves");
+                     });
+    };
+    const MatchedMap accepted = match_with(1);
+    REQUIRE(judged.size() == 2);
+    CHECK(accepted.report.fault == "");
+    CHECK(accepted.points == judged.back());
+    CHECK(judged.front() != judged.back());
+    const MatchedMap given_up = match_with(100);
+    CHECK(given_up.report.fault == "no good key: bad leaves");
+    CHECK(given_up.points.empty());
+    CHECK(given_up.report.after.energy == given_up.report.before.energy);
 }
 
 TEST_CASE("undoing all collapses of a coarsening restores the mesh") {

@@ -11,7 +11,6 @@
 #include <glm/geometric.hpp>
 
 using namespace interleaf;
-using namespace interleaf::testing;
 
 namespace {
 

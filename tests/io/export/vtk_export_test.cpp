@@ -52,9 +52,17 @@ void check_surface(const FieldMesh& mesh, const Family& family, const Blend& ble
     REQUIRE(!mesh.point_fields.empty());
     CHECK(mesh.point_fields[0].name == "height & <more>");
     CHECK(std::ranges::equal(mesh.point_fields[0].values, blend.fields[0].values));
-    REQUIRE(mesh.triangle_fields.size() == 2);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    REQUIRE(mesh.triangle_fields.size() == 3);
+    std::vector<double> parts(blend.mesh.roots.triangle_count(), 0);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         CHECK(mesh.triangle_fields[0].values[t] == blend.mesh.tags[t].level());
+        const double root = mesh.triangle_fields[1].values[t];
+        if (t > 0) CHECK(root >= mesh.triangle_fields[1].values[t - 1]);
+        parts.at(static_cast<std::size_t>(root)) +=
+            std::exp2(-static_cast<double>(blend.mesh.tags[t].level()));
+    }
+    CHECK(mesh.triangle_fields[1].name == "root");
+    for (const double part : parts) CHECK(part == 1);
 }
 
 std::vector<FieldMesh> meshes_of(const SeriesFiles& series) {
@@ -121,7 +129,7 @@ TEST_CASE("one blend as polygons or as a grid is read again with its fields, lev
         CHECK(read_field_mesh(folder / "a.vtu") == mesh);
         // Bits 1 and 2 of the family's keys, where the union has bits 0 and 1.
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-            CHECK(mesh.triangle_fields[1].values[t] == 2.0 * blend.mesh.origins[t]);
+            CHECK(mesh.triangle_fields[2].values[t] == 2.0 * blend.mesh.origins[t]);
         REQUIRE(mesh.point_fields.size() == 2);
         CHECK(mesh.point_fields[1].components == 3);
         for (const double part : mesh.point_fields[1].values) CHECK(part == 128);
@@ -205,6 +213,36 @@ TEST_CASE("the components of a vector are written as one array") {
         names.push_back(fmt::format("{} {}", field.name, field.components));
     CHECK(names == std::vector<std::string>{"v 3", "w 2", "u 1", "u x 1", "u y 1", "p x 1"});
     CHECK(written.meshes.front().point_fields[0].values[1] == 2);
+}
+
+TEST_CASE("offsets are added in double precision, and units go along") {
+    Family family = family_with_fields(23);
+    family.field_scales = {{"height & <more>", 1e9, "<m>"}};
+    const Weights weights{{0, 0.5}, {1, 0.5}};
+    const Export exported{.family = family, .weights = weights};
+    const Blend blend = blend_of(exported);
+    const ScratchFolder folder;
+    export_vtu(exported, {folder / "a.vtu"});
+    const FieldMesh mesh = read_field_mesh(folder / "a.vtu");
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+        CHECK(mesh.point_fields[0].values[v] == double{blend.fields[0].values[v]} + 1e9);
+    CHECK(contains(content(folder / "a.vtu"),
+                   "<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">&lt;m&gt;</"));
+}
+
+TEST_CASE("a series is written with the same bytes each time") {
+    const Family family = family_with_fields(29);
+    const ScratchFolder folder;
+    for (const char* name : {"a", "b"}) {
+        std::filesystem::create_directory(folder / name);
+        export_pvd({.family = family, .weights = {}}, {folder / name / "run.pvd"});
+    }
+    const std::filesystem::path file = folder / "a/run.pvd";
+    std::vector<std::filesystem::path> files = series_files(std::span(&file, 1)).files;
+    CHECK(files.size() == 4);
+    files.push_back(file);
+    for (const std::filesystem::path& each : files)
+        CHECK(content(each) == content(folder / "b" / each.filename().string()));
 }
 
 TEST_CASE("times are read from a text, and faults are named with their line") {

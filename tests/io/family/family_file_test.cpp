@@ -33,6 +33,8 @@ void check_same(const Family& a, const Family& b) {
     CHECK(a.path == b.path);
     CHECK(a.time_source == b.time_source);
     CHECK(a.origin == b.origin);
+    CHECK(a.field_scales == b.field_scales);
+    CHECK(a.time_unit == b.time_unit);
 }
 
 /// A family file in \p folder, beside the keys a.ilh and b.ilh over one root complex, and other.ilh over
@@ -216,6 +218,37 @@ TEST_CASE("an origin is read from version 2 on, and no version 2 is written for 
     const KeyFolder keys;
     CHECK(keys.family(with_origin("[1, -2.5, 3e6]")).origin == glm::dvec3(1, -2.5, 3e6));
     CHECK(keys.family(with_members(R"("origin": [1, 2, 3])")).origin == glm::dvec3(0));
+}
+
+TEST_CASE("offsets and units are written and read again, from version 2 on") {
+    const KeyFolder keys;
+    const ScratchFolder folder;
+    Family family = keys.family(with_timeline(R"([{"time": 0, "key": "a"}])"));
+    write_family(family, folder / "f");
+    CHECK_FALSE(contains(content(folder / "f/family.json"), "scales"));
+    family.time_unit = "ms";
+    family.field_scales = {{"T", 300.1, "K"}, {"p", -2e9, ""}, {"v \"x\"", 0, "m/s²"}};
+    write_family(family, folder / "f");
+    CHECK(contains(content(folder / "f/family.json"), "\"version\": 2"));
+    CHECK(contains(content(folder / "f/family.json"), R"({"field":"T","offset":300.1,"unit":"K"})"));
+    check_same(read_family(folder / "f"), family);
+    family.field_scales.clear();
+    write_family(family, folder / "f");
+    CHECK(contains(content(folder / "f/family.json"), "\"version\": 2"));
+    CHECK(read_family(folder / "f").time_unit == "ms");
+
+    CHECK(keys.family(with_members(R"("scales": [{"field": "T", "offset": 1}])")).field_scales.empty());
+    const auto error = [&](std::string_view scales) {
+        std::string json = with_members(std::string(R"("scales": )").append(scales));
+        return keys.error_of(json.replace(json.find("1,"), 1, "2"));
+    };
+    CHECK(error(R"([{"field": "T", "offset": 1}])").empty());
+    CHECK(contains(error(R"([{"offset": 1}])"), "scales[0]"));
+    CHECK(contains(error(R"([{"field": ""}])"), "scales[0].field: is \"\", expected the name of a field"));
+    CHECK(contains(error(R"([{"field": "T"}, {"field": "T"}])"), "expected a field that no other scale has"));
+    CHECK(contains(error(R"([{"field": "T", "unit": "a\nb"}])"), "scales[0].unit"));
+    CHECK(contains(error(R"([{"field": "T", "offset": "1"}])"), "scales[0].offset"));
+    CHECK(contains(error("7"), "scales"));
 }
 
 TEST_CASE("landmarks are written and read to the last bit, from version 2 on, and faults are named") {

@@ -199,7 +199,7 @@ function draw() {
     );
     gl.uniform1f(uniforms.line_width, 0.75 * ratio);
     gl.drawArrays(gl.TRIANGLES, 0, 3 * mesh.leafCount);
-    drawPanel(coloring, range);
+    drawPanel(coloring, range, coloring === 2 ? field : {});
 }
 
 // Draws before the next picture of the screen.

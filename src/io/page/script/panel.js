@@ -1,15 +1,23 @@
 // Draws the panel: figures, legend, parameter domain.
 
-const shown = x => Number(x.toPrecision(4)).toString();
+// A value with as many digits as its range needs.
+function shown(x, span) {
+    const more = span && x ? Math.floor(Math.log10(Math.abs(x))) - Math.floor(Math.log10(span)) : 0;
+    return Number(x.toPrecision(Math.min(15, 4 + Math.max(0, more)))).toString();
+}
+const timeUnit = family.timeline?.unit_name ?? "s";
 
-function drawPanel(coloring, range) {
+// `field` has the offset and the unit of a scalar.
+function drawPanel(coloring, range, field) {
     const names = state.mesh.active.map(key => keyNames[key]).join(", ");
     element("figures").textContent = `${state.mesh.leafCount.toLocaleString("en")} leaves, ${names}`;
     element("legend").hidden = coloring !== 1 && coloring !== 2;
-    [element("least").textContent, element("most").textContent] = range.map(shown);
+    [element("least").textContent, element("most").textContent] = range.map(
+        x => `${shown(x + (field.offset ?? 0), range[1] - range[0])} ${field.unit ?? ""}`
+    );
     if (moments) {
         element("time").value = state.time;
-        element("seconds").textContent = `${state.time.toFixed(2)} s`;
+        element("seconds").textContent = `${state.time.toFixed(2)} ${timeUnit}`;
     }
     if (family.domain) drawDomain();
 }

@@ -1,0 +1,49 @@
+// The inspected node: the facts that the inspector shows about it, and steps to other nodes.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/document/viewer_state.h"
+#include "family/shared_hierarchy.h"
+#include "hierarchy/nodes/node_index.h"
+#include "hierarchy/nodes/node_path.h"
+#include "hierarchy/root_complex.h"
+#include "ui/panels/inspector_panel.h"
+
+namespace interleaf {
+
+class Inspection {
+  public:
+    /// Takes the step that \p state asks for, and updates the facts to its node and its active keys. Ends the
+    /// inspection where the document has other roots than before.
+    void follow(ViewerState& state);
+
+    /// Null if nothing is inspected.
+    const InspectedNode* shown() const { return shown_ ? &*shown_ : nullptr; }
+
+  private:
+    /// The index of a key, made when a node is first inspected.
+    struct IndexedKey {
+        SharedHierarchy hierarchy;
+        NodeIndex index;
+    };
+    /// What the facts are of.
+    struct Subject {
+        NodePath node;
+        Weights weights;
+        std::shared_ptr<const Family> family;
+        bool operator==(const Subject&) const = default;
+    };
+    void index_active_keys(const Session& session);
+    std::vector<const NodeIndex*> indices_of(const Session& session) const;
+    const IndexedKey& indexed(const SharedHierarchy& hierarchy) const;
+    InspectedKey inspected_key(const Key& key, std::size_t number, const NodePath& node) const;
+
+    std::optional<RootComplex> roots_;  ///< of the document; none before the first
+    std::vector<IndexedKey> keys_;
+    std::optional<Subject> subject_;
+    std::optional<InspectedNode> shown_;
+};
+
+}  // namespace interleaf

@@ -1,0 +1,72 @@
+#include "family/field_units.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "hierarchy/error.h"
+#include "hierarchy/field.h"
+
+namespace interleaf {
+namespace {
+
+bool have_scalar(std::span<const Key> keys, std::string_view name) {
+    return std::ranges::any_of(keys, [&](const Key& key) {
+        return find_field(key.hierarchy->fields, {std::string(name), FieldKind::scalar}) != nullptr;
+    });
+}
+
+void require_unit(std::string_view unit) {
+    if (!is_unit(unit))
+        throw InputError(fmt::format("a unit is at most {} bytes without control characters", max_unit));
+}
+
+/// Adds \p shift to the values of the scalar \p name of \p key.
+void shift_field(Key& key, const std::string& name, double shift) {
+    if (shift == 0 || find_field(key.hierarchy->fields, {name, FieldKind::scalar}) == nullptr) return;
+    Hierarchy shifted = *key.hierarchy;
+    const auto field = std::ranges::find(shifted.fields, name, &Field::name);
+    for (float& value : field->values) value = static_cast<float>(double{value} + shift);
+    key.hierarchy = std::move(shifted);
+}
+
+}  // namespace
+
+Family with_field_unit(Family family, std::string_view field, std::string unit) {
+    require_unit(unit);
+    if (!have_scalar(family.keys, field))
+        throw InputError(fmt::format("no key has a scalar field called \"{}\"", field));
+    FieldScale scale = scale_of(family.field_scales, field);
+    scale.unit = std::move(unit);
+    set_scale(family.field_scales, std::move(scale));
+    return family;
+}
+
+Family with_time_unit(Family family, std::string unit) {
+    require_unit(unit);
+    if (!family.timeline) throw InputError("the family has no timeline");
+    family.time_unit = std::move(unit);
+    return family;
+}
+
+std::vector<FieldScale> adopt_scales(const Family& family, std::vector<Key>& keys,
+                                     std::span<const FieldScale> from) {
+    std::vector<FieldScale> scales = family.field_scales;
+    std::vector<std::string> names;
+    for (const Key& key : keys)
+        for (const Field& field : key.hierarchy->fields)
+            if (field.kind == FieldKind::scalar && std::ranges::find(names, field.name) == names.end())
+                names.push_back(field.name);
+    for (const std::string& name : names) {
+        const FieldScale theirs = scale_of(from, name);
+        FieldScale ours = scale_of(scales, name);
+        if (!have_scalar(family.keys, name)) ours.offset = theirs.offset;
+        if (ours.unit.empty()) ours.unit = theirs.unit;
+        for (Key& key : keys) shift_field(key, name, theirs.offset - ours.offset);
+        set_scale(scales, std::move(ours));
+    }
+    return scales;
+}
+
+}  // namespace interleaf

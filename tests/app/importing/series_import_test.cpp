@@ -1,0 +1,151 @@
+// Imports of series: offsets of fields that are far from 0, and units.
+#include "app/importing/series_import.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "messages.h"
+#include "scratch_folder.h"
+#include "thrown_errors.h"
+#include <doctest/doctest.h>
+#include <fmt/core.h>
+
+#include "family/family_fields.h"
+#include "hierarchy/adaptive_mesh.h"
+#include "hierarchy/morph.h"
+
+using namespace interleaf;
+
+namespace {
+
+/// A step of a series over the unit square, with a field "T" far from 0.
+struct FarStep {
+    std::vector<glm::dvec2> points;
+    std::vector<Triangle> triangles;
+    std::vector<double> values;
+
+    /// The piecewise linear function of the values at \p place.
+    double at(const glm::dvec2& place) const {
+        constexpr double rounding = 1e-9;
+        for (const auto& [a, b, c] : triangles) {
+            const glm::dvec2 u = points[b] - points[a];
+            const glm::dvec2 v = points[c] - points[a];
+            const glm::dvec2 to = place - points[a];
+            const double area = u.x * v.y - u.y * v.x;
+            const double s = (to.x * v.y - to.y * v.x) / area;
+            const double t = (u.x * to.y - u.y * to.x) / area;
+            if (s > -rounding && t > -rounding && s + t < 1 + rounding)
+                return values[a] + s * (values[b] - values[a]) + t * (values[c] - values[a]);
+        }
+        return std::nan("");
+    }
+};
+
+FarStep far_step(std::mt19937& random, double time) {
+    const std::vector<glm::vec3> corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    AdaptiveMesh mesh(RootComplex(4, {{1, 2, 0}, {3, 0, 2}}), corners);
+    for (int round = 0; round < 40; ++round)
+        mesh.refine({{static_cast<Index>(random() % mesh.leaf_count())}});
+    const Hierarchy key = mesh.freeze();
+    FarStep step;
+    for (const Leaf& leaf : leaves_of(key)) step.triangles.push_back(leaf.vertices);
+    for (const glm::vec3& position : key.positions) {
+        step.points.emplace_back(position.x, position.y);
+        step.values.push_back(300 +
+                              0.1 * std::sin(5.0 * double{position.x} + 3.0 * double{position.y} + time));
+    }
+    return step;
+}
+
+std::string file_of(const FarStep& step) {
+    std::string text = fmt::format(
+        "# vtk DataFile Version 3.0\nfar\nASCII\nDATASET POLYDATA\nPOINTS {} double\n", step.points.size());
+    for (const glm::dvec2& point : step.points) text += fmt::format("{} {} 0\n", point.x, point.y);
+    text += fmt::format("POLYGONS {} {}\n", step.triangles.size(), 4 * step.triangles.size());
+    for (const auto& [a, b, c] : step.triangles) text += fmt::format("3 {} {} {}\n", a, b, c);
+    text += fmt::format("POINT_DATA {}\nSCALARS T double\nLOOKUP_TABLE default\n", step.points.size());
+    for (const double value : step.values) text += fmt::format("{:.17g}\n", value);
+    return text;
+}
+
+ImportedSeries import_files(const ScratchFolder& folder, const ImportChoices& choices) {
+    const std::filesystem::path pattern = folder / "far-*.vtk";
+    return import_series(series_files(std::span(&pattern, 1)), "far", choices, {});
+}
+
+}  // namespace
+
+TEST_CASE(
+    "blends of a field of 300 +- 0.1 are those of the steps to a millionth of the range, at 100,000 points") {
+    std::mt19937 random(3);
+    const std::array<FarStep, 2> steps = {far_step(random, 0), far_step(random, 1)};
+    const ScratchFolder folder;
+    for (std::size_t n = 0; n < steps.size(); ++n)
+        put(folder / fmt::format("far-{}.vtk", n), file_of(steps[n]));
+    const ImportedSeries imported = import_files(folder, {});
+    REQUIRE(imported.family.field_scales == std::vector<FieldScale>{{"T", 300, ""}});
+    double low = 1e9;
+    double high = -1e9;
+    for (const FarStep& step : steps)
+        for (const double value : step.values) {
+            low = std::min(low, value);
+            high = std::max(high, value);
+        }
+
+    const Weights weights = {{0, 0.375}, {1, 0.625}};
+    UnionMesh mesh = unite(imported.family, weights);
+    CHECK(mesh.leaf_count() > steps[0].triangles.size());
+    unite_fields(imported.family, weights, mesh);
+    const Field blended = morphed_field(mesh.fields[0], weight_values(weights));
+    const auto positions = morph(mesh, weight_values(weights));
+    std::uniform_real_distribution<double> parts(0, 1);
+    double largest = 0;
+    for (int trial = 0; trial < 100'000; ++trial) {
+        const Triangle& corners = mesh.triangles[random() % mesh.leaf_count()];
+        std::array<double, 3> part = {parts(random), parts(random), parts(random)};
+        const double sum = part[0] + part[1] + part[2];
+        glm::dvec2 place(0);
+        double ours = 300;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const glm::vec3& corner = positions[corners[c]];
+            place += part[c] / sum * glm::dvec2(corner.x, corner.y);
+            ours += part[c] / sum * double{blended.values[corners[c]]};
+        }
+        largest =
+            std::max(largest, std::abs(ours - (0.375 * steps[0].at(place) + 0.625 * steps[1].at(place))));
+    }
+    CHECK(largest <= 1e-6 * (high - low));
+    CHECK(largest > 0);
+}
+
+TEST_CASE("fields near 0 get no offset, and neither does a displacement") {
+    const ScratchFolder folder;
+    std::mt19937 random(4);
+    FarStep step = far_step(random, 0);
+    for (double& value : step.values) value -= 300;
+    put(folder / "far-0.vtk", file_of(step));
+    put(folder / "far-1.vtk", file_of(step));
+    CHECK(import_files(folder, {}).family.field_scales.empty());
+}
+
+TEST_CASE("an offset holds for the whole series, also where the first step is constant") {
+    const ScratchFolder folder;
+    std::mt19937 random(4);
+    FarStep step = far_step(random, 0);
+    put(folder / "far-1.vtk", file_of(step));
+    put(folder / "far-2.vtk", file_of(step));
+    std::ranges::fill(step.values, 300);
+    put(folder / "far-0.vtk", file_of(step));
+    const Family family = import_files(folder, {.units = {{"T", "K"}}, .time_unit = "ms"}).family;
+    CHECK(family.field_scales == std::vector<FieldScale>{{"T", 300, "K"}});
+    CHECK(family.time_unit == "ms");
+    CHECK(family.keys[0].hierarchy->fields[0].values[0] == 0);
+    CHECK(contains(input_error_of([&] {
+                       import_files(folder, {.units = {{"u", "K"}}});
+                   }),
+                   "no key has a scalar field called \"u\""));
+}
