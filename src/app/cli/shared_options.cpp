@@ -160,6 +160,10 @@ void add_display(CLI::App& command, Display& display) {
                     })
         ->type_name("MIN,MAX")
         ->needs(color);
+    command
+        .add_flag("--log-scale", display.scale.is_logarithmic,
+                  "Color equal factors of a scalar by equal steps, if its range is above 0")
+        ->needs(color);
     add_text_option(command, "--height",
                     "Raise flat keys by a scalar; its range becomes PART of their size, 0.25 by default",
                     [&display](const std::string& text) { parse_height(text, display); })

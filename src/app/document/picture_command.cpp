@@ -37,6 +37,7 @@ std::vector<std::string> color_options(const Display& display) {
     if (display.range_locked)
         options.push_back(fmt::format("--range={},{}", end_of_range(display.scale, display.scale.range.min),
                                       end_of_range(display.scale, display.scale.range.max)));
+    if (display.scale.is_logarithmic) options.emplace_back("--log-scale");
     return options;
 }
 

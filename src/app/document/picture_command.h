@@ -15,7 +15,7 @@
 
 namespace interleaf {
 
-/// The options of `render` and `view` that differ from their defaults in \p display, each "--NAME" or
+/// The options of `render` that differ from their defaults in \p display, each "--NAME" or
 /// "--NAME=VALUE".
 std::vector<std::string> display_options(const Display& display);
 

@@ -111,6 +111,7 @@ FilmPlan plan_of(const FilmChoices& choices, const Session& session, const Camer
     FilmPlan plan;
     plan.size = *size;
     plan.display = session.display;
+    plan.display.legend = choices.has_legend;
     plan.film.camera = camera;
     plan.film.still = session.weights();
     if (format == nullptr) {

@@ -9,6 +9,8 @@
 #include <fmt/core.h>
 #include <glm/common.hpp>
 
+#include "app/pictures/picture_legend.h"
+#include "family/family_fields.h"
 #include "hierarchy/progress.h"
 #include "io/file/file_pattern.h"
 #include "io/file/safe_write.h"
@@ -49,6 +51,7 @@ void FilmExport::offer(std::filesystem::path file, std::shared_ptr<const Family>
     preview_of_.reset();
     preview_ = {};
     dialog_.open(first_choices(session, format == nullptr ? std::optional(view_size) : std::nullopt));
+    has_scale_ = picture_legend(session.display, fields_of(*family)).has_value();
     offer_.emplace(Offer{std::move(file), format, std::move(family), session, camera});
 }
 
@@ -65,6 +68,7 @@ void FilmExport::show(const Rect& area, double now) {
                                  name_of_film(offer_->file)),
             .detail = is_sound ? detail_of(planned, offer_->format != nullptr) : "",
             .is_film = offer_->format != nullptr,
+            .shows_scale = has_scale_,
             .shows_edges = offer_->session.display.wireframe || offer_->session.display.refinement_edges ||
                            offer_->session.display.root_edges,
             .preview = preview_.name(),

@@ -44,6 +44,8 @@ TEST_CASE("only options that differ from the defaults are named") {
                                    "--no-occlusion", "--color=field:level", "--color-map=magma"});
     display.range_locked = true;
     CHECK(display_options(display).back() == "--range=-1,2.5");
+    display.scale.is_logarithmic = true;
+    CHECK(display_options(display).back() == "--log-scale");
     display.field = "heat";
     CHECK(display_options(display)[4] == "--color=heat");
     Display made;

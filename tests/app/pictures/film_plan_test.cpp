@@ -101,7 +101,10 @@ TEST_CASE("a picture begins with the size of the view, and its scale widens its 
     FilmChoices choices = first_choices(session, glm::ivec2(640, 400));
     const auto plan_picture_with = [&] { return plan_of(choices, session, Camera(), nullptr); };
     CHECK(plan_picture_with().size == glm::ivec2(640, 400));
+    choices.has_legend = false;
     CHECK(plan_picture_with().display == session.display);
+    choices.has_legend = true;
+    CHECK(plan_picture_with().display.legend);
     choices.scale = "2.5";
     choices.is_transparent = true;
     choices.has_edges = false;
