@@ -14,7 +14,7 @@
 int main(int argc, char** argv) {
     using namespace interleaf;
     constexpr double enough = 0.02;
-    const auto count = static_cast<std::uint64_t>(argc > 1 ? std::atoi(argv[1]) : 200);
+    const auto count = static_cast<std::uint64_t>(argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 200);
     nlohmann::ordered_json line = {{"pairs", count}};
     std::uint64_t exact = 0;
     std::uint64_t unmatched = 0;

@@ -319,11 +319,17 @@ std::span<const float> Renderer::weights_on_gpu(std::span<const float> weights) 
     return {&one, 1};
 }
 
-void Renderer::bind_surface_textures() const {
+/// Draws all leaves with the program in use, whose uniforms are set.
+void Renderer::draw_leaves() const {
     bind_buffer_texture(3, field_texture_);
     bind_buffer_texture(2, path_texture_);
     bind_buffer_texture(1, palette_texture_);
     bind_buffer_texture(0, shown_.buffers.leaf_texture());
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glBindVertexArray(shown_.buffers.attributes().name());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * shown_.buffers.leaf_count()), GL_UNSIGNED_INT,
+                   nullptr);
 }
 
 void Renderer::draw_depths(std::span<const float> weights, const glm::mat4& projection) {
@@ -345,12 +351,7 @@ void Renderer::draw_depths(std::span<const float> weights, const glm::mat4& proj
     glUniform1fv(uniform(program, "weights"), static_cast<GLsizei>(weights.size()), weights.data());
     glUniform1i(uniform(program, "leaf_data"), 0);
     glUniform1i(uniform(program, "palette"), 1);
-    bind_surface_textures();
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glBindVertexArray(shown_.buffers.attributes().name());
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * shown_.buffers.leaf_count()), GL_UNSIGNED_INT,
-                   nullptr);
+    draw_leaves();
 }
 
 void Renderer::draw_surface(const OffscreenTarget& target, const Camera& camera,
@@ -393,12 +394,7 @@ void Renderer::draw_surface(const OffscreenTarget& target, const Camera& camera,
     glUniform2f(uniform(program, "value_range"), display.scale.range.min, display.scale.range.max);
     glUniform3f(uniform(program, "placing"), base, factor, offset);
     glUniform1i(uniform(program, "is_logarithmic"), display.scale.uses_logarithm() ? 1 : 0);
-    bind_surface_textures();
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glBindVertexArray(shown_.buffers.attributes().name());
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * shown_.buffers.leaf_count()), GL_UNSIGNED_INT,
-                   nullptr);
+    draw_leaves();
     marks_.draw(shown_.buffers, target, camera, weights, display);
 }
 

@@ -133,7 +133,7 @@ class Renderer {
     void describe_next(const UnionMesh& mesh, const SurfaceLeaves& leaves);
     void upload_field(std::span<const std::span<const float>> values, std::size_t components);
     std::span<const float> weights_on_gpu(std::span<const float> weights);
-    void bind_surface_textures() const;
+    void draw_leaves() const;
     void blend_on_processor(ProcessorBlend& blend, std::span<const float> weights);
     void upload_palette(Coloring coloring, ColorMap map);
     void draw_background(const Display& display) const;

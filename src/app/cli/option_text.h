@@ -18,7 +18,7 @@
 #include "family/interpolation.h"
 #include "hierarchy/triangle.h"
 #include "render/display.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/appearance.h"
 
 namespace interleaf {
 

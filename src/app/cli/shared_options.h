@@ -15,7 +15,7 @@
 #include "family/field_units.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "render/display.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/appearance.h"
 
 namespace interleaf {
 

@@ -10,7 +10,7 @@
 #include "app/document/viewpoint.h"
 #include "family/family.h"
 #include "render/display.h"
-#include "ui/widgets/theme.h"
+#include "ui/widgets/appearance.h"
 
 namespace interleaf {
 

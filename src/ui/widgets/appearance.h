@@ -1,13 +1,26 @@
 // How the window looks, as far as the user decides: kept in the settings.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "ui/widgets/theme.h"
-
 namespace interleaf {
+
+enum class Theme { dark, light };
+
+/// "dark" or "light".
+constexpr std::string_view name_of(Theme theme) {
+    return theme == Theme::dark ? "dark" : "light";
+}
+
+constexpr std::optional<Theme> theme_named(std::string_view name) {
+    for (const Theme theme : {Theme::dark, Theme::light})
+        if (name == name_of(theme)) return theme;
+    return std::nullopt;
+}
 
 /// Sizes of the panels that the user has dragged, in screen coordinates at scale 1; none for the usual size.
 struct PanelSizes {

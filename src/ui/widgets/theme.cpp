@@ -62,16 +62,6 @@ constexpr Palette light_palette{
 
 }  // namespace
 
-std::string_view name_of(Theme theme) {
-    return theme == Theme::dark ? "dark" : "light";
-}
-
-std::optional<Theme> theme_named(std::string_view name) {
-    for (const Theme theme : {Theme::dark, Theme::light})
-        if (name == name_of(theme)) return theme;
-    return std::nullopt;
-}
-
 const Palette& palette_of(Theme theme) {
     return theme == Theme::dark ? dark_palette : light_palette;
 }

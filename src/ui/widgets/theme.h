@@ -2,18 +2,11 @@
 // panels follow when the theme changes.
 #pragma once
 
-#include <optional>
-#include <string_view>
-
 #include <imgui.h>
 
+#include "ui/widgets/appearance.h"
+
 namespace interleaf {
-
-enum class Theme { dark, light };
-
-/// "dark" or "light".
-std::string_view name_of(Theme theme);
-std::optional<Theme> theme_named(std::string_view name);
 
 /// The colors of one theme.
 struct Palette {
