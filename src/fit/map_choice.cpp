@@ -66,7 +66,7 @@ constexpr double hopeless_angle = 1;
 constexpr double hopeless_flipped_part = 1.5;
 
 /// A map that is tried.
-struct Candidate {
+struct FoundMap {
     std::unique_ptr<const AlignedMap> map;
     SampledSurface surface;  ///< with judged_leaves() leaves, not smoothed
     std::size_t faulty = 0;  ///< number of leaves that need smoothing
@@ -90,7 +90,7 @@ SampledSurface sampled(const AlignedMap& map, const SphereRoots& roots, const Pr
 
 /// Smooths and measures. A key that is certainly refused is not smoothed: the key of a bad map that is so far
 /// from the surface that smoothing, which moves vertices along the surface, cannot bring it near.
-JudgedMap judged(Candidate candidate, const SphereRoots& roots, const FitLimits& limits, Stopwatch& stopwatch,
+JudgedMap judged(FoundMap candidate, const SphereRoots& roots, const FitLimits& limits, Stopwatch& stopwatch,
                  const Progress& progress) {
     if (candidate.map->has_large_triangles && candidate.is_bad(limits)) {
         const FitQuality quality = quality_of(*candidate.map, candidate.surface, part_of(progress, 0, 0.2));
@@ -110,13 +110,13 @@ JudgedMap judged(Candidate candidate, const SphereRoots& roots, const FitLimits&
 /// Maps a mesh of the surface, centers the map unless it is pinned, checks it and samples it.
 /// \param fine  the mesh to map; without triangles for the original mesh
 /// \param is_approximate  whether \p fine only approximates the surface
-Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, bool is_approximate,
-                    const MapChoiceOptions& options, Stopwatch& stopwatch, const Progress& progress) {
+FoundMap candidate(const SurfaceMesh& original, SurfaceMesh fine, bool is_approximate,
+                   const MapChoiceOptions& options, Stopwatch& stopwatch, const Progress& progress) {
     const bool is_refined = !fine.triangles.empty();
     const SurfaceMesh& mesh = is_refined ? fine : original;
     const bool has_large_triangles = triangle_shapes(original).large >= large_part;
     constexpr double crowded = 0.01;
-    Candidate made;
+    FoundMap made;
     std::vector<glm::dvec3> points;
     std::optional<glm::dmat3> rotation;
     if (options.pins != nullptr) {
@@ -157,7 +157,7 @@ Candidate candidate(const SurfaceMesh& original, SurfaceMesh fine, bool is_appro
 }
 
 /// The better of two maps, before smoothing.
-bool is_better(const Candidate& a, const Candidate& b, const FitLimits& limits) {
+bool is_better(const FoundMap& a, const FoundMap& b, const FitLimits& limits) {
     const double flipped = a.flipped_part(limits);
     const double flipped_of_b = b.flipped_part(limits);
     if (std::max(flipped, flipped_of_b) > max_flipped_part) return flipped < flipped_of_b;
@@ -184,7 +184,7 @@ bool is_to_take(const JudgedMap& refined, const JudgedMap& as_it_is, const FitLi
 /// Whether this choice is certain before the key of the mesh as it is has been smoothed. Smoothing brings no
 /// key nearer to the surface. Where smoothing improves little, the figures are nearly final. Elsewhere the
 /// choice is certain only if no leaf is left that smoothing might improve.
-bool is_sure_to_take(const JudgedMap& refined, const Candidate& as_it_is, const FitLimits& limits,
+bool is_sure_to_take(const JudgedMap& refined, const FoundMap& as_it_is, const FitLimits& limits,
                      const Progress& progress) {
     const bool is_hopeless =
         as_it_is.shapes.min_angle < hopeless_angle || as_it_is.flipped_part(limits) > hopeless_flipped_part;
@@ -203,7 +203,7 @@ Index judged_leaves(const SphereRoots& roots) {
 
 JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots, Stopwatch& stopwatch,
                 const Progress& progress) {
-    Candidate made;
+    FoundMap made;
     made.surface = sampled(*map, roots, part_of(progress, 0, 0.15));
     stopwatch.lap("sampling");
     made.map = std::move(map);
@@ -212,7 +212,7 @@ JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots,
 
 JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, Stopwatch& stopwatch,
                      const Progress& progress) {
-    const auto judged_in = [&](Candidate made, double begin, double end) {
+    const auto judged_in = [&](FoundMap made, double begin, double end) {
         return judged(std::move(made), options.roots, options.limits, stopwatch,
                       part_of(progress, begin, end));
     };
@@ -222,7 +222,7 @@ JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
 
     std::string fault;
     const auto try_to_map = [&](SurfaceMesh fine, bool is_approximate, double begin,
-                                double end) -> std::optional<Candidate> {
+                                double end) -> std::optional<FoundMap> {
         try {
             return candidate(mesh, std::move(fine), is_approximate, options, stopwatch,
                              part_of(progress, begin, end));
@@ -233,13 +233,13 @@ JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
             return std::nullopt;
         }
     };
-    std::optional<Candidate> as_it_is;
+    std::optional<FoundMap> as_it_is;
     const bool has_needles = shapes.needles > needle_part;
     if (!has_needles) {
         as_it_is = try_to_map({}, false, 0, 0.2);
         if (as_it_is && as_it_is->faulty_part() < few_faulty) return judged_in(*std::move(as_it_is), 0.8, 1);
     }
-    std::optional<Candidate> refined;
+    std::optional<FoundMap> refined;
     for (const auto& [triangles, begin, end] :
          {std::array{has_needles ? fine_triangles_of_needles : fine_triangles, 0.2, 0.45},
           std::array{coarse_triangles, 0.45, 0.6}}) {
@@ -248,7 +248,7 @@ JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
         SurfaceMesh fine =
             refine(mesh, {.triangles = triangles, .deviation = has_needles ? needle_deviation : 0}, meter);
         stopwatch.lap("refining");
-        std::optional<Candidate> made = try_to_map(std::move(fine), has_needles, begin, end);
+        std::optional<FoundMap> made = try_to_map(std::move(fine), has_needles, begin, end);
         if (made && (!refined || is_better(*made, *refined, options.limits))) refined = std::move(made);
         if (refined && !refined->is_bad(options.limits)) break;
     }

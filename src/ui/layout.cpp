@@ -9,7 +9,7 @@ namespace {
 
 /// Lengths at scale 1.
 constexpr float narrow = 960;
-constexpr float column_width = 248;
+constexpr float usual_column_width = 248;
 constexpr float min_column_width = 180;
 constexpr float max_left_width = 340;
 constexpr float max_right_width = 560;
@@ -45,9 +45,9 @@ Layout lay_out(glm::vec2 size, float menu_height, float scale, bool has_timeline
     const float most = std::floor(size.x * (has_left ? 0.35F : 0.45F));
     const auto column_of = [&](const std::optional<float>& chosen, float growth, float max_width) {
         // In a wide window, a column gets part of the width.
-        const float width = column_width + growth * (usual.x - first_wide);
+        const float width = usual_column_width + growth * (usual.x - first_wide);
         const float length =
-            chosen ? std::max(*chosen, min_column_width) : std::clamp(width, column_width, max_width);
+            chosen ? std::max(*chosen, min_column_width) : std::clamp(width, usual_column_width, max_width);
         return std::min(pixels(length), most);
     };
     const float left = column_of(wanted.left, 0.05F, max_left_width);

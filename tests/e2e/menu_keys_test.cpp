@@ -94,10 +94,11 @@ TEST_CASE("Alt opens the first menu, and F6 gives the keyboard to the panels") {
     wait_for_no_menu(viewer);
 
     viewer.press(XK_F6);
-    wait_as_between_keys();
-    viewer.press(XK_Down);
-    wait_as_between_keys();
-    viewer.press(XK_Down);
+    constexpr int most_rows_above = 8;  // headings and buttons above the first key
+    for (int row = 0; row < most_rows_above && viewer.state()["selected"].is_null(); ++row) {
+        wait_as_between_keys();
+        viewer.press(XK_Down);
+    }
     State state = viewer.wait_for("a selected key", [](const State& s) { return !s["selected"].is_null(); });
     CHECK(state["time"] == start["time"]);
     CHECK(state["driver"] == "key");

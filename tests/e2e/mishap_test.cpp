@@ -137,7 +137,7 @@ TEST_CASE("when memory runs out, the window keeps its document and saves it for 
     const std::string command =
         std::string(INTERLEAF_PROGRAM " make sphere --leaves 2e6 -o ") + large.string();
     REQUIRE(std::system(command.c_str()) == 0);
-    viewer.limit_memory(4 << 20);
+    viewer.limit_memory(24 << 20);  // enough for a thread, not for the key
     viewer.drop(std::vector{large}, row_pixel(kept, 1));
     const State failed = viewer.wait_for("a message", [](const State& s) {
         return s["message"].get<std::string>().find("not enough memory") != std::string::npos;

@@ -101,7 +101,7 @@ void level_legend(const LevelRange& levels) {
 }
 
 /// A line with a square of \p color before it, and a tooltip.
-void legend_row(glm::vec3 color, const std::string& text, const std::string& tooltip) {
+void swatch_row(glm::vec3 color, const std::string& text, const std::string& tooltip) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float swatch = scaled(10);
     const float indent = scaled(18);
@@ -180,7 +180,7 @@ void common_legend(const Legend& legend) {
         const auto has_share = [&](KeySet origin) {
             return share_of(origin, legend.active_keys.size()) == share;
         };
-        if (std::ranges::any_of(legend.origins, has_share)) legend_row(common_color(share), text, tooltip);
+        if (std::ranges::any_of(legend.origins, has_share)) swatch_row(common_color(share), text, tooltip);
     }
     ImGui::PopFont();
 }
