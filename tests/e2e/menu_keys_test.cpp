@@ -1,5 +1,6 @@
 // End-to-end tests of menus and the keyboard: an open menu receives all keys.
 #include <chrono>
+#include <initializer_list>
 #include <thread>
 
 #include "e2e/person.h"
@@ -112,7 +113,7 @@ TEST_CASE("the search for commands runs what is found, and receives all keys mea
     const RunningViewer viewer;
     viewer.press(XK_p, XK_Control_L);
     viewer.wait_for("the search", [](const State& s) { return s["asking"] == true; });
-    for (const KeyName letter : {XK_w, XK_i, XK_r, XK_e}) {
+    for (const KeyName letter : std::initializer_list<KeyName>{XK_w, XK_i, XK_r, XK_e}) {
         viewer.press(letter);
         wait_as_between_keys();
     }

@@ -30,9 +30,9 @@ std::optional<double> number_in(const std::string& text) {
 /// A question for a number from \p min to \p max.
 /// \param range  names the permitted numbers
 template <typename Apply>
-TextQuestion number_question(std::string text, double entry, double min, double max, const std::string& range,
-                             Apply apply) {
-    return {.text = std::move(text),
+TextQuestion number_question(const std::string& text, double entry, double min, double max,
+                             const std::string& range, Apply apply) {
+    return {.text = text,
             .entry = fmt::format("{:.10g}", entry),
             .button = "Set",
             .fault =

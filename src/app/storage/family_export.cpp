@@ -37,7 +37,7 @@ void FamilyExport::begin(std::shared_ptr<const Family> family, Weights weights, 
     job_.wait();
     file_ = file;
     job_.start(
-        fmt::format("Exporting {}", shown_file(file)),
+        fmt::format("Exporting {}", shown_file(file_)),
         [family = std::move(family), weights = std::move(weights), file = std::move(file)](
             const Progress& progress) { return remarks_of_export(*family, weights, file, progress); },
         now, least_shown_time);

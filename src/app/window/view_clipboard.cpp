@@ -56,8 +56,8 @@ std::string seen_command(const Session& session, const SeenPicture& seen) {
     files.reserve(seen.files.size());
     for (const std::filesystem::path& file : seen.files) {
         std::error_code error;
-        std::filesystem::path whole = std::filesystem::absolute(file, error);
-        files.push_back(error ? file : std::move(whole));
+        const std::filesystem::path whole = std::filesystem::absolute(file, error);
+        files.push_back(error ? file : whole);
     }
     return picture_command(files, session, display, viewpoint_of(seen.camera), seen.size);
 }
