@@ -3,7 +3,6 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "text/parsed_number.h"
 #include <fmt/core.h>
