@@ -44,6 +44,10 @@ TEST_CASE("only options that differ from the defaults are named") {
                                    "--no-occlusion", "--color=field:level", "--color-map=magma"});
     display.range_locked = true;
     CHECK(display_options(display).back() == "--range=-1,2.5");
+    display.scale.range = {-0x1p-20F, 0x1p-20F};
+    display.scale.offset = 1'000'000;
+    CHECK(display_options(display).back() == "--range=999999.9999990463,1000000.0000009537");
+    display.scale.offset = 0;
     display.scale.is_logarithmic = true;
     CHECK(display_options(display).back() == "--log-scale");
     display.field = "heat";
