@@ -41,7 +41,9 @@ double offset_for(double low, double high) {
     const double middle = low / 2 + high / 2;
     const double exponent = std::floor(std::log10(range));
     const double power = std::pow(10, std::abs(exponent));
-    return exponent < 0 ? std::round(middle * power) / power : std::round(middle / power) * power;
+    const double offset =
+        exponent < 0 ? std::round(middle * power) / power : std::round(middle / power) * power;
+    return std::isfinite(offset) ? offset : 0;
 }
 
 std::string offset_sentence(const FieldScale& scale) {

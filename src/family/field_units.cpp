@@ -1,6 +1,8 @@
 #include "family/field_units.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/core.h>
@@ -23,11 +25,19 @@ void require_unit(std::string_view unit) {
 }
 
 /// Adds \p shift to the values of the scalar \p name of \p key.
+/// \throw InputError if a sum is no finite float
 void shift_field(Key& key, const std::string& name, double shift) {
     if (shift == 0 || find_field(key.hierarchy->fields, {name, FieldKind::scalar}) == nullptr) return;
     Hierarchy shifted = *key.hierarchy;
     const auto field = std::ranges::find(shifted.fields, name, &Field::name);
-    for (float& value : field->values) value = static_cast<float>(double{value} + shift);
+    for (float& value : field->values) {
+        const double sum = double{value} + shift;
+        if (!(std::abs(sum) <= double{std::numeric_limits<float>::max()}))
+            throw InputError(
+                fmt::format("key \"{}\": the offset of the field \"{}\" is too far from that of the family",
+                            key.name, name));
+        value = static_cast<float>(sum);
+    }
     key.hierarchy = std::move(shifted);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -131,7 +132,10 @@ std::vector<float> mean_curvatures(std::span<const Triangle> triangles,
 std::vector<float> distances(std::span<const glm::vec3> before, std::span<const glm::vec3> after) {
     std::vector<float> lengths;
     lengths.reserve(after.size());
-    for (std::size_t v = 0; v < after.size(); ++v) lengths.push_back(glm::distance(before[v], after[v]));
+    constexpr double most = std::numeric_limits<float>::max();
+    for (std::size_t v = 0; v < after.size(); ++v)
+        lengths.push_back(
+            static_cast<float>(std::min(glm::distance(glm::dvec3(before[v]), glm::dvec3(after[v])), most)));
     return lengths;
 }
 

@@ -78,7 +78,12 @@ struct Display {
     std::string field{};        ///< name of the field that Coloring::field shows
     bool range_locked = false;  ///< whether the range of the scale stays when the field changes
     ColorScale scale{};         ///< of a scalar field
-    bool wireframe = false;     ///< the edges of the leaves
+
+    /// The least and the largest shown value of a range that the scale gets once its field is known. Until then they
+    /// are doubles, as floats keep little of values with an offset. The renderer draws what it is given.
+    std::optional<std::array<double, 2>> wanted_range{};
+
+    bool wireframe = false;  ///< the edges of the leaves
 
     /// The edge of each leaf that a bisection would split, in a color of its own.
     bool refinement_edges = false;

@@ -36,6 +36,7 @@ TEST_CASE("an offset is a number of few digits, and only where it is needed") {
     CHECK(offset_for(300, 300) == 0);
     CHECK(offset_for(1, std::nextafter(1, 2)) == 0);
     CHECK(offset_for(-1e308, 1e308) == 0);
+    CHECK(offset_for(1e-309, 1.1e-309) == 0);  // smaller than the smallest power of ten that divides well
 }
 
 TEST_CASE("a field has one scale, and none that says nothing") {

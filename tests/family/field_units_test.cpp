@@ -61,3 +61,12 @@ TEST_CASE("keys that are added get the offsets of the family, and bring those it
     CHECK(value(1) == 1001);  // without an offset
     CHECK(value(2) == 3);     // as it came
 }
+
+TEST_CASE("keys are not added whose values are no floats with the offset of the family") {
+    const Family family = family_of(triangle_with("a", {scalar("T", 2)}));
+    for (const double offset : {1e300, -1e39}) {
+        std::vector<Key> keys = {triangle_with("b", {scalar("T", 1)})};
+        const std::vector<FieldScale> from = {{"T", offset, ""}};
+        CHECK_THROWS_AS(adopt_scales(family, keys, from), InputError);
+    }
+}

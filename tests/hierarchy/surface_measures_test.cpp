@@ -94,3 +94,12 @@ TEST_CASE("measures of triangles without area are finite") {
     for (const float value : mean_curvatures(triangles, positions)) CHECK(std::isfinite(value));
     for (const float value : smallest_angles(triangles, positions)) CHECK(std::isfinite(value));
 }
+
+TEST_CASE("distances whose squares are no floats are measured, too") {
+    const std::vector<glm::vec3> before = {{0, 0, 0}, {0, 0, 0}, {-3e38F, 0, 0}};
+    const std::vector<glm::vec3> after = {{3e30F, 4e30F, 0}, {3e-30F, 4e-30F, 0}, {3e38F, 0, 0}};
+    const std::vector<float> lengths = distances(before, after);
+    CHECK(lengths[0] == doctest::Approx(5e30));
+    CHECK(lengths[1] * 1e30F == doctest::Approx(5));
+    CHECK(std::isfinite(lengths[2]));
+}

@@ -230,10 +230,14 @@ void print_whole(Kind kind, const Family& family, const Figures& whole) {
 
 /// "0 to 1.5 m/s".
 std::string range_text(const FamilyField& field) {
-    if (field.offset != 0)
-        return with_unit(fmt::format("{:.10g} to {:.10g}", double{field.min} + field.offset,
-                                     double{field.max} + field.offset),
-                         field.unit);
+    if (field.offset != 0) {
+        const double min = double{field.min} + field.offset;
+        const double max = double{field.max} + field.offset;
+        const std::string text =
+            max > min ? fmt::format("{} to {}", value_text(min, max - min), value_text(max, max - min))
+                      : fmt::format("{:.10g} to {:.10g}", min, max);
+        return with_unit(text, field.unit);
+    }
     return with_unit(fmt::format("{:.6g} to {:.6g}", field.min, field.max), field.unit);
 }
 

@@ -269,12 +269,11 @@ std::string color_maps_in_words() {
     return either_of(names);
 }
 
-ValueRange parse_range(std::string_view text) {
+std::array<double, 2> parse_range(std::string_view text) {
     const auto values = numbers(text);
     if (!values || values->size() != 2) expected("MIN,MAX", text);
-    const ValueRange range{static_cast<float>((*values)[0]), static_cast<float>((*values)[1])};
-    if (!std::isfinite(range.min) || !std::isfinite(range.max) || range.min >= range.max)
-        expected("MIN,MAX, ascending", text);
+    const std::array<double, 2> range = {(*values)[0], (*values)[1]};
+    if (range[0] >= range[1]) expected("MIN,MAX, ascending", text);
     return range;
 }
 

@@ -3,6 +3,7 @@
 // Every parse function throws UsageError, which names what was expected.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -92,8 +93,8 @@ TimeSource parse_time_source(std::string_view text);
 /// The names of all interpolation bases: "linear, hold or bernstein".
 std::string bases_in_words();
 
-/// A range "MIN,MAX", ascending and finite as floats.
-ValueRange parse_range(std::string_view text);
+/// A range "MIN,MAX", ascending.
+std::array<double, 2> parse_range(std::string_view text);
 
 /// Shows the edges that \p text names, such as "wireframe,root-edges".
 void parse_shown_edges(std::string_view text, Display& display);

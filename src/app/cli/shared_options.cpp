@@ -155,7 +155,7 @@ void add_display(CLI::App& command, Display& display) {
     add_text_option(command, "--range",
                     "Values of the first and the last color; by default, the range of all keys",
                     [&display](const std::string& text) {
-                        display.scale.range = parse_range(text);
+                        display.wanted_range = parse_range(text);
                         display.range_locked = true;
                     })
         ->type_name("MIN,MAX")

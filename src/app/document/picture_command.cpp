@@ -25,7 +25,7 @@ std::string coloring_name(const Display& display) {
 
 /// \p end as it is shown, with the offset.
 std::string end_of_range(const ColorScale& scale, float end) {
-    return scale.offset == 0 ? fmt::format("{}", end) : fmt::format("{:.12g}", double{end} + scale.offset);
+    return scale.offset == 0 ? fmt::format("{}", end) : fmt::format("{}", double{end} + scale.offset);
 }
 
 std::vector<std::string> color_options(const Display& display) {
@@ -39,6 +39,12 @@ std::vector<std::string> color_options(const Display& display) {
                                       end_of_range(display.scale, display.scale.range.max)));
     if (display.scale.is_logarithmic) options.emplace_back("--log-scale");
     return options;
+}
+
+/// Whether the option --arrows can name \p vector: there, commas separate names.
+bool can_be_named(const VectorField& vector) {
+    return std::ranges::none_of(vector.parts,
+                                [](const std::string& part) { return part.find(',') != std::string::npos; });
 }
 
 std::vector<std::string> shown_edge_names(const Display& display) {
@@ -78,11 +84,16 @@ std::vector<std::string> field_options(const Session& session, const Display& di
     if (display.height > 0)
         if (const auto warp = warp_of(display, fields, extent(family).box))
             options.push_back(fmt::format("--height={},{}", warp->field, display.height));
-    if (const auto vector = shown_vector(display, fields)) {
+    if (const auto vector = shown_vector(display, fields); vector && can_be_named(*vector)) {
         const auto& [x, y, z] = vector->parts;
         options.push_back(fmt::format("--arrows={},{}{}{}", x, y, z.empty() ? "" : ",", z));
     }
     return options;
+}
+
+bool lacks_arrows(const Session& session, const Display& display) {
+    const auto vector = shown_vector(display, fields_of(session.family()));
+    return vector && !can_be_named(*vector);
 }
 
 std::string blend_option(const Session& session) {

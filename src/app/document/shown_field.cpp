@@ -1,7 +1,11 @@
 #include "app/document/shown_field.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -9,6 +13,16 @@
 
 namespace interleaf {
 namespace {
+
+/// The range of shown values, without the offset; none if it is not one of floats.
+std::optional<ValueRange> without_offset(const std::array<double, 2>& shown, double offset) {
+    constexpr double most = std::numeric_limits<float>::max();
+    const double min = shown[0] - offset;
+    const double max = shown[1] - offset;
+    if (!(std::abs(min) <= most && std::abs(max) <= most)) return std::nullopt;
+    const ValueRange range{static_cast<float>(min), static_cast<float>(max)};
+    return range.min < range.max ? std::optional(range) : std::nullopt;
+}
 
 /// Keeps the range of shown values under another offset.
 void move_offset(ColorScale& scale, double offset) {
@@ -35,7 +49,14 @@ void require_field(const Display& display, std::span<const FamilyField> fields) 
     if (!display.raised_by.empty()) require_scalar_for("--height", display.raised_by, fields);
     for (const std::string& part : display.arrow_parts)
         if (!part.empty()) require_scalar_for("--arrows", part, fields);
-    if (display.coloring != Coloring::field || find_field(fields, display.field) != nullptr) return;
+    if (display.coloring != Coloring::field) return;
+    if (const FamilyField* const field = find_field(fields, display.field)) {
+        const auto& wanted = display.wanted_range;
+        if (wanted && field->label.kind == FieldKind::scalar && !without_offset(*wanted, field->offset))
+            throw UsageError(fmt::format("--range: expected MIN,MAX, ascending as floats, got '{},{}'",
+                                         (*wanted)[0], (*wanted)[1]));
+        return;
+    }
     std::string known;
     for (const FamilyField& field : fields) known += (known.empty() ? "" : ", ") + field.label.name;
     if (known.empty())
@@ -86,7 +107,10 @@ void adapt_display(Display& display, std::span<const FamilyField> fields) {
     if (find_field(fields, display.field) == nullptr) display.field = fields.front().label.name;
     const FamilyField& field = *find_field(fields, display.field);
     if (field.label.kind != FieldKind::scalar) return;
-    if (display.range_locked)
+    if (const auto wanted = std::exchange(display.wanted_range, std::nullopt))
+        display.scale.range =
+            without_offset(*wanted, field.offset).value_or(ValueRange{field.min, field.max});
+    else if (display.range_locked)
         move_offset(display.scale, field.offset);
     else
         display.scale.range = {field.min, field.max};

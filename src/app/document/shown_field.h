@@ -13,14 +13,16 @@
 namespace interleaf {
 
 /// Checks that \p fields have the field that \p display shows, and those that raise it and give it arrows.
-/// \throw UsageError naming the option and the existing fields, if a field is not among \p fields
+/// \throw UsageError naming the option and the existing fields, if a field is not among \p fields; or if the wanted
+/// range is none of floats
 void require_field(const Display& display, std::span<const FamilyField> fields);
 
 /// The field that \p display shows; null if it shows none.
 const FamilyField* shown_field(const Display& display, std::span<const FamilyField> fields);
 
 /// Adapts \p display to a family with \p fields. If \p display names none of them, it names the first.
-/// Without fields, it shows the plain color. An unlocked range becomes the range over all keys.
+/// Without fields, it shows the plain color. The scale gets the wanted range, if
+/// any; else an unlocked range becomes the range over all keys.
 void adapt_display(Display& display, std::span<const FamilyField> fields);
 
 /// The warp by the shown scalar, or by another one, that \p display asks for; none if the keys are not flat.

@@ -96,6 +96,16 @@ StepOffsets offsets_of(const SeriesFiles& series, const FieldMesh& first, std::s
     return {origin_for(first.points, first.triangles), ranges.scales(displacement)};
 }
 
+/// Checks, before the long work, that the keys of steps like \p first get the fields whose units \p choices has.
+/// \throw InputError if one is missing
+void require_fields_of_units(const ImportChoices& choices, const FieldMesh& first) {
+    if (choices.units.empty()) return;
+    const std::vector<SeriesScalar> scalars = fields_of(first, choices.fields, choices.displacement).scalars;
+    for (const auto& [field, unit] : choices.units)
+        if (std::ranges::find(scalars, field, &SeriesScalar::name) == scalars.end())
+            throw InputError(fmt::format("no key has a scalar field called \"{}\"", field));
+}
+
 /// Gives \p family the units of \p choices.
 /// \throw InputError if there is no such field
 void set_units(Family& family, const ImportChoices& choices) {
@@ -169,6 +179,7 @@ ImportedSeries import_series(const SeriesFiles& series, std::string_view name, c
         keys.push_back({series.files[step].stem().string(), std::move(key)});
     };
     try {
+        require_fields_of_units(choices, first);
         warp = warp_of(choices.warp, first);
         try {
             imported.report = recover(steps, options, take_key, progress);

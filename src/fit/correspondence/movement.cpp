@@ -77,7 +77,10 @@ std::optional<int> move_to_best(MovingMesh& mesh, const MovementOptions& options
     mesh.make_base(options.vertices);
     const std::optional<Movement> movement = best_movement(mesh, options, meter);
     mesh.leave_base();
-    if (!movement) return std::nullopt;
+    if (!movement) {
+        mesh.restore_all();
+        return std::nullopt;
+    }
     mesh.set_places(movement->places);
     if (!mesh.refine(sweeps_beyond_even)) return std::nullopt;
     return movement->passes;

@@ -91,6 +91,7 @@ void MovingMesh::put_at(std::span<const glm::dvec3> points) {
 void MovingMesh::hold_landmarks() {
     for (const SphereLandmark& own : moving_.landmarks()) {
         is_held_[own.vertex] = 0;
+        if (!mesh_.has_vertex(own.vertex)) continue;
         const auto there = std::ranges::find(onto_.landmarks(), own.direction, &SphereLandmark::direction);
         if (there == onto_.landmarks().end()) continue;
         gather(own.vertex);
@@ -206,15 +207,18 @@ void MovingMesh::make_base(std::size_t vertices) {
     base_ = collapses_.size();
 }
 
+void MovingMesh::restore_all() {
+    for (; collapses_.size() > base_; collapses_.pop_back(), ++count_) mesh_.undo_collapse(collapses_.back());
+    for (Index t = 0; t < mesh_.triangle_capacity(); ++t)
+        if (mesh_.has_triangle(t)) update_shape(t);
+}
+
 bool MovingMesh::refine(int sweeps) {
     double next = level_growth * double(count_);
     while (collapses_.size() > base_) {
         const Index half_edge = collapses_.back();
         if (!restore(half_edge)) {
-            for (; collapses_.size() > base_; collapses_.pop_back(), ++count_)
-                mesh_.undo_collapse(collapses_.back());
-            for (Index t = 0; t < mesh_.triangle_capacity(); ++t)
-                if (mesh_.has_triangle(t)) update_shape(t);
+            restore_all();
             return false;
         }
         collapses_.pop_back();

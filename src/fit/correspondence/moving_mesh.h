@@ -88,6 +88,9 @@ class MovingMesh {
     /// \return false if there is no room for a vertex; then the vertices of the base are in no useful places
     bool refine(int sweeps);
 
+    /// Undoes all collapses beyond the base. The vertices are then in no useful places.
+    void restore_all();
+
     /// Sets the weights, which apply until they are set again.
     void set_weights(const MatchWeights& weights);
 

@@ -1,13 +1,16 @@
 #include "ui/widgets/scale_ticks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
 namespace interleaf {
 
 std::vector<double> scale_ticks(double min, double max, std::size_t max_count) {
-    if (!(max > min) || max_count == 0) return {};
-    double power = std::pow(10.0, std::floor(std::log10((max - min) / static_cast<double>(max_count))));
+    if (!(max > min) || !std::isfinite(max - min) || max_count == 0) return {};
+    constexpr double least_exponent = -307;  // smaller powers lose digits, down to 0
+    const double exponent = std::floor(std::log10((max - min) / static_cast<double>(max_count)));
+    double power = std::pow(10.0, std::max(exponent, least_exponent));
     while (true) {
         for (const double digit : {1.0, 2.0, 5.0}) {
             const double step = digit * power;
@@ -15,7 +18,12 @@ std::vector<double> scale_ticks(double min, double max, std::size_t max_count) {
             const double last = std::floor(max / step);
             if (last - first + 1 > static_cast<double>(max_count)) continue;
             std::vector<double> ticks;
-            for (double n = first; n <= last; ++n) ticks.push_back(n * step);
+            // Far from 0, the steps may be finer than the numbers are.
+            const auto count = static_cast<std::size_t>(std::max(last - first + 1, 0.0));
+            for (std::size_t i = 0; i < count; ++i)
+                if (const double tick = (first + static_cast<double>(i)) * step;
+                    ticks.empty() || tick > ticks.back())
+                    ticks.push_back(tick);
             return ticks;
         }
         power *= 10;

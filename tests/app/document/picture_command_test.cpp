@@ -3,6 +3,8 @@
 
 #include <array>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include <doctest/doctest.h>
 
@@ -44,6 +46,10 @@ TEST_CASE("only options that differ from the defaults are named") {
                                    "--no-occlusion", "--color=field:level", "--color-map=magma"});
     display.range_locked = true;
     CHECK(display_options(display).back() == "--range=-1,2.5");
+    display.scale.range = {-0x1p-20F, 0x1p-20F};
+    display.scale.offset = 1'000'000;
+    CHECK(display_options(display).back() == "--range=999999.9999990463,1000000.0000009537");
+    display.scale.offset = 0;
     display.scale.is_logarithmic = true;
     CHECK(display_options(display).back() == "--log-scale");
     display.field = "heat";
@@ -52,6 +58,27 @@ TEST_CASE("only options that differ from the defaults are named") {
     made.material = Material::steel;
     made.ground = made.light_background = true;
     CHECK(display_options(made) == std::vector<std::string>{"--ground", "--material=steel", "--theme=light"});
+}
+
+TEST_CASE("arrows are left out where commas in names would separate names") {
+    for (const bool has_comma : {false, true}) {
+        CAPTURE(has_comma);
+        const std::string name = has_comma ? "u,x" : "u";
+        Family family = sample_family();
+        for (Key& key : family.keys) {
+            Hierarchy changed = *key.hierarchy;
+            const Buffer<float> values(changed.positions.size(), 1);
+            changed.fields = {{name, FieldKind::scalar, values}, {"w", FieldKind::scalar, values}};
+            key.hierarchy = std::move(changed);
+        }
+        const Session session(std::make_shared<const Family>(std::move(family)));
+        Display display;
+        CHECK_FALSE(lacks_arrows(session, display));
+        display.arrows = true;
+        display.arrow_parts = {name, "w", ""};
+        CHECK(lacks_arrows(session, display) == has_comma);
+        CHECK(field_options(session, display).empty() == has_comma);
+    }
 }
 
 TEST_CASE("a word of a shell needs quotes where the shell would read more than the word") {

@@ -87,3 +87,23 @@ TEST_CASE("only a field that is to be shown must be there") {
     display.field = std::string("p");
     CHECK_NOTHROW(require_field(display, fields));
 }
+
+TEST_CASE("a wanted range keeps its digits where the field has an offset") {
+    std::vector<FamilyField> far = fields;
+    far[1].offset = 101'325;
+    Display display;
+    display.coloring = Coloring::field;
+    display.field = std::string("T");
+    display.range_locked = true;
+    display.wanted_range = {101'324.999, 101'325.001};
+    CHECK_NOTHROW(require_field(display, far));
+    CHECK_THROWS_AS(require_field(display, fields), UsageError);
+    adapt_display(display, far);
+    CHECK(display.scale.range.min == doctest::Approx(-0.001));
+    CHECK(display.scale.range.max == doctest::Approx(0.001));
+    CHECK_FALSE(display.wanted_range);
+    adapt_display(display, far);
+    CHECK(display.scale.range.max == doctest::Approx(0.001));
+    display.wanted_range = {0, 1e39};
+    CHECK_THROWS_AS(require_field(display, far), UsageError);
+}

@@ -149,3 +149,14 @@ TEST_CASE("an offset holds for the whole series, also where the first step is co
                    }),
                    "no key has a scalar field called \"u\""));
 }
+
+TEST_CASE("a unit of a field that is missing is told before any step is recovered") {
+    const ScratchFolder folder;
+    std::mt19937 random(4);
+    put(folder / "far-0.vtk", file_of(far_step(random, 0)));
+    put(folder / "far-1.vtk", "broken");
+    CHECK(contains(input_error_of([&] {
+                       import_files(folder, {.units = {{"u", "K"}}});
+                   }),
+                   "no key has a scalar field called \"u\""));
+}

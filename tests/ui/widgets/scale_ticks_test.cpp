@@ -24,6 +24,13 @@ TEST_CASE("ticks are the multiples of a round number") {
     CHECK(scale_ticks(0, 1, 0).empty());
 }
 
+TEST_CASE("ticks are few where numbers are coarser than their steps, or hardly finite") {
+    CHECK(scale_ticks(1e17, 1e17 + 16, 5).size() <= 5);
+    CHECK(scale_ticks(-1e17 - 64, -1e17, 4).size() <= 4);
+    CHECK(scale_ticks(0, 5e-324, 5).size() <= 5);
+    CHECK(scale_ticks(-1e308, 1e308, 5).empty());
+}
+
 TEST_CASE("ticks lie within the range, ascend, and do not exceed the given number, at any scale") {
     for (int exponent = -38; exponent <= 38; ++exponent)
         for (const double begin : {-2.0, -0.3, 0.0, 0.7, 1000.0})
