@@ -24,11 +24,12 @@ struct Grounded {
     Picture alone{};
     Picture above{};
 
-    explicit Grounded(float elevation, float lifted = 0) {
+    explicit Grounded(float elevation, float lifted = 0, Projection projection = Projection::perspective) {
         Renderer renderer;
         renderer.upload(surface.mesh, surface.form);
         OffscreenTarget target(320, 240, 4);
         camera = camera_on(surface, target, 30, elevation);
+        camera.set_projection(projection);
         camera.zoom(0.5F, {0, 0}, 320.0F / 240);
         const Display display{.light_background = true};
         alone = take_picture(renderer, target, camera, one, display);
@@ -65,6 +66,14 @@ TEST_CASE("the ground lies behind the surface, and is not seen from below") {
           beside.above.light(static_cast<int>(top.x), static_cast<int>(top.y)));
     const Grounded below(-30);
     CHECK(below.alone == below.above);
+}
+
+TEST_CASE("parallel rays from below do not see the ground, wherever the camera stands") {
+    const EglContext context;
+    const Grounded below(-5, 0, Projection::orthographic);
+    CHECK(below.alone == below.above);
+    const Grounded above(20, 0, Projection::orthographic);
+    CHECK(count_differences(above.alone, above.above, 8) > 2000);
 }
 
 TEST_CASE("each material looks different, but only on a plain surface") {
