@@ -96,6 +96,25 @@ TEST_CASE("each material looks different, but only on a plain surface") {
     CHECK(by_level(Material::steel) == by_level(Material::clay));
 }
 
+TEST_CASE("parallel rays show each material of a plane evenly") {
+    const EglContext context;
+    const TestSurface square = surface_of(two_keys_of_a_square());
+    Renderer renderer;
+    renderer.upload(square.mesh, square.form);
+    OffscreenTarget target(160, 120, 1);
+    Camera camera = camera_on(square, target, 0, 0);
+    camera.set_projection(Projection::orthographic);
+    const float first_key[] = {1, 0};
+    for (const Material material : materials()) {
+        const Picture picture = take_picture(renderer, target, camera, first_key, {.material = material});
+        const auto light_at = [&](glm::vec3 point) {
+            const glm::vec2 pixel = pixel_of(camera, picture, point);
+            return brightness(picture.light(static_cast<int>(pixel.x), static_cast<int>(pixel.y)));
+        };
+        CHECK(light_at({-0.8F, -0.7F, 0}) == doctest::Approx(light_at({0.8F, 0.7F, 0})).epsilon(0.02));
+    }
+}
+
 TEST_CASE("a light background is light, and the surface before it stays the same") {
     const EglContext context;
     const TestSurface surface = surface_of_shapes({"sphere"}, 500);
