@@ -6,6 +6,8 @@ uniform sampler2D openness;
 uniform mat4 unprojection;
 uniform float strength;  // 0 for no effect, 1 for the full effect
 
+const float depth_per_height = 1.586;  // in the perspective of camera.h
+
 out vec4 factor;
 
 float depth_of(float device_depth) {
@@ -19,6 +21,9 @@ void main() {
     factor = vec4(1.0);
     if (device_depth == 1.0) return;
     float depth = depth_of(device_depth);
+    // Differences of depth count relative to what the picture shows: in perspective it grows with the depth.
+    bool is_perspective = unprojection[2][3] != 0.0;
+    float scale = is_perspective ? depth : depth_per_height * 2.0 * unprojection[1][1];
     vec2 at = 0.5 * vec2(pixel);
     ivec2 first = ivec2(floor(at));
     vec2 between = at - vec2(first);
@@ -28,7 +33,7 @@ void main() {
         for (int x = 0; x < 2; ++x) {
             vec2 other = texelFetch(openness, min(first + ivec2(x, y), last), 0).xy;
             vec2 share = mix(1.0 - between, between, vec2(x, y));
-            float weight = (share.x * share.y + 0.001) * max(1.0 - 30.0 * abs(other.y - depth) / depth, 0.001);
+            float weight = (share.x * share.y + 0.001) * max(1.0 - 30.0 * abs(other.y - depth) / scale, 0.001);
             sum += weight * vec2(other.x, 1.0);
         }
     factor = vec4(vec3(mix(1.0, sum.x / sum.y, strength)), 1.0);

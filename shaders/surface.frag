@@ -133,9 +133,13 @@ vec3 filmic(vec3 light) {
     return mix(light, 1.0 - above * exp((shoulder - light) / above), step(shoulder, light));
 }
 
-vec3 lit(vec3 albedo, vec3 normal) {
+vec3 direction_to_viewer() {
     bool is_perspective = projection[2][3] != 0.0;
-    vec3 to_viewer = is_perspective ? normalize(-surface.position) : vec3(0.0, 0.0, 1.0);
+    return is_perspective ? normalize(-surface.position) : vec3(0.0, 0.0, 1.0);
+}
+
+vec3 lit(vec3 albedo, vec3 normal) {
+    vec3 to_viewer = direction_to_viewer();
     vec3 light = mix(ground_light, sky_light, 0.5 + 0.5 * normal.y);
     light += received(key_light, normal) + received(fill_light, normal) + received(rim_light, normal);
     float gloss = max(dot(normal, normalize(key_light.towards + to_viewer)), 0.0);
@@ -177,7 +181,7 @@ vec3 jade(vec3 normal, vec3 to_viewer) {
 }
 
 vec3 made_of(vec3 albedo, vec3 normal) {
-    vec3 to_viewer = normalize(-surface.position);
+    vec3 to_viewer = direction_to_viewer();
     if (material == 1) return porcelain(normal, to_viewer);
     if (material == 2) return steel(normal, to_viewer);
     if (material == 3) return jade(normal, to_viewer);

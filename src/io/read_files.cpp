@@ -1,7 +1,6 @@
 #include "io/read_files.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include <fmt/core.h>
@@ -31,13 +30,8 @@ std::variant<FileKeys, Misfit> read_mixture(std::span<const fs::path> files) {
     for (const fs::path& file : files) {
         auto read = key_format_of(file).read_keys(std::span(&file, 1), all.origin);
         if (auto* misfit = std::get_if<Misfit>(&read)) return std::move(*misfit);
-        FileKeys& one = std::get<FileKeys>(read);
-        if (one.origin) all.origin = one.origin;
-        if (one.sources.empty()) one.sources.push_back({family_format::utf8_of(file.stem()), 0});
-        for (KeySource& source : one.sources) all.sources.push_back({std::move(source.name), number});
-        ++number;
-        std::ranges::move(one.keys, std::back_inserter(all.keys));
-        std::ranges::move(one.remarks, std::back_inserter(all.remarks));
+        append_keys(all, std::get<FileKeys>(std::move(read)),
+                    {family_format::utf8_of(file.stem()), number++});
     }
     return all;
 }

@@ -92,7 +92,9 @@ void Ground::draw(const OffscreenTarget& target, const Camera& camera, bool is_l
     target.bind();
     const float aspect = static_cast<float>(target.width()) / static_cast<float>(target.height());
     const glm::mat4 to_picture = camera.projection(aspect) * camera.view();
-    const float above = camera.eye().y - center_.y;
+    // Parallel rays see the ground from above wherever the camera stands, if they point down.
+    const bool is_perspective = camera.projection() == Projection::perspective;
+    const float above = is_perspective ? camera.eye().y - center_.y : camera.axes()[2].y * camera.distance();
 
     glEnable(GL_FRAMEBUFFER_SRGB);
     glEnable(GL_DEPTH_TEST);

@@ -24,11 +24,12 @@ struct Grounded {
     Picture alone{};
     Picture above{};
 
-    explicit Grounded(float elevation, float lifted = 0) {
+    explicit Grounded(float elevation, float lifted = 0, Projection projection = Projection::perspective) {
         Renderer renderer;
         renderer.upload(surface.mesh, surface.form);
         OffscreenTarget target(320, 240, 4);
         camera = camera_on(surface, target, 30, elevation);
+        camera.set_projection(projection);
         camera.zoom(0.5F, {0, 0}, 320.0F / 240);
         const Display display{.light_background = true};
         alone = take_picture(renderer, target, camera, one, display);
@@ -67,6 +68,14 @@ TEST_CASE("the ground lies behind the surface, and is not seen from below") {
     CHECK(below.alone == below.above);
 }
 
+TEST_CASE("parallel rays from below do not see the ground, wherever the camera stands") {
+    const EglContext context;
+    const Grounded below(-5, 0, Projection::orthographic);
+    CHECK(below.alone == below.above);
+    const Grounded above(20, 0, Projection::orthographic);
+    CHECK(count_differences(above.alone, above.above, 8) > 2000);
+}
+
 TEST_CASE("each material looks different, but only on a plain surface") {
     const EglContext context;
     const TestSurface surface = surface_of_shapes({"star"}, 2000);
@@ -85,6 +94,25 @@ TEST_CASE("each material looks different, but only on a plain surface") {
                             {.coloring = Coloring::level, .material = material});
     };
     CHECK(by_level(Material::steel) == by_level(Material::clay));
+}
+
+TEST_CASE("parallel rays show each material of a plane evenly") {
+    const EglContext context;
+    const TestSurface square = surface_of(two_keys_of_a_square());
+    Renderer renderer;
+    renderer.upload(square.mesh, square.form);
+    OffscreenTarget target(160, 120, 1);
+    Camera camera = camera_on(square, target, 0, 0);
+    camera.set_projection(Projection::orthographic);
+    const float first_key[] = {1, 0};
+    for (const Material material : materials()) {
+        const Picture picture = take_picture(renderer, target, camera, first_key, {.material = material});
+        const auto light_at = [&](glm::vec3 point) {
+            const glm::vec2 pixel = pixel_of(camera, picture, point);
+            return brightness(picture.light(static_cast<int>(pixel.x), static_cast<int>(pixel.y)));
+        };
+        CHECK(light_at({-0.8F, -0.7F, 0}) == doctest::Approx(light_at({0.8F, 0.7F, 0})).epsilon(0.02));
+    }
 }
 
 TEST_CASE("a light background is light, and the surface before it stays the same") {

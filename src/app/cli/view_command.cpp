@@ -22,7 +22,8 @@ namespace {
 /// Whether an option needs the keys of the series when the window opens.
 bool needs_keys(const ViewerOptions& options) {
     return options.at || options.time || options.along || options.picture ||
-           options.display.coloring != Coloring::plain;
+           options.display.coloring != Coloring::plain || options.display.height > 0 ||
+           options.display.arrows;
 }
 
 /// Opens the window on the keys of a series, colored by their field unless the display says otherwise. The window
@@ -37,6 +38,10 @@ void show_series(const SeriesToImport& series, const ViewOptions& view) {
     } catch (const NeedsTolerance&) {
         // The options mean the series, not the built-in family.
         if (options.display.coloring == Coloring::field) options.display.coloring = Coloring::plain;
+        options.display.raised_by.clear();
+        options.display.height = 0;
+        options.display.arrows = false;
+        options.display.arrow_parts = {};
         options.at.reset();
         options.time.reset();
         options.along.reset();

@@ -35,6 +35,8 @@ BlendPainter::BlendPainter(const Family& family, int width, int height, const Di
         throw UsageError(
             fmt::format("--height: the keys are not in a plane x, y or z = constant, or {} is constant",
                         display_.raised_by));
+    if (const FamilyField* const field = warp_ ? find_field(fields_, warp_->field) : nullptr)
+        box_.max[static_cast<int>(warp_->axis)] += warp_->factor * (field->max - field->min);
 }
 
 const FamilyField* BlendPainter::shown() const {

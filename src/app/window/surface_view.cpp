@@ -243,13 +243,15 @@ Buffer<glm::vec3> SurfaceView::blend_positions() const {
 
 bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui, float window_height) {
     const auto pixels = [&](float length) { return static_cast<int>(std::lround(length * gui.density())); };
+    Box box = all_keys_.box;
+    if (warped_.is_warped()) box.max[static_cast<int>(*axis_)] += session.display.height * size_of(box);
     Scene scene{.width = std::max(pixels(view.width), 1),
                 .height = std::max(pixels(view.height), 1),
                 .camera = camera_,
                 .weights = shows_view_ ? std::vector{1.0F} : surface_.weights(),
                 .display = session.display,
                 .surface = surface_.figures().rebuilds,
-                .box = all_keys_.box,
+                .box = box,
                 .view = shows_view_ ? view_.version() : 0};
     // What the renderer is given has its detail already.
     scene.display.detail = 1;

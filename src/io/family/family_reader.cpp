@@ -390,6 +390,7 @@ Family family_of_files(std::span<const fs::path> files, FileKeys read, std::vect
                                  : fmt::format("{} to {}", name_of(files.front()), name_of(files.back()));
     Family family = family_of_keys(name, std::move(keys));
     family.origin = origin;
+    family.field_scales = std::move(read.scales);
     return family;
 }
 

@@ -15,6 +15,7 @@
 #include "io/family/composition.h"
 #include "io/family/family_file.h"
 #include "io/family/family_format.h"
+#include "io/family/family_scales.h"
 #include "io/file/input_file.h"
 #include "io/gltf/gltf_constants.h"
 #include "io/gltf/gltf_file.h"
@@ -187,10 +188,17 @@ glm::dvec3 origin_of(const std::optional<JsonPlace>& own) {
     return origin;
 }
 
+/// The offsets and units of the fields of a file of export_glb().
+std::vector<FieldScale> scales_of(const std::optional<JsonPlace>& own) {
+    const auto scales = own ? own->optional_member("scales") : std::nullopt;
+    return scales ? scales_at(*scales) : std::vector<FieldScale>();
+}
+
 /// The keys of a file of segments.
 std::variant<FileKeys, Misfit> keys_of_scene(const JsonPlace& own, const std::string& name,
                                              const std::optional<glm::dvec3>& origin) {
     FileKeys read = read_scene_keys(own);
+    read.scales = scales_of(own);
     const glm::dvec3 own_origin = origin_of(own);
     read.origin = origin.value_or(own_origin);
     for (std::size_t key = 0; key < read.keys.size(); ++key)
@@ -212,6 +220,7 @@ std::variant<FileKeys, Misfit> keys_of_file(const GltfFile& file, std::optional<
     GltfMesh mesh = read_meshes(file, instances);
     std::ranges::move(mesh.remarks, std::back_inserter(read.remarks));
     const auto own = own_extras(file, instances.front().mesh);
+    read.scales = scales_of(own);
     const glm::dvec3 own_origin = origin_of(own);
     read.origin = origin ? *origin : own ? own_origin : origin_for(mesh.positions, mesh.triangles);
     auto roots = roots_of_mesh(mesh, own.has_value(), file.name, read.remarks);
@@ -296,13 +305,8 @@ std::variant<FileKeys, Misfit> read_gltf_keys(std::span<const fs::path> files,
     for (const fs::path& path : files) {
         auto read = keys_of_file(parse_named(read_text(path, max_gltf_size), path), all.origin);
         if (auto* misfit = std::get_if<Misfit>(&read)) return std::move(*misfit);
-        FileKeys& one = std::get<FileKeys>(read);
-        all.origin = one.origin;
-        if (one.sources.empty()) one.sources.push_back({family_format::utf8_of(path.stem()), 0});
-        std::ranges::move(one.keys, std::back_inserter(all.keys));
-        for (KeySource& source : one.sources) all.sources.push_back({std::move(source.name), number});
-        ++number;
-        std::ranges::move(one.remarks, std::back_inserter(all.remarks));
+        append_keys(all, std::get<FileKeys>(std::move(read)),
+                    {family_format::utf8_of(path.stem()), number++});
     }
     return all;
 }

@@ -111,6 +111,44 @@ TEST_CASE("a file of segments comes back whole: hierarchies to the last bit, tim
     }
 }
 
+TEST_CASE(
+    "offsets and units come back from a file of one key, and later files are brought to those of the first") {
+    std::mt19937 random(24);
+    const Family sample = sample_family(random);
+    const ScratchFolder folder;
+    const auto write = [&](const char* file, double offset, float value) {
+        Family family;
+        family.name = "one";
+        Hierarchy hierarchy = *sample.keys.front().hierarchy;
+        hierarchy.fields = {{"heat", FieldKind::scalar, Buffer<float>(hierarchy.vertex_count(), value)}};
+        family.keys.push_back({"one", std::move(hierarchy)});
+        family.field_scales = {{.field = "heat", .offset = offset, .unit = "K"}};
+        export_glb({family, std::nullopt, {}}, {folder / file});
+    };
+    write("a.glb", 300, 0.5F);
+    write("b.glb", 310, 0.25F);
+    const auto value_in = [](const Key& key) {
+        return find_field(key.hierarchy->fields, {"heat", FieldKind::scalar})->values[0];
+    };
+    const std::vector<FieldScale> scales{{.field = "heat", .offset = 300, .unit = "K"}};
+    const Family one = read_gltf_family(folder / "a.glb");
+    CHECK(one.field_scales == scales);
+    CHECK(value_in(one.keys.front()) == 0.5F);
+
+    const std::vector<fs::path> files{folder / "a.glb", folder / "b.glb"};
+    const Family both = read_keys(files);
+    CHECK(both.field_scales == scales);
+    REQUIRE(both.keys.size() == 2);
+    CHECK(value_in(both.keys[0]) == 0.5F);
+    CHECK(value_in(both.keys[1]) == 10.25F);
+
+    write_hierarchy(*one.keys.front().hierarchy, folder / "c.ilh");
+    const std::vector<fs::path> mixed{folder / "a.glb", folder / "c.ilh"};
+    const Family mixture = read_keys(mixed);
+    CHECK(mixture.field_scales == scales);
+    CHECK(value_in(mixture.keys[1]) == -299.5F);
+}
+
 TEST_CASE("damaged keys of a file of segments are an error that names the place") {
     std::mt19937 random(23);
     Family family = sample_family(random);

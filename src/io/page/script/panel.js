@@ -5,7 +5,9 @@ function shown(x, span) {
     const more = span && x ? Math.floor(Math.log10(Math.abs(x))) - Math.floor(Math.log10(span)) : 0;
     return Number(x.toPrecision(Math.min(15, 4 + Math.max(0, more)))).toString();
 }
-const timeUnit = family.timeline?.unit_name ?? "s";
+const timeUnit = followsPath
+    ? "s"
+    : (family.timeline?.unit_name ?? (family.timeline?.unit === "steps" ? "" : "s"));
 
 // `field` has the offset and the unit of a scalar.
 function drawPanel(coloring, range, field) {
