@@ -36,7 +36,8 @@ class MeasuredSeries {
                     change(measured_);
                 });
             } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch)
-                // The series ends here, as the blend may be too large to measure: without it the window still shows everything else.
+                // The series ends here, such as at a blend that is too large to measure. Without it the window
+                // still shows everything else.
             }
             const std::scoped_lock lock(mutex_);
             is_over_ = true;

@@ -5,8 +5,10 @@
 #include <memory>
 
 #include <doctest/doctest.h>
+#include <fmt/core.h>
 
 #include "app/sample_family.h"
+#include "family/family_time.h"
 
 using namespace interleaf;
 
@@ -34,7 +36,7 @@ TEST_CASE("where a time can belong to the keys or the path, the command says to 
     Session of_keys(std::make_shared<const Family>(family));
     of_keys.seek(0.1, 0);
     CHECK(picture_command({}, of_keys, {}, {}, {8, 8}).find("--along") == std::string::npos);
-    const Family with_both = with_path(family, DomainPath({{0, {0, 0}}, {1, {1, 0}}}, PathShape::polyline));
+    const Family with_both = with_path(family, DomainPath({{0, {0, 0}}, {1, {1, 0}}}));
     for (const TimeSource source : {TimeSource::keys, TimeSource::path}) {
         Session session(std::make_shared<const Family>(with_time_source(with_both, source)));
         session.seek(0.1, 0);
