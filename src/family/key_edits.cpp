@@ -110,6 +110,19 @@ Family with_key_moved(Family family, std::size_t from, std::size_t to) {
     return family;
 }
 
+std::optional<std::size_t> place_after_change(std::span<const Key> keys, const Key& key, std::size_t place,
+                                              const std::vector<bool>& is_taken) {
+    const auto is_free = [&](std::size_t n) { return n < keys.size() && (is_taken.empty() || !is_taken[n]); };
+    const auto has_name = [&](std::size_t n) { return keys[n].name == key.name; };
+    std::optional<std::size_t> same;
+    for (std::size_t n = 0; n < keys.size(); ++n) {
+        if (!is_free(n) || !keys[n].hierarchy.is_same(key.hierarchy)) continue;
+        if (has_name(n)) return n;
+        if (!same || n == place) same = n;
+    }
+    return is_free(place) && has_name(place) ? place : same;
+}
+
 Family with_family_renamed(Family family, std::string name) {
     if (const std::string fault = fault_of_name(name, "a family"); !fault.empty()) throw InputError(fault);
     family.name = std::move(name);

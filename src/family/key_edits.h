@@ -4,8 +4,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "family/family.h"
 
@@ -18,6 +21,14 @@ std::string unused_name(const Family& family, std::string_view wanted);
 /// The family with \p key as its last key, under a unique name.
 /// \throw InputError if the key's roots differ from the family's
 Family with_key_added(Family family, Key key);
+
+/// The place among \p keys, those of a changed family, of the key that was \p key at \p place before: the key with
+/// the same hierarchy and name; otherwise the key in the same place if it has the same name; otherwise the key in the
+/// same place, or else the first one, with the same hierarchy.
+/// \param is_taken  the places that do not count; empty for none
+/// \return none if the key has gone
+std::optional<std::size_t> place_after_change(std::span<const Key> keys, const Key& key, std::size_t place,
+                                              const std::vector<bool>& is_taken = {});
 
 /// The family with a second key of the same hierarchy just after \p key, under a unique name. The new key is
 /// neither on the timeline nor in the domain.

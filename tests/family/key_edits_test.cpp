@@ -400,3 +400,17 @@ TEST_CASE("removing keys in any order keeps the times and the domain vertices of
         }
     }
 }
+
+TEST_CASE("a changed key is followed by its name, though its twin keeps the hierarchy that it had") {
+    const Family before = with_key_duplicated(sample(), 1);
+    for (const std::size_t place : {std::size_t{1}, std::size_t{2}}) {
+        Family after = before;
+        after.keys[place].hierarchy = SharedHierarchy(surface(1));
+        CHECK(place_after_change(after.keys, before.keys[place], place) == place);
+        CHECK(place_after_change(before.keys, after.keys[place], place) == place);
+        CHECK(place_after_change(with_key_renamed(before, place, "new").keys, before.keys[place], place) ==
+              place);
+        CHECK(place_after_change(with_key_moved(before, place, 0).keys, before.keys[place], place) == 0);
+    }
+    CHECK(place_after_change(with_key_removed(before, 4).keys, before.keys[4], 4) == std::nullopt);
+}

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "app/document/edit_commands.h"
+#include "family/warp.h"
 #include "hierarchy/error.h"
 #include "hierarchy/measure.h"
 #include "ui/widgets/number_text.h"
@@ -31,23 +32,30 @@ std::string words_for(const BrushFigures& figures) {
     return text;
 }
 
-/// Whether a field may raise the surface, which is then not where its vertices are.
-bool is_raised(const Display& display) {
-    return display.height > 0 && display.coloring == Coloring::field;
+/// Whether a field may raise the shown key, whose surface is then not where its vertices are.
+bool is_raised(const ViewerState& state) {
+    const Display& display = state.session.display;
+    if (display.height <= 0 || state.session.driver() != Driver::key) return false;
+    const bool is_by_color = display.raised_by.empty() && display.coloring == Coloring::field;
+    const std::string& name = is_by_color ? display.field : display.raised_by;
+    const Hierarchy& key = *state.document.family().keys[state.session.weights().front().key].hierarchy;
+    const auto raises = [&](const Field& field) {
+        return field.kind == FieldKind::scalar && field.name == name;
+    };
+    return std::ranges::any_of(key.fields, raises) && flat_axis(bounding_box(key.positions));
 }
 
 }  // namespace
 
 std::optional<std::size_t> brushed_key(const ViewerState& state) {
     const bool is_ready = state.brush.is_on && !state.is_comparing && state.session.driver() == Driver::key;
-    if (!is_ready || !state.selected_key || is_raised(state.session.display)) return std::nullopt;
+    if (!is_ready || !state.selected_key || is_raised(state)) return std::nullopt;
     return state.session.weights().front().key == *state.selected_key ? state.selected_key : std::nullopt;
 }
 
 const char* brush_hint(const ViewerState& state) {
     if (brushed_key(state)) return "";
-    return is_raised(state.session.display) ? "Set Height to 0 to brush"
-                                            : "Click a key in the list to brush it";
+    return is_raised(state) ? "Set Height to 0 to brush" : "Click a key in the list to brush it";
 }
 
 float brush_radius(const ViewerState& state, std::size_t key) {

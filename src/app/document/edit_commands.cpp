@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "family/domain_edits.h"
+#include "family/family_fields.h"
 #include "family/family_time.h"
 #include "family/field_units.h"
 #include "family/key_edits.h"
@@ -26,22 +27,6 @@ const std::string& name_of(const ViewerState& state, std::size_t key) {
     return state.document.family().keys[key].name;
 }
 
-/// The place of the selected key after the document has changed: the key with the same hierarchy and name;
-/// otherwise the key in the same place if it has the same hierarchy; otherwise the first with that hierarchy;
-/// otherwise the key in the same place if it has the same name.
-void follow_selection(ViewerState& state, const Key& selected) {
-    const auto& keys = state.document.family().keys;
-    const auto is_selected = [&](const Key& key) { return key.hierarchy.is_same(selected.hierarchy); };
-    auto found = std::ranges::find_if(
-        keys, [&](const Key& key) { return is_selected(key) && key.name == selected.name; });
-    const std::size_t place = *state.selected_key;
-    if (found == keys.end() && place < keys.size() && is_selected(keys[place])) return;
-    if (found == keys.end()) found = std::ranges::find_if(keys, is_selected);
-    if (found == keys.end() && place < keys.size() && keys[place].name == selected.name) return;
-    state.selected_key.reset();
-    if (found != keys.end()) state.selected_key = static_cast<std::size_t>(found - keys.begin());
-}
-
 /// Updates session and selection to the document's present state.
 template <typename Change>
 void change_document(ViewerState& state, double now, Change change) {
@@ -49,7 +34,8 @@ void change_document(ViewerState& state, double now, Change change) {
     if (state.selected_key) selected = state.document.family().keys[*state.selected_key];
     change();
     state.brush.report.clear();
-    if (selected) follow_selection(state, *selected);
+    if (selected)
+        state.selected_key = place_after_change(state.document.family().keys, *selected, *state.selected_key);
     if (!state.document.family().domain) state.recording.reset();
     const auto& path = state.document.family().path;
     if (!path || state.selected_path_point >= path->points().size()) state.selected_path_point.reset();
@@ -131,7 +117,8 @@ void redo(ViewerState& state, double now) {
 void keep_blend(ViewerState& state, double now) {
     const Weights weights = state.session.weights();
     const auto change = [&](const Family& family) {
-        const UnionMesh mesh = unite(family, weights);
+        UnionMesh mesh = unite(family, weights);
+        unite_fields(family, weights, mesh);
         return with_key_added(family, {"blend", morphed_hierarchy(mesh, weight_values(weights))});
     };
     const std::size_t count = state.document.family().keys.size();

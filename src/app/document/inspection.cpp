@@ -13,6 +13,7 @@ void Inspection::follow(ViewerState& state) {
     const std::optional<NodeStep> step = std::exchange(state.node_step, std::nullopt);
     const RootComplex& roots = state.document.family().keys.front().hierarchy->roots;
     if (roots_ && roots_ != roots) state.inspected.reset();
+    if (state.inspected && state.inspected->root >= roots.triangle_count()) state.inspected.reset();
     roots_ = roots;
     if (!state.inspected) {
         keys_.clear();

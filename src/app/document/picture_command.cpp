@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "text/shell_word.h"
@@ -11,6 +12,7 @@
 #include "app/document/shown_field.h"
 #include "family/family.h"
 #include "family/family_fields.h"
+#include "family/family_time.h"
 #include "io/text/joined_text.h"
 
 namespace interleaf {
@@ -55,6 +57,15 @@ std::vector<std::string> shown_edge_names(const Display& display) {
     if (display.vertices) edges.emplace_back("vertices");
     if (display.normals) edges.emplace_back("normals");
     return edges;
+}
+
+/// What the time belongs to, if that can be either the keys or the path.
+std::optional<std::string> along_option(const Session& session) {
+    const Family& family = session.family();
+    const bool has_choice = has_source(family, TimeSource::keys) && has_source(family, TimeSource::path);
+    const std::optional<TimeSource> source = source_of_time(family);
+    if (session.driver() != Driver::timeline || !has_choice || !source) return std::nullopt;
+    return fmt::format("--along={}", name_of(*source));
 }
 
 }  // namespace
@@ -122,6 +133,7 @@ std::string picture_command(std::span<const std::filesystem::path> files, const 
     std::vector<std::string> words{"interleaf", "render"};
     for (const std::filesystem::path& file : files) words.push_back(command_word(file.native()));
     words.push_back(command_word(blend_option(session)));
+    if (const auto along = along_option(session)) words.push_back(*along);
     for (const std::string& option : display_options(display)) words.push_back(command_word(option));
     for (const std::string& option : field_options(session, display)) words.push_back(command_word(option));
     words.push_back(command_word("--camera=" + text_of(viewpoint)));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "family/family_time.h"
+#include "family/key_edits.h"
 
 namespace interleaf {
 
@@ -60,14 +61,7 @@ void Session::replace_family(std::shared_ptr<const Family> family, double now) {
         if (first_weights_.empty()) first_weights_ = weights_;
     }
     family_ = std::move(family);
-
-    const auto& keys = family_->keys;
-    const auto same =
-        std::ranges::find_if(keys, [&](const Key& key) { return key.hierarchy.is_same(single.hierarchy); });
-    if (same != keys.end())
-        key_ = static_cast<std::size_t>(same - keys.begin());
-    else if (key_ >= keys.size() || keys[key_].name != single.name)
-        key_ = 0;
+    key_ = place_after_change(family_->keys, single, key_).value_or(0);
 
     follow_interval(now);
     if (point_ && family_->domain) point_ = family_->domain->locate(point_->at, point_->triangle);
@@ -207,18 +201,12 @@ Weights Session::weights_in(const Family& family, const Weights& weights) const 
     kept.reserve(weights.size());
     std::vector<bool> is_taken(family.keys.size());
     for (const Weight& weight : weights) {
-        const SharedHierarchy& hierarchy = family_->keys[weight.key].hierarchy;
         // Two keys may share a hierarchy.
-        std::size_t key = 0;
-        while (key < family.keys.size() && (is_taken[key] || !family.keys[key].hierarchy.is_same(hierarchy)))
-            ++key;
-        const bool was_edited = key == family.keys.size() && weight.key < family.keys.size() &&
-                                !is_taken[weight.key] &&
-                                family.keys[weight.key].name == family_->keys[weight.key].name;
-        if (was_edited) key = weight.key;
-        if (key == family.keys.size()) continue;
-        is_taken[key] = true;
-        kept.push_back({key, weight.value});
+        const std::optional<std::size_t> key =
+            place_after_change(family.keys, family_->keys[weight.key], weight.key, is_taken);
+        if (!key) continue;
+        is_taken[*key] = true;
+        kept.push_back({*key, weight.value});
     }
     return sorted_weights(std::move(kept));
 }

@@ -1,9 +1,9 @@
 // A series of figures that a thread measures piece by piece, while the window shows the pieces that are there.
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <mutex>
-#include <new>
 #include <stop_token>
 #include <thread>
 #include <utility>
@@ -35,8 +35,9 @@ class MeasuredSeries {
                     const std::scoped_lock lock(mutex_);
                     change(measured_);
                 });
-            } catch (const std::bad_alloc&) {  // NOLINT(bugprone-empty-catch)
-                // The series ends here: without it the window still shows everything else.
+            } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch)
+                // The series ends here, such as at a blend that is too large to measure. Without it the window
+                // still shows everything else.
             }
             const std::scoped_lock lock(mutex_);
             is_over_ = true;

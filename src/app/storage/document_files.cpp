@@ -105,6 +105,7 @@ void DocumentFiles::grant(FileWish wish) {
             set_landmarks();
             break;
         case FileWish::quit:
+            opening_.cancel();
             leave_document([this] {
                 forget_unsaved();
                 exporting_.cancel();
@@ -146,7 +147,7 @@ void DocumentFiles::act(float density, double now) {
                 if (given.button == 0) answer(state_, given.entry, now_);
             });
     }
-    if (opening_.is_over()) take_opened();
+    if (opening_.is_over() && !dialog_.is_open()) take_opened();
     if (const auto error = fitting_.update(density, now)) complain(*error);
     if (const auto error = importing_.update(now)) complain(*error);
 }
@@ -223,6 +224,7 @@ void DocumentFiles::leave_document(const Action& next) {
 // ---- the document ----
 
 void DocumentFiles::replace_document(Family family, std::vector<fs::path> sources) {
+    const bool is_saved = finish_saving();  // what goes on belongs to the document that leaves
     forget_unsaved();
     ViewerState opened(std::move(family), family_folder(sources));
     opened.session.display = state_.session.display;
@@ -230,6 +232,7 @@ void DocumentFiles::replace_document(Family family, std::vector<fs::path> source
     opened.plots_blend = state_.plots_blend;
     opened.camera = state_.camera;
     opened.appearance = state_.appearance;
+    if (!is_saved) opened.message = std::move(state_.message);
     state_ = std::move(opened);
     set_sources(std::move(sources));
 }

@@ -95,7 +95,9 @@ void DocumentFiles::read(std::vector<fs::path> paths, std::function<void(Opening
         title,
         [paths = std::move(paths)](const Progress& progress) {
             progress("reading", 0);
-            return open_files(paths, progress);
+            Opening opened = open_files(paths, progress);
+            if (!progress("reading", 1)) throw Cancelled();  // not every reader asks
+            return opened;
         },
         now_, hidden_opening);
     if (is_alone_) opening_.wait();

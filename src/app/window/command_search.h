@@ -28,6 +28,9 @@ class CommandSearch {
   public:
     bool is_open() const { return palette_.is_open(); }
 
+    /// Closes the palette, if it is open, with the next show().
+    void dismiss() { palette_.dismiss(); }
+
     /// Shows the palette, if it is open, in \p area. Call it in every frame, from the same place.
     void show(const Rect& area, const ViewerState& state, const Shortcuts& shortcuts,
               std::span<const std::filesystem::path> recent_files);

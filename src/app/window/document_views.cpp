@@ -42,7 +42,10 @@ void DocumentViews::apply_to_key_views(const WindowActions& actions, ViewerState
     for (std::size_t n = 0; n < std::min(actions.key_views.size(), layout.key_views.size()); ++n) {
         const Rect& place = layout.key_views[n];
         ViewInput input = actions.key_views[n];
-        if (input.clicked) state.inspected = key_views_.leaf_at(n, input.pointer, surface_.camera());
+        take_back_click(input, state);
+        if (input.clicked)
+            inspected_before_click_ =
+                std::exchange(state.inspected, key_views_.leaf_at(n, input.pointer, surface_.camera()));
         if (input.view_all) state.view_target = ViewTarget::surface;
         const glm::vec2 part =
             (input.pointer - glm::vec2(place.x, place.y)) / glm::vec2(place.width, place.height);
@@ -63,9 +66,16 @@ void DocumentViews::point_at_leaf(const WindowActions& actions, const ViewerStat
             pointed_at_ = key_views_.leaf_at(n, actions.key_views[n].pointer, surface_.camera());
 }
 
+/// A double-click is no click: it restores what its first press has changed.
+void DocumentViews::take_back_click(const ViewInput& input, ViewerState& state) {
+    if (input.view_all && inspected_before_click_)
+        state.inspected = *std::exchange(inspected_before_click_, std::nullopt);
+    if (input.pressed) inspected_before_click_.reset();
+}
+
 /// A click on a leaf inspects it, a click beside the surface ends the inspection.
 void DocumentViews::apply_to_inspection(const ViewInput& input, ViewerState& state, const Rect& view) {
-    if (input.view_all) state.inspected = inspected_before_click_;
+    take_back_click(input, state);
     if (input.clicked && !state.brush.is_on)
         inspected_before_click_ = std::exchange(state.inspected, surface_.leaf_at(input.pointer, view));
 }
@@ -81,6 +91,7 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
     if (std::exchange(state.reload_wanted, false)) reload_shaders(state);
     if (state.document.snapshot() != family_) {
         family_ = state.document.snapshot();
+        inspected_before_click_.reset();
         portraits_.update(*family_);
         fields_ = fields_of(*family_);
         surface_.set_extent(portraits_.extent());

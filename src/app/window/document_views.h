@@ -37,7 +37,8 @@ class DocumentViews {
     /// Applies the strokes of the brush to \p state.
     /// \pre as apply_to_views()
     void brush(const WindowActions& actions, ViewerState& state, const FrameLayout& layout, double now) {
-        if (actions.brush) brush_.apply(*actions.brush, state, surface_, layout.panels.view, now);
+        // Without the bar, such as in a comparison, the mouse holds no stroke.
+        brush_.apply(actions.brush.value_or(BrushResult{}), state, surface_, layout.panels.view, now);
     }
     bool is_over_surface() const { return brush_.is_over_surface(); }
 
@@ -101,6 +102,7 @@ class DocumentViews {
     };
     void apply_to_key_views(const WindowActions& actions, ViewerState& state, const FrameLayout& layout);
     void point_at_leaf(const WindowActions& actions, const ViewerState& state, const FrameLayout& layout);
+    void take_back_click(const ViewInput& input, ViewerState& state);
     void apply_to_inspection(const ViewInput& input, ViewerState& state, const Rect& view);
     void follow_inspection(ViewerState& state, const Rect& view);
     void reload_shaders(ViewerState& state);
@@ -117,7 +119,8 @@ class DocumentViews {
     Inspection inspection_;
     KeyViews key_views_;
     std::optional<NodePath> pointed_at_;  ///< the leaf under the pointer, while the keys are beside the blend
-    std::optional<NodePath> inspected_before_click_;  ///< a double-click is no click
+    /// Before the last press, if that was a click.
+    std::optional<std::optional<NodePath>> inspected_before_click_;
     SurfaceBrush brush_;
     ComparisonView comparison_;
     KeyPortraits portraits_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "text/shown_text.h"
@@ -49,6 +50,7 @@ void FilmExport::offer(std::filesystem::path file, std::shared_ptr<const Family>
                        const Session& session, const Camera& camera, glm::ivec2 view_size) {
     const FilmFormat* const format = film_format_with_extension(lower_case_extension(file));
     preview_of_.reset();
+    preview_fault_.clear();
     preview_ = {};
     dialog_.open(first_choices(session, format == nullptr ? std::optional(view_size) : std::nullopt));
     has_scale_ = picture_legend(session.display, fields_of(*family)).has_value();
@@ -75,7 +77,7 @@ void FilmExport::show(const Rect& area, double now) {
             .aspect = preview_of_
                           ? static_cast<float>(preview_of_->size.x) / static_cast<float>(preview_of_->size.y)
                           : 16 / 9.0F,
-            .fault = planned.fault};
+            .fault = is_sound ? preview_fault_ : planned.fault};
         if (const auto answer = dialog_.show(area, shown)) answer_ = answer;
     } else if (work_) {
         const std::size_t count = work_->plan.film.frames.count;
@@ -121,10 +123,16 @@ void FilmExport::draw_preview(float density) {
     const glm::ivec2 size(width, std::max(std::round(width / aspect), 1.0F));
     const PreviewOf wanted{size, planned.film.frames.begin, planned.display};
     if (wanted == preview_of_) return;
-    BlendPainter painter(*offer_->family, size.x, size.y, planned.display);
-    const Weights weights = weights_of_frame(planned.film, *offer_->family, 0);
-    preview_ = image_texture(size.x, size.y, painter.paint(weights, planned.film.camera));
     preview_of_ = wanted;
+    preview_fault_.clear();
+    try {
+        BlendPainter painter(*offer_->family, size.x, size.y, planned.display);
+        const Weights weights = weights_of_frame(planned.film, *offer_->family, 0);
+        preview_ = image_texture(size.x, size.y, painter.paint(weights, planned.film.camera));
+    } catch (const std::runtime_error& error) {
+        preview_ = {};
+        preview_fault_ = error.what();
+    }
 }
 
 void FilmExport::start(double now) {

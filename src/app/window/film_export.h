@@ -7,6 +7,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "app/document/message.h"
 #include "app/document/session.h"
@@ -37,6 +38,9 @@ class FilmExport {
     bool is_working() const { return work_.has_value(); }
 
     const FilmDialog& dialog() const { return dialog_; }
+
+    /// Closes the dialog, if it is open, with the next show(), and makes nothing.
+    void dismiss_dialog() { dialog_.dismiss(); }
 
     /// Shows the dialog or the progress, if open, in the middle of \p area. Call it in every frame from the
     /// same place.
@@ -90,6 +94,7 @@ class FilmExport {
     std::optional<bool> answer_;  ///< kept for update()
     std::optional<PreviewOf> preview_of_;
     GlTexture preview_;
+    std::string preview_fault_;  ///< why there is no preview; "" if there is one
     std::optional<Work> work_;
 };
 

@@ -94,6 +94,10 @@ void use_clipboard(ClipboardWish wish, ViewerState& state, const SeenPicture& se
         case ClipboardWish::copy_view:
             return tell_copied(state, "Copied view", text_of(viewpoint_of(seen.camera)), "", now);
         case ClipboardWish::copy_command:
+            if (seen.files.empty() && state.document.is_changed()) {
+                state.message = Message{.text = "Copy as command: save the family first"};
+                return;
+            }
             return tell_copied(state, "Copied command", seen_command(state.session, seen),
                                remark_on_command(state), now);
         case ClipboardWish::paste_view:

@@ -75,6 +75,7 @@ class Viewer {
     void run();
 
   private:
+    bool dismiss_dialogs();
     void outlive(const std::exception& error);
     void wait();
     void frame();
@@ -158,11 +159,20 @@ void Viewer::run() {
         }
         record();
         if (glfwWindowShouldClose(window_.handle()) == GLFW_FALSE) continue;
+        redraw_.settle();
+        if (dismiss_dialogs()) continue;  // the window closes after them
         glfwSetWindowShouldClose(window_.handle(), GLFW_FALSE);
         files_.grant(FileWish::quit);
-        redraw_.settle();
     }
     files_.remember_window(size_, gui_.closed_sections());
+}
+
+/// Has the dialogs closed that would stand beside the question for unsaved changes.
+/// \return whether to wait for one that is still open, and shown: not in a minimized window
+bool Viewer::dismiss_dialogs() {
+    search_.dismiss();
+    film_.dismiss_dialog();
+    return size_.x > 0 && size_.y > 0 && (search_.is_open() || film_.dialog().is_open());
 }
 
 /// Continues after an unexpected error, and keeps the unsaved changes.

@@ -48,6 +48,9 @@ GLFWwindow* watch_input(GLFWwindow* window, WindowInput& input) {
     glfwSetMouseButtonCallback(window, [](GLFWwindow* source, int, int, int) {
         static_cast<WindowInput*>(glfwGetWindowUserPointer(source))->is_alt_alone = false;
     });
+    glfwSetScrollCallback(window, [](GLFWwindow* source, double, double) {
+        static_cast<WindowInput*>(glfwGetWindowUserPointer(source))->is_alt_alone = false;
+    });
     glfwSetDropCallback(window, [](GLFWwindow* source, int count, const char** paths) {
         auto& dropped = static_cast<WindowInput*>(glfwGetWindowUserPointer(source))->dropped;
         dropped.assign(paths, paths + count);

@@ -33,6 +33,9 @@ class CommandPalette {
     /// Opens the palette with an empty search.
     void open();
 
+    /// Closes the palette, if it is open, with the next show(), as Esc does.
+    void dismiss() { is_closing_ = is_open_; }
+
     bool is_open() const { return is_open_; }
 
     /// Shows the palette, if it is open, at the top of \p area. Call it in every frame, from the same place.

@@ -46,6 +46,11 @@ class FilmDialog {
     /// \pre is_open() is false
     void open(FilmChoices choices);
 
+    /// Closes the dialog, if it is open, with the next show(), as Esc does.
+    void dismiss() {
+        if (is_open_) pressed_ = false;
+    }
+
     bool is_open() const { return is_open_; }
     const FilmChoices& choices() const { return choices_; }
 

@@ -222,6 +222,14 @@ void level_map_section(const NodePath& node) {
                    {dyadic_text(map[0][row]), dyadic_text(map[1][row]), dyadic_text(map[2][row])}, {});
 }
 
+/// The height of the brush's bar in the same corner, with the gap below it.
+float brush_bar_height() {
+    ImGui::PushFont(small_font());
+    const float height = ImGui::GetFrameHeight() + scaled(18);
+    ImGui::PopFont();
+    return height;
+}
+
 }  // namespace
 
 std::string path_text(const NodePath& node) {
@@ -246,8 +254,9 @@ InspectorResult inspector_panel(const InspectedNode& shown, std::span<const std:
                                 const Rect& view) {
     const float margin = scaled(12);
     const float width = std::min(scaled(300), view.width - 2 * margin);
-    ImGui::SetNextWindowPos({view.x + margin, view.y + margin});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(view.height - 2 * margin, 1.0F)});
+    const float top = margin + brush_bar_height();
+    ImGui::SetNextWindowPos({view.x + margin, view.y + top});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(view.height - top - margin, 1.0F)});
     ImGui::SetNextWindowBgAlpha(0.92F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(6));
     ImGui::PushStyleColor(ImGuiCol_Border, ImGui::GetStyleColorVec4(ImGuiCol_Separator));

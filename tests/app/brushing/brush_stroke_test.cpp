@@ -69,6 +69,31 @@ TEST_CASE(
     CHECK(!state.brush.is_on);
 }
 
+TEST_CASE(
+    "a field that raises flat keys stops the brush, also without its colors, and one of other keys does "
+    "not") {
+    for (const bool is_flat : {false, true}) {
+        Family family = two_octahedra();
+        Hierarchy key = is_flat ? unrefined(RootComplex(3, {{0, 1, 2}}), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})
+                                : octahedron_key(1);
+        Buffer<float> values(key.positions.size(), 1);
+        values.front() = 0;
+        key.fields = {{"heat", FieldKind::scalar, std::move(values)}};
+        for (Key& each : family.keys) each.hierarchy = SharedHierarchy(Hierarchy(key));
+        for (const bool is_colored : {false, true}) {
+            ViewerState state = with_brush(family);
+            state.session.display.height = 0.5F;
+            if (is_colored) {
+                state.session.display.coloring = Coloring::field;
+                state.session.display.field = "heat";
+            } else {
+                state.session.display.raised_by = "heat";
+            }
+            CHECK(brushed_key(state).has_value() == !is_flat);
+        }
+    }
+}
+
 TEST_CASE("a stroke is one step of the selected key, and undo gives the identical hierarchy") {
     ViewerState state = with_brush();
     const std::shared_ptr<const Family> before = state.document.snapshot();

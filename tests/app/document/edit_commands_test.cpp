@@ -123,6 +123,44 @@ TEST_CASE("a kept blend is the surface shown, a key like any other, named nowher
     }
 }
 
+TEST_CASE("a kept blend has the fields that its keys share, blended") {
+    Family family{.name = "fields", .keys = {}, .timeline = {}, .domain = {}};
+    for (const float value : {1.0F, 3.0F}) {
+        Hierarchy key = unrefined(RootComplex(3, {{0, 1, 2}}), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+        key.fields = {{"heat", FieldKind::scalar, {value, value, value}}};
+        if (value < 2) key.fields.push_back({"alone", FieldKind::scalar, {value, value, value}});
+        family.keys.push_back({fmt::format("{}", value), std::move(key)});
+    }
+    ViewerState state(std::move(family));
+    state.session.set_weights({{0, 0.5}, {1, 0.5}}, 0);
+    keep_blend(state, 0);
+    REQUIRE(state.document.family().keys.size() == 3);
+    const auto& fields = state.document.family().keys.back().hierarchy->fields;
+    REQUIRE(fields.size() == 1);
+    CHECK(fields.front().name == "heat");
+    CHECK(fields.front().values.front() == 2);
+}
+
+TEST_CASE("a duplicated key stays selected and shown when it changes, and its twin does not") {
+    for (const std::size_t key : {std::size_t{0}, std::size_t{1}}) {
+        ViewerState state(random_sample(1));
+        state.selected_key = 0;
+        duplicate_key(state, 0);
+        select_key(state, key, 0);
+        const auto change = [key](const Family& family) {
+            Family changed = family;
+            changed.keys[key].hierarchy = SharedHierarchy(Hierarchy(*family.keys[key].hierarchy));
+            return changed;
+        };
+        edit(state, "Change it", change, 0);
+        CHECK(state.selected_key == key);
+        CHECK(state.session.weights() == Weights{{key, 1}});
+        undo(state, 0);
+        CHECK(state.selected_key == key);
+        CHECK(state.session.weights() == Weights{{key, 1}});
+    }
+}
+
 TEST_CASE("a drag is one step, places where it cannot be are passed over, and its end is where it came to") {
     ViewerState state(sample_family());
     const auto before = state.document.snapshot();

@@ -97,3 +97,13 @@ TEST_CASE("the inspector steps through the union, follows the blend, and ends wi
     CHECK_FALSE(other.inspected);
     CHECK(inspection.shown() == nullptr);
 }
+
+TEST_CASE("a node of another document is not inspected") {
+    ViewerState state(family_of(random_family(1, 3)));
+    state.inspected =
+        NodePath{.root = state.document.family().keys.front().hierarchy->roots.triangle_count()};
+    Inspection inspection;
+    inspection.follow(state);
+    CHECK(!state.inspected);
+    CHECK(inspection.shown() == nullptr);
+}

@@ -7,8 +7,10 @@
 #include <utility>
 
 #include <doctest/doctest.h>
+#include <fmt/core.h>
 
 #include "app/sample_family.h"
+#include "family/family_time.h"
 
 using namespace interleaf;
 
@@ -29,6 +31,20 @@ TEST_CASE("what drives the blend is the option of the command") {
     CHECK(blend_option(session).starts_with("--at="));
     session.show_key(1, 0);
     CHECK(blend_option(session) == "--weights=" + session.family().keys[1].name + "=1");
+}
+
+TEST_CASE("where a time can belong to the keys or the path, the command says to which") {
+    const Family family = sample_family();
+    Session of_keys(std::make_shared<const Family>(family));
+    of_keys.seek(0.1, 0);
+    CHECK(picture_command({}, of_keys, {}, {}, {8, 8}).find("--along") == std::string::npos);
+    const Family with_both = with_path(family, DomainPath({{0, {0, 0}}, {1, {1, 0}}}));
+    for (const TimeSource source : {TimeSource::keys, TimeSource::path}) {
+        Session session(std::make_shared<const Family>(with_time_source(with_both, source)));
+        session.seek(0.1, 0);
+        CHECK(picture_command({}, session, {}, {}, {8, 8})
+                  .find(fmt::format("--time=0.1 --along={} ", name_of(source))) != std::string::npos);
+    }
 }
 
 TEST_CASE("only options that differ from the defaults are named") {
