@@ -26,10 +26,7 @@ namespace {
 /// Texels of a color map; linear light in between.
 constexpr std::size_t scale_texels = 256;
 
-GlProgram make_background_program() {
-    constexpr std::string_view files[] = {"background.vert", "background.frag"};
-    return link_program(files);
-}
+constexpr std::string_view background_files[] = {"background.vert", "background.frag"};
 
 GLint uniform(const GlProgram& program, const char* name) {
     return glGetUniformLocation(program.name(), name);
@@ -80,7 +77,7 @@ std::vector<std::array<std::uint32_t, 2>> path_texels(std::span<const LeafTag> t
 }  // namespace
 
 Renderer::Renderer()
-    : background_program_(make_background_program()),
+    : background_program_(link_program(background_files)),
       no_attributes_(GlVertexArray::create()),
       palette_data_(GlBuffer::create()),
       palette_texture_(GlTexture::create()),
@@ -100,7 +97,7 @@ GlProgram Renderer::make_surface_program(const SurfaceKind& kind) {
 }
 
 void Renderer::reload_shaders() {
-    GlProgram background = make_background_program();
+    GlProgram background = link_program(background_files);
     SurfacePrograms surface;
     for (const auto& [kind, program] : surface_programs_) surface[kind] = make_surface_program(kind);
     marks_.reload_shaders();

@@ -194,8 +194,8 @@ TEST_CASE("in the offer, the keyboard chooses leaves, roots and the turn of each
     CHECK(state["document"]["keys"] == State({"star", "cushion"}));
 
     CHECK(state["document"]["roots"] == 20);
-    CHECK(state["leaves"] > 1'900);
-    CHECK(state["leaves"] <= 4'000);
+    viewer.wait_for("the surface of the two",
+                    [](const State& s) { return s["leaves"] > 1'900 && s["leaves"] <= 4'000; });
     compare_and_return(viewer);
 }
 
