@@ -41,7 +41,7 @@ std::pair<std::vector<NodeStep>, bool> click_everywhere(const InspectedNode& nod
         return result;
     };
     for (int i = 0; i < 3; ++i) frame({0, 0}, false);
-    for (float y = 16; y < 130; y += 8)
+    for (float y = 16; y < 180; y += 8)
         for (float x = 16; x < 316; x += 12) {
             frame({x, y}, false);
             frame({x, y}, true);
