@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -34,12 +35,10 @@ constexpr std::size_t finest_part = 3;
 /// The model's mesh also moves over the body, unless the distortion is below this without that.
 constexpr double good_distortion = 1.15;
 
-/// From this distortion on, or with landmarks, that is worth several attempts.
-constexpr double bad_distortion = 2;
-
 /// At the end, shapes on the sphere are restored where their distortion is larger than the first of these; where that
-/// gives no good key, than the next.
-constexpr std::array<double, 4> worst_shapes = {4, 2, 1.3, 1};
+/// gives no good key, than the next. Each attempt takes as long as a key. Landmarks promise that one will do.
+constexpr std::array<double, 2> worst_shapes = {4, 1.3};
+constexpr std::array<double, 4> worst_shapes_with_landmarks = {4, 2, 1.3, 1};
 
 /// Vertices of the even mesh of a body with \p count vertices. Over twice as many would only cost time.
 std::size_t even_vertices(const MatchOptions& options, std::size_t count) {
@@ -276,23 +275,23 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
         return unmatched(std::move(report), "the maps agree already");
     std::vector<Candidate> candidates;
     if (auto own = both.move_own_mesh()) candidates.push_back(std::move(*own));
-    const double distortion = candidates.empty() ? bad_distortion : candidates.front().figures.distortion;
-    if (distortion > good_distortion)
-        if (auto models = both.move_models_mesh(!held.empty() || distortion >= bad_distortion))
-            candidates.push_back(std::move(*models));
+    if (candidates.empty() || candidates.front().figures.distortion > good_distortion)
+        if (auto models = both.move_models_mesh(!held.empty())) candidates.push_back(std::move(*models));
     if (candidates.empty())
         return unmatched(std::move(report), "there is no room for a vertex, or triangles turn over");
     if (candidates.back().figures.energy < candidates.front().figures.energy)
         std::swap(candidates.front(), candidates.back());
 
-    const double attempt = (1 - finishing_begins) / double(candidates.size() * worst_shapes.size());
+    const std::span<const double> attempts =
+        held.empty() ? std::span<const double>(worst_shapes) : worst_shapes_with_landmarks;
+    const double attempt = (1 - finishing_begins) / double(candidates.size() * attempts.size());
     double part = finishing_begins;
     std::string fault = "the matched map agrees no better";
     for (Candidate& candidate : candidates) {
-        for (const double worst : worst_shapes) {
+        for (const double worst : attempts) {
             both.begin_part(part);
             part += attempt;
-            if (worst < worst_shapes.front() && !both.restore(worst, candidate)) continue;
+            if (worst < attempts.front() && !both.restore(worst, candidate)) continue;
             if (!both.is_one_to_one(candidate) || !(candidate.figures.energy < report.before.energy)) break;
             MatchedMap matched{.mesh = with_middles(mesh, halved, body.triangles),
                                .points = candidate.points,
