@@ -20,20 +20,10 @@ namespace {
 
 constexpr int max_side = 16384;
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (;;) {
-        const std::size_t end = text.find(separator);
-        parts.push_back(text.substr(0, end));
-        if (end == std::string_view::npos) return parts;
-        text.remove_prefix(end + 1);
-    }
-}
-
 /// The finite numbers in \p text, separated by commas; none if a part of \p text is not a finite number.
 std::optional<std::vector<double>> numbers(std::string_view text) {
     std::vector<double> values;
-    for (const std::string_view part : split(text, ',')) {
+    for (const std::string_view part : split_at(text, ',')) {
         const std::optional<double> value = parsed_number<double>(part);
         if (!value || !std::isfinite(*value)) return {};
         values.push_back(*value);
@@ -141,7 +131,7 @@ glm::dvec2 parse_point(std::string_view text) {
 std::vector<NamedWeight> parse_weights(std::string_view text) {
     std::vector<NamedWeight> weights;
     std::string name;  // a comma without a number before it belongs to the name
-    for (const std::string_view part : split(text, ',')) {
+    for (const std::string_view part : split_at(text, ',')) {
         const std::size_t equals = part.rfind('=');
         name += part.substr(0, equals);
         if (equals == std::string_view::npos) {
@@ -157,7 +147,7 @@ std::vector<NamedWeight> parse_weights(std::string_view text) {
 }
 
 PictureSize parse_size(std::string_view text) {
-    const std::vector<std::string_view> sides = split(text, 'x');
+    const std::vector<std::string_view> sides = split_at(text, 'x');
     const auto side = [&](std::size_t i) {
         return i < sides.size() ? parsed_number<int>(sides[i]).value_or(0) : 0;
     };
@@ -169,7 +159,7 @@ PictureSize parse_size(std::string_view text) {
 }
 
 FrameRange parse_frames(std::string_view text) {
-    const std::vector<std::string_view> ends = split(text, ':');
+    const std::vector<std::string_view> ends = split_at(text, ':');
     const auto first = parsed_number<std::size_t>(ends.front());
     const auto last = parsed_number<std::size_t>(ends.back());
     if (ends.size() != 2 || !first || !last || *last < *first)
@@ -191,7 +181,7 @@ ConstantRange parse_constant_range(std::string_view text) {
 
 AxisTurn parse_axis_turn(std::string_view text) {
     constexpr std::string_view axes = "xyz";
-    const std::vector<std::string_view> parts = split(text, ',');
+    const std::vector<std::string_view> parts = split_at(text, ',');
     const std::size_t axis = parts[0].size() == 1 ? axes.find(parts[0]) : std::string_view::npos;
     const std::optional<double> degrees = parts.size() == 2 ? parsed_number<double>(parts[1]) : std::nullopt;
     if (axis == std::string_view::npos || !degrees || !(std::abs(*degrees) <= 360))
@@ -278,7 +268,7 @@ std::array<double, 2> parse_range(std::string_view text) {
 }
 
 void parse_shown_edges(std::string_view text, Display& display) {
-    for (const std::string_view name : split(text, ',')) {
+    for (const std::string_view name : split_at(text, ',')) {
         const auto found = std::ranges::find(shown_edges, name, &ShownEdges::name);
         if (found == std::end(shown_edges)) expected(shown_edges_in_words(), name);
         display.*found->shown = true;

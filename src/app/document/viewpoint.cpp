@@ -9,21 +9,12 @@
 
 #include "app/document/family_extent.h"
 #include "hierarchy/error.h"
+#include "io/text/joined_text.h"
 
 namespace interleaf {
 namespace {
 
 constexpr double max_coordinate = 1e30;
-
-std::vector<std::string_view> parts_of(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (;;) {
-        const std::size_t end = text.find(separator);
-        parts.push_back(text.substr(0, end));
-        if (end == std::string_view::npos) return parts;
-        text.remove_prefix(end + 1);
-    }
-}
 
 [[noreturn]] void expected_view(std::string_view what, std::string_view text) {
     throw UsageError(fmt::format("expected {}, got '{}'", what, text));
@@ -38,7 +29,7 @@ float number_within(std::string_view text, double min, double max, const char* w
 
 glm::vec3 center_in(std::string_view text) {
     constexpr const char* what = "center=X:Y:Z";
-    const std::vector<std::string_view> coordinates = parts_of(text, ':');
+    const std::vector<std::string_view> coordinates = split_at(text, ':');
     if (coordinates.size() != 3) expected_view(what, text);
     glm::vec3 center;
     for (int i = 0; i < 3; ++i)
@@ -69,7 +60,7 @@ void take_named(std::string_view part, Viewpoint& viewpoint) {
 }  // namespace
 
 Viewpoint parse_viewpoint(std::string_view text) {
-    const std::vector<std::string_view> parts = parts_of(text, ',');
+    const std::vector<std::string_view> parts = split_at(text, ',');
     if (parts.size() < 2) expected_view(viewpoint_form, text);
     Viewpoint viewpoint;
     viewpoint.direction.azimuth = number_within(parts[0], -360, 360, "an azimuth from -360 to 360");

@@ -2,12 +2,11 @@
 #include "app/pictures/blend_history.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 #include <doctest/doctest.h>
 
+#include "app/pictures/measured_curves.h"
 #include "family/key_edits.h"
 #include "hierarchy/adaptive_mesh.h"
 #include "hierarchy/marking.h"
@@ -35,22 +34,13 @@ std::shared_ptr<const Family> pulse() {
     return std::make_shared<const Family>(std::move(family));
 }
 
-BlendCurves measured(BlendHistory& history) {
-    for (int i = 0; i < 1000 && history.is_working(); ++i) {
-        history.curves();
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    REQUIRE_FALSE(history.is_working());
-    return history.curves();
-}
-
 }  // namespace
 
 TEST_CASE("the figures of the blend follow its size, at ascending times that include the keys") {
     BlendHistory history;
     CHECK_FALSE(history.is_working());
     history.follow(pulse());
-    const BlendCurves curves = measured(history);
+    const BlendCurves curves = testing::measured(history);
     CHECK(curves.size() > 100);
     CHECK(std::ranges::is_sorted(curves, {}, &BlendSample::time));
     for (const double time : {0.0, 1.0, 2.0})
@@ -68,13 +58,13 @@ TEST_CASE("an edit without effect on the blend measures nothing anew, others do"
     const auto family = pulse();
     BlendHistory history;
     history.follow(family);
-    CHECK(measured(history).size() > 100);
+    CHECK(testing::measured(history).size() > 100);
     history.follow(std::make_shared<const Family>(with_key_renamed(*family, 0, "tiny")));
     CHECK_FALSE(history.is_working());
     CHECK(history.curves().size() > 100);
     history.follow(std::make_shared<const Family>(with_time_moved(*family, 2, 3)));
     CHECK(history.is_working());
-    CHECK(measured(history).back().time == 3);
+    CHECK(testing::measured(history).back().time == 3);
     history.follow(nullptr);
     CHECK(history.curves().empty());
 

@@ -1,11 +1,9 @@
 // The figures of a field over time are measured on a thread, for the keys that have the field.
 #include "app/pictures/field_history.h"
 
-#include <chrono>
-#include <thread>
-
 #include <doctest/doctest.h>
 
+#include "app/pictures/measured_curves.h"
 #include "family/new_family.h"
 
 using namespace interleaf;
@@ -28,15 +26,6 @@ std::shared_ptr<const Family> timed_family() {
     return std::make_shared<const Family>(std::move(family));
 }
 
-FieldCurves measured(FieldHistory& history) {
-    for (int i = 0; i < 1000 && history.is_working(); ++i) {
-        history.curves();
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    REQUIRE_FALSE(history.is_working());
-    return history.curves();
-}
-
 }  // namespace
 
 TEST_CASE("the curves have the keys of the timeline that have the field, in the order of time") {
@@ -44,7 +33,7 @@ TEST_CASE("the curves have the keys of the timeline that have the field, in the 
     CHECK_FALSE(history.is_working());
     const std::string field = "u";
     history.follow(timed_family(), &field);
-    const FieldCurves curves = measured(history);
+    const FieldCurves curves = testing::measured(history);
     CHECK(curves.times == std::vector<double>{0, 2});
     CHECK(curves.integrals == std::vector<double>{8, 4});
     CHECK(curves.least == std::vector<double>{2, 1});
@@ -59,7 +48,7 @@ TEST_CASE("an edit that leaves the keys and their times as they are measures not
     const std::string field = "u";
     const auto family = timed_family();
     history.follow(family, &field);
-    CHECK(measured(history).times.size() == 2);
+    CHECK(testing::measured(history).times.size() == 2);
     Family edited = *family;
     edited.name = "another name";
     history.follow(std::make_shared<const Family>(edited), &field);
@@ -68,6 +57,6 @@ TEST_CASE("an edit that leaves the keys and their times as they are measures not
     edited.timeline = edited.timeline->with_entry({3, 1});
     history.follow(std::make_shared<const Family>(edited), &field);
     CHECK(history.is_working());
-    CHECK(measured(history).times == std::vector<double>{0, 2, 3});
+    CHECK(testing::measured(history).times == std::vector<double>{0, 2, 3});
     CHECK(history.curves().integrals == std::vector<double>{8, 4, 8});
 }
