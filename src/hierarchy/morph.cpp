@@ -19,7 +19,10 @@ Buffer<glm::vec3> morph(const UnionMesh& mesh, std::span<const float> weights) {
 
 void morph(const UnionMesh& mesh, std::span<const float> weights, Buffer<glm::vec3>& positions) {
     assert(weights.size() == mesh.key_count());
-    weighted_sum(mesh.positions, weights, positions);
+    if (mesh.turning)
+        mesh.turning->blend(mesh, weights, positions);
+    else
+        weighted_sum(mesh.positions, weights, positions);
 }
 
 namespace {

@@ -1,5 +1,6 @@
 // The morph (paper, theorem 2, equation (3)): H(b) = sum of b_i H_i over the keys of a union, of positions
-// and of fields. The weights b are any real numbers, used as given.
+// and of fields. The weights b are any real numbers, used as given. Positions turn instead if the union asks for
+// it (turning.h).
 #pragma once
 
 #include <span>
@@ -12,7 +13,7 @@
 
 namespace interleaf {
 
-/// The weighted sum of the position streams.
+/// The weighted sum of the position streams, or the turning blend if \p mesh has one.
 /// \param weights  one per key of \p mesh
 /// \return one position per union vertex
 Buffer<glm::vec3> morph(const UnionMesh& mesh, std::span<const float> weights);

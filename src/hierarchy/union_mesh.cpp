@@ -201,6 +201,7 @@ void unite(std::span<const Hierarchy* const> keys, UnionMesh& mesh) {
     if (const auto violations = check_constraints(keys); !violations.empty()) throw InputError(violations[0]);
     mesh.roots = keys[0]->roots;
     mesh.fields.clear();
+    mesh.turning.reset();
     make_room(keys, mesh);
     start_with_roots(keys, mesh);
 

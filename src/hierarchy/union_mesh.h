@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "hierarchy/buffer.h"
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/triangle.h"
+#include "hierarchy/turning.h"
 
 namespace interleaf {
 
@@ -93,6 +95,7 @@ struct UnionMesh {
     /// own_vertices[key][v]: number in the union of the key's vertex v; ascending in v.
     std::vector<Buffer<Index>> own_vertices;
     std::vector<UnionField> fields{};  ///< the fields that unite_fields() was asked for
+    std::optional<Turning> turning{};  ///< how the keys blend; none for the weighted sum of their positions
 
     std::size_t leaf_count() const { return triangles.size(); }
     std::size_t vertex_count() const { return vertices.size(); }
