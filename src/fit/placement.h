@@ -9,11 +9,9 @@
 
 #include "fit/clean_up/clean_up.h"
 #include "fit/mesh/surface_mesh.h"
+#include "hierarchy/up_axis.h"
 
 namespace interleaf {
-
-/// The axis of a mesh that points up.
-enum class UpAxis { x, y, z };
 
 /// Undoes turn_up(), to the last bit.
 void turn_back(std::vector<glm::dvec3>& positions, UpAxis up);

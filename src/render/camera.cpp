@@ -31,12 +31,18 @@ float radius_of(const Extent& extent) {
     return extent.radius > 0 ? extent.radius : 1;
 }
 
-Direction direction_of(const glm::mat3& axes) {
-    const glm::vec3 back = axes[2];
-    Direction direction{
+/// The direction from where \p back points.
+Direction direction_towards(glm::vec3 back) {
+    return {
         .azimuth = glm::degrees(std::atan2(back.x, back.z)),
         .elevation = glm::degrees(std::atan2(back.y, std::hypot(back.x, back.z))),
     };
+}
+
+/// The direction of a camera with these axes, while Y is up.
+Direction direction_of(const glm::mat3& axes) {
+    const glm::vec3 back = axes[2];
+    Direction direction = direction_towards(back);
     const glm::vec3 right(std::cos(glm::radians(direction.azimuth)), 0,
                           -std::sin(glm::radians(direction.azimuth)));
     direction.roll =
@@ -48,7 +54,8 @@ Direction direction_of(const glm::mat3& axes) {
 
 /// As axes(), without the roll.
 glm::mat3 Camera::upright_axes() const {
-    const glm::mat4 turn = glm::rotate(glm::mat4(1), glm::radians(direction_.azimuth), glm::vec3(0, 1, 0));
+    const glm::mat4 turn =
+        glm::rotate(glm::mat4(axes_with(up_)), glm::radians(direction_.azimuth), glm::vec3(0, 1, 0));
     return glm::mat3(glm::rotate(turn, glm::radians(-direction_.elevation), glm::vec3(1, 0, 0)));
 }
 
@@ -98,6 +105,10 @@ void Camera::look_from(const Direction& direction) {
                   std::remainder(direction.roll, 360.0F)};
 }
 
+void Camera::look_from_end(glm::vec3 axis) {
+    look_from(direction_towards(glm::transpose(axes_with(up_)) * axis));
+}
+
 void Camera::look_at(glm::vec3 target, float distance) {
     target_ = target;
     distance_ = distance;
@@ -115,8 +126,8 @@ void Camera::orbit(glm::vec2 delta, OrbitStyle style) {
     if (delta == glm::vec2(0)) return;
     if (style == OrbitStyle::trackball) {
         const float angle = glm::radians(degrees_per_height * glm::length(delta));
-        direction_ =
-            direction_of(glm::mat3(glm::rotate(glm::mat4(axes()), angle, glm::vec3(-delta.y, -delta.x, 0))));
+        const glm::mat3 turned(glm::rotate(glm::mat4(axes()), angle, glm::vec3(-delta.y, -delta.x, 0)));
+        direction_ = direction_of(glm::transpose(axes_with(up_)) * turned);
         return;
     }
     // The drag as an upright picture would see it.
@@ -175,7 +186,7 @@ glm::vec3 Camera::point_at(glm::vec2 pointer, float depth, float aspect) const {
 }
 
 float Camera::height_at(float w) const {
-    return 2 * half_height() * (projection_ == Projection::perspective ? w : distance_);
+    return 2 * half_height() * (projection_ == Projection::perspective ? w : distance_) / left_part_;
 }
 
 glm::vec3 Camera::eye() const {
@@ -192,6 +203,14 @@ glm::mat4 Camera::view() const {
 }
 
 glm::mat4 Camera::projection(float aspect) const {
+    glm::mat4 to_left(1);
+    to_left[0][0] = to_left[1][1] = left_part_;
+    to_left[3][0] = left_part_ - 1;
+    return to_left * whole_projection(aspect);
+}
+
+/// The projection that fills the whole picture.
+glm::mat4 Camera::whole_projection(float aspect) const {
     // Twice the radius, because weights outside 0 to 1 leave the box in view. Inside the scene, the near
     // plane follows the distance, so that an approach clips nothing that is in clear view.
     const float depth = glm::dot(eye() - scene_center_, axes()[2]);

@@ -1,8 +1,8 @@
 // The camera: it looks at a target point from a distance, in perspective with a vertical field of view of 35
 // degrees, or orthographically. It uses arithmetic only, no GL.
 //
-// Its direction is an azimuth about the vertical axis Y, an elevation and a roll. A turntable turns by azimuth and
-// elevation, a trackball freely.
+// Its direction is an azimuth about the vertical axis, an elevation and a roll. A turntable turns by azimuth and
+// elevation, a trackball freely. The vertical axis is Y, or another one by set_up().
 //
 // It knows the extent of the scene. Nothing of the scene is clipped, and shifts and zooms end where the scene would
 // be lost: outside the picture, too small to see, or behind the eye.
@@ -16,6 +16,7 @@
 #include <glm/vec3.hpp>
 
 #include "hierarchy/measure.h"
+#include "hierarchy/up_axis.h"
 
 namespace interleaf {
 
@@ -31,8 +32,8 @@ enum class OrbitStyle : std::uint8_t {
 
 /// A direction of view; degrees.
 struct Direction {
-    float azimuth = 0;    ///< about Y, 0 from +Z
-    float elevation = 0;  ///< above the XZ plane, -90 to 90
+    float azimuth = 0;    ///< about the vertical axis; 0 from the front, which is +Z while Y is up
+    float elevation = 0;  ///< above the horizontal plane, -90 to 90
     float roll = 0;       ///< of the picture about its center, counterclockwise
     bool operator==(const Direction&) const = default;
 };
@@ -55,6 +56,13 @@ class Camera {
     void look_from(const Direction& direction);
     const Direction& direction() const { return direction_; }
 
+    /// Looks along \p axis from the end that it points to, upright.
+    void look_from_end(glm::vec3 axis);
+
+    /// Makes \p up the vertical axis. The direction stays, as seen from the new front.
+    void set_up(UpAxis up) { up_ = up; }
+    UpAxis up() const { return up_; }
+
     /// Looks at \p target from \p distance, which is above 0.
     void look_at(glm::vec3 target, float distance);
     glm::vec3 target() const { return target_; }
@@ -64,6 +72,10 @@ class Camera {
     /// The target stays as large as it is.
     void set_projection(Projection projection) { projection_ = projection; }
     Projection projection() const { return projection_; }
+
+    /// Shows the picture as much smaller in the left \p part of its width, 0 to 1, in the middle of its height. What
+    /// lay outside the picture appears around it.
+    void show_in_left(float part) { left_part_ = part; }
 
     /// Turns about the vertical axis through the target, by \p degrees.
     void turn(float degrees);
@@ -110,6 +122,7 @@ class Camera {
 
   private:
     glm::mat3 upright_axes() const;
+    glm::mat4 whole_projection(float aspect) const;
     void scale_about(glm::vec3 point, float factor, float nearest);
     void keep_in_reach();
 
@@ -117,6 +130,8 @@ class Camera {
     Direction direction_;
     float distance_ = 4;
     Projection projection_ = Projection::perspective;
+    UpAxis up_ = UpAxis::y;
+    float left_part_ = 1;
     glm::vec3 scene_center_{0};
     float scene_radius_ = 1;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,14 @@
 namespace interleaf {
 
 enum class Shading { smooth, flat };
+
+/// Keys of at most so many leaves are shaded flat where nothing else is chosen: their leaves are large.
+inline constexpr std::size_t few_leaves = 100;
+
+/// The shading of a key of \p leaves, unless another one is chosen.
+constexpr Shading usual_shading(std::size_t leaves) {
+    return leaves <= few_leaves ? Shading::flat : Shading::smooth;
+}
 
 /// "smooth": on the command line and in traces.
 std::string_view name_of(Shading shading);
@@ -72,7 +81,7 @@ std::string coloring_names_in_words();
 std::string colorings_in_words();
 
 struct Display {
-    Shading shading = Shading::smooth;
+    std::optional<Shading> shading{};  ///< none for the usual one; the renderer draws that smooth
     Coloring coloring = Coloring::plain;
     Material material = Material::clay;
     std::string field{};        ///< name of the field that Coloring::field shows
@@ -82,6 +91,21 @@ struct Display {
     /// The least and the largest shown value of a range that the scale gets once its field is known. Until then they
     /// are doubles, as floats keep little of values with an offset. The renderer draws what it is given.
     std::optional<std::array<double, 2>> wanted_range{};
+
+    /// The range that the scale of a coloring by values of the blend keeps. Without it the renderer's user chooses one
+    /// for the active keys.
+    struct KeptRange {
+        Coloring coloring;
+        ValueRange range;
+        bool operator==(const KeptRange&) const = default;
+    };
+    std::optional<KeptRange> measured_range{};
+
+    /// Of the present coloring.
+    std::optional<ValueRange> kept_range() const {
+        const bool is_kept = measured_range && measured_range->coloring == coloring;
+        return is_kept ? std::optional(measured_range->range) : std::nullopt;
+    }
 
     bool wireframe = false;  ///< the edges of the leaves
 

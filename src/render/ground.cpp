@@ -4,8 +4,11 @@
 #include <string_view>
 
 #include <glad/gl.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 
 #include "render/shader.h"
 
@@ -56,11 +59,17 @@ Ground::Ground()
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void Ground::cast_shadow(Renderer& renderer, std::span<const float> weights, const Box& box) {
-    const glm::vec3 size = box.max - box.min;
+void Ground::cast_shadow(Renderer& renderer, std::span<const float> weights, const Box& box, UpAxis up) {
+    axes_ = axes_with(up);
+    const glm::mat3 to_ground = glm::transpose(axes_);
+    const glm::vec3 one_corner = to_ground * box.min;
+    const glm::vec3 other_corner = to_ground * box.max;
+    const glm::vec3 low = glm::min(one_corner, other_corner);
+    const glm::vec3 high = glm::max(one_corner, other_corner);
+    const glm::vec3 size = high - low;
     const float half = std::max(size.x, size.z) / 2;
     radius_ = std::max(half * (1 + 2 * beyond_width) + beyond_height * size.y, 1e-6F);
-    center_ = {(box.min.x + box.max.x) / 2, box.min.y, (box.min.z + box.max.z) / 2};
+    center_ = {(low.x + high.x) / 2, low.y, (low.z + high.z) / 2};
 
     // Orthographic, from far below: x and z over the square, heights from 0 to `range` over the depths.
     const float range = std::max(1.2F * size.y, 1e-6F);
@@ -72,7 +81,7 @@ void Ground::cast_shadow(Renderer& renderer, std::span<const float> weights, con
 
     glBindFramebuffer(GL_FRAMEBUFFER, depths_.framebuffer.name());
     glViewport(0, 0, side, side);
-    renderer.draw_depths(weights, from_below);
+    renderer.draw_depths(weights, from_below * glm::mat4(to_ground));
 
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
@@ -91,10 +100,12 @@ void Ground::cast_shadow(Renderer& renderer, std::span<const float> weights, con
 void Ground::draw(const OffscreenTarget& target, const Camera& camera, bool is_light) const {
     target.bind();
     const float aspect = static_cast<float>(target.width()) / static_cast<float>(target.height());
-    const glm::mat4 to_picture = camera.projection(aspect) * camera.view();
+    const glm::mat4 to_picture = camera.projection(aspect) * camera.view() * glm::mat4(axes_);
+    const glm::vec3 normal = axes_[1];
     // Parallel rays see the ground from above wherever the camera stands, if they point down.
     const bool is_perspective = camera.projection() == Projection::perspective;
-    const float above = is_perspective ? camera.eye().y - center_.y : camera.axes()[2].y * camera.distance();
+    const float above = is_perspective ? glm::dot(normal, camera.eye()) - center_.y
+                                       : glm::dot(normal, camera.axes()[2]) * camera.distance();
 
     glEnable(GL_FRAMEBUFFER_SRGB);
     glEnable(GL_DEPTH_TEST);

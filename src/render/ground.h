@@ -23,7 +23,9 @@ class Ground {
     /// \param renderer  has the surface
     /// \param weights   as in Renderer::draw()
     /// \param box       the ground lies at its bottom; the shadow holds for surfaces within it
-    void cast_shadow(Renderer& renderer, std::span<const float> weights, const Box& box);
+    /// \param up        the normal of the ground
+    void cast_shadow(Renderer& renderer, std::span<const float> weights, const Box& box,
+                     UpAxis up = UpAxis::y);
 
     /// Draws the ground behind the surface of \p target. Its depths stay.
     /// \param is_light  whether the background is light
@@ -36,7 +38,8 @@ class Ground {
     GlVertexArray no_attributes_;
     TextureLayer depths_;  ///< the surface from below
     TextureLayer shadow_;
-    glm::vec3 center_{0};  ///< of the disc
+    glm::mat3 axes_{1};    ///< of the ground: the middle one is its normal
+    glm::vec3 center_{0};  ///< of the disc, along these axes
     float radius_ = 1;     ///< of the disc
 };
 

@@ -1,9 +1,12 @@
 // Runs Dear ImGui in a GLFW window: sets it up, passes the input to it, and draws it.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -31,6 +34,11 @@ class Gui {
     /// Shows everything as \p appearance says from the next frame on, but for its sizes of panels.
     /// Closed sections are taken from \p appearance only once: afterwards the user closes and opens them.
     void follow(const Appearance& appearance);
+
+    /// Tells the widgets the keys of commands by their names (command_keys.h).
+    void set_command_keys(std::map<std::string, std::string, std::less<>> keys) {
+        state_.command_keys = std::move(keys);
+    }
 
     /// Titles of the sections that are closed now.
     std::vector<std::string> closed_sections() const;

@@ -9,7 +9,7 @@ namespace {
 
 /// Lengths at scale 1.
 constexpr float narrow = 960;
-constexpr float usual_column_width = 248;
+constexpr float usual_column_width = 256;
 constexpr float min_column_width = 180;
 constexpr float max_left_width = 340;
 constexpr float max_right_width = 560;

@@ -139,11 +139,25 @@ TEST_CASE("the camera rolls, looks at its center from its distance, and leaves o
     for (const char* camera :
          {"30,20,roll=40", "30,20,center=0.3:0:0", "30,20,distance=3", "30,20,orthographic"})
         CHECK(difference(plain, seen(camera)) > 0.01);
+    // With Z up, the front is what is seen from below with Y up.
+    CHECK(difference(seen("0,0,up=Z"), seen("0,-90")) < 0.001);
 }
 
-TEST_CASE("flat shading shows the faces of a coarse key") {
+TEST_CASE("a key of few leaves is shaded flat, unless another shading is chosen, and others are smooth") {
     const std::string icosahedron = INTERLEAF_FIVE_KEYS "/icosahedron.ilh";
-    CHECK(difference(render({icosahedron}), render({icosahedron, "--shading", "flat"})) > 0.02);
+    const std::string star = INTERLEAF_FIVE_KEYS "/star.ilh";
+    CHECK(difference(render({icosahedron}), render({icosahedron, "--shading", "flat"})) == 0);
+    CHECK(difference(render({icosahedron}), render({icosahedron, "--shading", "smooth"})) > 0.02);
+    CHECK(difference(render({star}), render({star, "--shading", "smooth"})) == 0);
+}
+
+TEST_CASE("the scale of measured values takes a range") {
+    const auto seen = [](const std::vector<std::string>& options) {
+        std::vector<std::string> arguments{"--at", "0.5,0.5", "--color", "curvature"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return render(arguments);
+    };
+    CHECK(difference(seen({}), seen({"--range", "-100,100"})) > 0.02);
 }
 
 TEST_CASE("edges are drawn on the surface and leave the background as it is") {

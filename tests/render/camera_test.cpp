@@ -273,3 +273,58 @@ TEST_CASE("a part of the scene is framed, and the rest is not clipped") {
     CHECK(top.y < 1);
     CHECK(device_coordinates(camera, {0, 0, -1}).z < 1);
 }
+
+TEST_CASE("each axis can point up: upright views show it vertical, and the top view looks down along it") {
+    for (const UpAxis up : {UpAxis::x, UpAxis::y, UpAxis::z}) {
+        CAPTURE(name_of(up));
+        const glm::vec3 vertical = axes_with(up)[1];
+        CHECK(vertical[static_cast<int>(up)] == 1);
+        Camera camera;
+        camera.set_up(up);
+        for (const float azimuth : {0.0F, 30.0F, 180.0F, -75.0F}) {
+            camera.look_from(azimuth, 20);
+            CHECK(std::abs(glm::dot(camera.axes()[0], vertical)) < 1e-6F);
+            CHECK(glm::dot(camera.axes()[1], vertical) > 0.9F);
+            const glm::vec3 before = camera.axes()[2];
+            camera.turn(40);
+            CHECK(glm::dot(camera.axes()[2], vertical) == doctest::Approx(glm::dot(before, vertical)));
+        }
+        camera.look_from(0, 90);
+        CHECK(glm::distance(camera.axes()[2], vertical) < 1e-6F);
+    }
+}
+
+TEST_CASE("with Z up the front is the negative end of Y") {
+    Camera camera;
+    camera.set_up(UpAxis::z);
+    camera.look_from(0, 0);
+    CHECK(glm::distance(camera.axes()[2], {0, -1, 0}) < 1e-6F);
+    CHECK(glm::distance(camera.axes()[0], {1, 0, 0}) < 1e-6F);
+}
+
+TEST_CASE("a trackball turns the same, whatever axis points up") {
+    Camera camera;
+    camera.look_from({25, -30, 10});
+    Camera other = camera;
+    other.set_up(UpAxis::z);
+    const glm::mat3 turn = axes_with(UpAxis::z);
+    for (const glm::vec2 delta : {glm::vec2(0.2F, 0), glm::vec2(-0.1F, 0.3F), glm::vec2(0, -0.4F)}) {
+        camera.orbit(delta, OrbitStyle::trackball);
+        other.orbit(delta, OrbitStyle::trackball);
+        for (int axis = 0; axis < 3; ++axis)
+            CHECK(glm::distance(turn * camera.axes()[axis], other.axes()[axis]) < 1e-4F);
+    }
+}
+
+TEST_CASE("a look from the end of an axis is along it, whatever axis points up") {
+    for (const UpAxis up : {UpAxis::x, UpAxis::y, UpAxis::z})
+        for (int axis = 0; axis < 3; ++axis)
+            for (const float sign : {1.0F, -1.0F}) {
+                glm::vec3 from(0);
+                from[axis] = sign;
+                Camera camera;
+                camera.set_up(up);
+                camera.look_from_end(from);
+                CHECK(glm::distance(camera.axes()[2], from) < 1e-6F);
+            }
+}

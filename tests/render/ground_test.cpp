@@ -76,6 +76,32 @@ TEST_CASE("parallel rays from below do not see the ground, wherever the camera s
     CHECK(count_differences(above.alone, above.above, 8) > 2000);
 }
 
+TEST_CASE("with Z up the picture is that of the turned surface with Y up, with its ground") {
+    const EglContext context;
+    TestSurface upright = surface_of_shapes({"star"}, 2000);
+    TestSurface turned = upright;
+    for (glm::vec3& position : turned.mesh.positions.front()) position = axes_with(UpAxis::z) * position;
+    turned.form = normal_form(turned.mesh);
+    const auto picture_of = [](const TestSurface& surface, UpAxis up) {
+        Renderer renderer;
+        renderer.upload(surface.mesh, surface.form);
+        OffscreenTarget target(160, 120, 4);
+        Camera camera;
+        camera.set_up(up);
+        camera.look_from(30, 20);
+        const Box box = bounding_box(surface.mesh.positions.front());
+        camera.view_all(extent_of(box), 160.0F / 120);
+        renderer.draw(target, camera, one, {.light_background = true});
+        Ground ground;
+        ground.cast_shadow(renderer, one, box, up);
+        ground.draw(target, camera, true);
+        return Picture{target.width(), target.height(), target.read_rgba()};
+    };
+    const Picture as_y = picture_of(upright, UpAxis::y);
+    CHECK(count_differences(as_y, picture_of(turned, UpAxis::z), 8) < 100);
+    CHECK(count_differences(as_y, picture_of(turned, UpAxis::y), 8) > 2000);
+}
+
 TEST_CASE("each material looks different, but only on a plain surface") {
     const EglContext context;
     const TestSurface surface = surface_of_shapes({"star"}, 2000);

@@ -190,9 +190,7 @@ AxisTurn parse_axis_turn(std::string_view text) {
 }
 
 UpAxis parse_up(std::string_view text) {
-    if (text == "x" || text == "X") return UpAxis::x;
-    if (text == "y" || text == "Y") return UpAxis::y;
-    if (text == "z" || text == "Z") return UpAxis::z;
+    if (const std::optional<UpAxis> up = up_axis_named(text)) return *up;
     expected("X, Y or Z", text);
 }
 

@@ -131,10 +131,11 @@ void add_display(CLI::App& command, Display& display) {
                     [&display](const std::string& text) { display.line_width = parse_line_width(text); })
         ->type_name("W")
         ->default_str(fmt::format("{}", display.line_width));
-    add_text_option(command, "--shading", "Shading: smooth or flat",
-                    [&display](const std::string& text) { display.shading = parse_shading(text); })
-        ->type_name("NAME")
-        ->default_str("smooth");
+    add_text_option(
+        command, "--shading",
+        fmt::format("Shading: smooth or flat; by default, flat for keys of at most {} leaves", few_leaves),
+        [&display](const std::string& text) { display.shading = parse_shading(text); })
+        ->type_name("NAME");
     command.add_flag_callback(
         "--no-occlusion", [&display] { display.occlusion = false; }, "Do not darken hollows");
     command.add_flag_callback(

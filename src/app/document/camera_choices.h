@@ -15,6 +15,7 @@ namespace interleaf {
 struct CameraChoices {
     OrbitStyle orbit = OrbitStyle::turntable;
     Projection projection = Projection::perspective;
+    UpAxis up = UpAxis::y;
     bool spins = false;      ///< whether it turns slowly by itself
     bool shows_axes = true;  ///< in a corner of the view
     bool operator==(const CameraChoices&) const = default;

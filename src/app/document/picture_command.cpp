@@ -33,6 +33,8 @@ std::string end_of_range(const ColorScale& scale, float end) {
 std::vector<std::string> color_options(const Display& display) {
     if (display.coloring == Coloring::plain) return {};
     std::vector<std::string> options{"--color=" + coloring_name(display)};
+    if (const auto kept = display.kept_range())
+        options.push_back(fmt::format("--range={},{}", kept->min, kept->max));
     if (display.coloring != Coloring::field) return options;
     if (display.scale.map != ColorMap::viridis)
         options.push_back(fmt::format("--color-map={}", name_of(display.scale.map)));
@@ -76,8 +78,7 @@ std::vector<std::string> display_options(const Display& display) {
         options.push_back("--show=" + joined(edges, ","));
     if (display.line_width != Display{}.line_width)
         options.push_back(fmt::format("--line-width={}", display.line_width));
-    if (display.shading != Shading::smooth)
-        options.push_back(fmt::format("--shading={}", name_of(display.shading)));
+    if (display.shading) options.push_back(fmt::format("--shading={}", name_of(*display.shading)));
     if (!display.occlusion) options.emplace_back("--no-occlusion");
     if (display.ground) options.emplace_back("--ground");
     if (display.material != Material::clay)

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
+#include "render/surface_values.h"
 
 namespace interleaf {
 namespace {
@@ -22,6 +23,12 @@ std::optional<ValueRange> without_offset(const std::array<double, 2>& shown, dou
     if (!(std::abs(min) <= most && std::abs(max) <= most)) return std::nullopt;
     const ValueRange range{static_cast<float>(min), static_cast<float>(max)};
     return range.min < range.max ? std::optional(range) : std::nullopt;
+}
+
+void require_range(const std::optional<std::array<double, 2>>& wanted, double offset) {
+    if (wanted && !without_offset(*wanted, offset))
+        throw UsageError(fmt::format("--range: expected MIN,MAX, ascending as floats, got '{},{}'",
+                                     (*wanted)[0], (*wanted)[1]));
 }
 
 /// Keeps the range of shown values under another offset.
@@ -49,12 +56,10 @@ void require_field(const Display& display, std::span<const FamilyField> fields) 
     if (!display.raised_by.empty()) require_scalar_for("--height", display.raised_by, fields);
     for (const std::string& part : display.arrow_parts)
         if (!part.empty()) require_scalar_for("--arrows", part, fields);
+    if (is_measured(display.coloring)) require_range(display.wanted_range, 0);
     if (display.coloring != Coloring::field) return;
     if (const FamilyField* const field = find_field(fields, display.field)) {
-        const auto& wanted = display.wanted_range;
-        if (wanted && field->label.kind == FieldKind::scalar && !without_offset(*wanted, field->offset))
-            throw UsageError(fmt::format("--range: expected MIN,MAX, ascending as floats, got '{},{}'",
-                                         (*wanted)[0], (*wanted)[1]));
+        if (field->label.kind == FieldKind::scalar) require_range(display.wanted_range, field->offset);
         return;
     }
     std::string known;
@@ -99,6 +104,11 @@ void color_by_field(Display& display, std::span<const FamilyField> fields) {
 }
 
 void adapt_display(Display& display, std::span<const FamilyField> fields) {
+    if (is_measured(display.coloring) && display.wanted_range) {
+        if (const auto range = without_offset(*std::exchange(display.wanted_range, std::nullopt), 0))
+            display.measured_range = {display.coloring, *range};
+        display.range_locked = false;  // that of a field
+    }
     if (fields.empty()) {
         if (display.coloring == Coloring::field) display.coloring = Coloring::plain;
         display.field.clear();

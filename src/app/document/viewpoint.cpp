@@ -38,6 +38,12 @@ glm::vec3 center_in(std::string_view text) {
     return center;
 }
 
+UpAxis up_in(std::string_view text) {
+    const std::optional<UpAxis> up = up_axis_named(text);
+    if (!up) expected_view("up=X, up=Y or up=Z", text);
+    return *up;
+}
+
 /// Takes \p part, "NAME=VALUE" or the name of a projection.
 void take_named(std::string_view part, Viewpoint& viewpoint) {
     const std::size_t equals = part.find('=');
@@ -49,6 +55,8 @@ void take_named(std::string_view part, Viewpoint& viewpoint) {
         viewpoint.center = center_in(value);
     else if (name == "distance")
         viewpoint.distance = number_within(value, 1e-30, max_coordinate, "a distance above 0");
+    else if (name == "up")
+        viewpoint.up = up_in(value);
     else if (part == "orthographic")
         viewpoint.projection = Projection::orthographic;
     else if (part == "perspective")
@@ -83,6 +91,7 @@ std::string text_of(const Viewpoint& viewpoint) {
         text += fmt::format(",center={}:{}:{}", center->x, center->y, center->z);
     if (viewpoint.distance) text += fmt::format(",distance={}", *viewpoint.distance);
     if (viewpoint.projection == Projection::orthographic) text += ",orthographic";
+    if (viewpoint.up != UpAxis::y) text += fmt::format(",up={}", name_of(viewpoint.up));
     return text;
 }
 
@@ -90,12 +99,14 @@ Viewpoint viewpoint_of(const Camera& camera) {
     return {.direction = camera.direction(),
             .center = camera.target(),
             .distance = camera.distance(),
-            .projection = camera.projection()};
+            .projection = camera.projection(),
+            .up = camera.up()};
 }
 
 Camera camera_at(const Extent& scene, const Viewpoint& viewpoint, float aspect) {
     Camera camera;
     camera.set_projection(viewpoint.projection);
+    camera.set_up(viewpoint.up);
     camera.look_from(viewpoint.direction);
     camera.view_all(scene, aspect);
     camera.look_at(viewpoint.center.value_or(camera.target()),

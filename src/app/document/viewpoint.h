@@ -22,12 +22,13 @@ struct Viewpoint {
         center{};  ///< of the picture, in the coordinates of the keys; by default of all keys
     std::optional<float> distance{};  ///< of the eye from the center; replaces the zoom
     Projection projection = Projection::perspective;
+    UpAxis up = UpAxis::y;
     bool operator==(const Viewpoint&) const = default;
 };
 
 /// What the texts look like, for the help.
 inline constexpr const char* viewpoint_form =
-    "AZIMUTH,ELEVATION[,ZOOM][,roll=DEGREES][,center=X:Y:Z][,distance=D][,orthographic]";
+    "AZIMUTH,ELEVATION[,ZOOM][,roll=DEGREES][,center=X:Y:Z][,distance=D][,orthographic][,up=Z]";
 
 /// \throw UsageError naming what was expected
 Viewpoint parse_viewpoint(std::string_view text);

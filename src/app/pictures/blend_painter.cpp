@@ -4,6 +4,7 @@
 
 #include "app/document/family_extent.h"
 #include "app/document/shown_field.h"
+#include "app/document/shown_shading.h"
 #include "app/pictures/picture_arrows.h"
 #include "app/pictures/picture_legend.h"
 #include "hierarchy/error.h"
@@ -63,34 +64,45 @@ void BlendPainter::unite_keys(const Weights& weights) {
         const UnionField united = united_field(warped_.family(), warped_.weights(), mesh_, field->label);
         renderer_.set_field(&united);
     }
-    if (is_measured(display_.coloring)) display_.scale = measured_scale(display_.coloring, mesh_);
+    if (is_measured(display_.coloring)) {
+        display_.scale = measured_scale(display_.coloring, mesh_);
+        if (const auto range = display_.kept_range()) display_.scale.range = *range;
+    }
     keys_ = std::move(keys);
+}
+
+void BlendPainter::draw_surface(const Weights& weights, const Camera& camera) {
+    if (is_measured(display_.coloring))
+        renderer_.set_values(surface_values(display_.coloring, mesh_, morph(mesh_, weight_values(weights))));
+    Display drawn = display_;
+    drawn.shading = shown_shading(display_, family_, weights);
+    renderer_.draw(target_, camera, weight_values(weights), drawn);
+    if (ground_) {
+        ground_->cast_shadow(renderer_, weight_values(weights), box_, camera.up());
+        ground_->draw(target_, camera, display_.light_background);
+    }
+    occlusion_.darken(target_, camera, display_.occlusion_strength());
 }
 
 std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Camera& camera) {
     unite_keys(weights);
-    if (is_measured(display_.coloring))
-        renderer_.set_values(surface_values(display_.coloring, mesh_, morph(mesh_, weight_values(weights))));
-    renderer_.draw(target_, camera, weight_values(weights), display_);
-    if (ground_) {
-        ground_->cast_shadow(renderer_, weight_values(weights), box_);
-        ground_->draw(target_, camera, display_.light_background);
-    }
-    occlusion_.darken(target_, camera, display_.occlusion_strength());
-    std::vector<std::uint8_t> rgba = target_.read_rgba();
-    if (display_.transparent) make_alpha_straight(rgba);
     const int width = target_.width();
     const int height = target_.height();
+    const auto legend = display_.legend ? picture_legend(display_, fields_) : std::nullopt;
+    Camera beside_legend = camera;
+    if (legend) beside_legend.show_in_left(1 - legend_part(width, height, *legend));
+    draw_surface(weights, beside_legend);
+    std::vector<std::uint8_t> rgba = target_.read_rgba();
+    if (display_.transparent) make_alpha_straight(rgba);
     if (arrows_.are_shown()) {
         const std::vector<float> depths = target_.read_depths();
         Weights united = warped_.weights();
         for (std::size_t n = 0; n < united.size(); ++n) united[n].value = weights[n].value;
-        draw_arrows(
-            rgba, width, height,
-            arrows_.arrows(mesh_, united, camera, {width, height, depths}, arrow_cell_of(width, height)));
+        draw_arrows(rgba, width, height,
+                    arrows_.arrows(mesh_, united, beside_legend, {width, height, depths},
+                                   arrow_cell_of(width, height)));
     }
-    if (display_.legend)
-        if (const auto legend = picture_legend(display_, fields_)) draw_legend(rgba, width, height, *legend);
+    if (legend) draw_legend(rgba, width, height, *legend);
     return rgba;
 }
 

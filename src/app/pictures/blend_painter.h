@@ -42,6 +42,7 @@ class BlendPainter {
 
   private:
     void unite_keys(const Weights& weights);
+    void draw_surface(const Weights& weights, const Camera& camera);
     const FamilyField* shown() const;
 
     const Family& family_;

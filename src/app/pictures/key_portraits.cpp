@@ -53,9 +53,10 @@ void KeyPortraits::update(const Family& family) {
     if (is_changed) extent_ = interleaf::extent(family);
 }
 
-void KeyPortraits::set_background(bool is_light) {
-    if (is_light == is_light_) return;
+void KeyPortraits::set_look(bool is_light, UpAxis up) {
+    if (is_light == is_light_ && up == up_) return;
     is_light_ = is_light;
+    up_ = up;
     for (KeyPortrait& portrait : portraits_) portrait.is_old = true;
 }
 
@@ -84,6 +85,8 @@ bool KeyPortraits::draw_next(std::size_t begin, std::size_t end, int side) {
     const UnionMesh mesh = unite(key);
     LonePicture picture{.size = {side, side}, .camera = {}, .display = {}};
     picture.display.light_background = is_light_;
+    picture.display.shading = usual_shading(missing->leaves);
+    picture.camera.set_up(up_);
     picture.camera.look_from(30, 20);
     picture.camera.view_all(missing->extent, 1);
     missing->is_old = false;

@@ -7,6 +7,7 @@
 
 #include "family/family.h"
 #include "hierarchy/measure.h"
+#include "hierarchy/up_axis.h"
 #include "render/gl_object.h"
 #include "render/renderer.h"
 
@@ -30,8 +31,9 @@ class KeyPortraits {
     /// pictures that are no longer needed are deleted at once.
     void update(const Family& family);
 
-    /// Chooses the background of the pictures. draw_next() draws all of them anew when it changes.
-    void set_background(bool is_light);
+    /// Chooses the background of the pictures and the axis that points up in them. draw_next() draws all of them
+    /// anew when they change.
+    void set_look(bool is_light, UpAxis up);
 
     /// Draws the first missing picture among the keys from \p begin to \p end - 1.
     /// \param side  width and height of the picture, in pixels
@@ -50,6 +52,7 @@ class KeyPortraits {
     std::vector<KeyPortrait> portraits_;
     Extent extent_;
     bool is_light_ = false;
+    UpAxis up_ = UpAxis::y;
     Renderer renderer_;
 };
 

@@ -14,6 +14,12 @@ void MeasuredColoring::take(const Subject& subject, const UnionMesh& mesh,
     subject_ = subject;
 }
 
+ColorScale MeasuredColoring::scale() const {
+    ColorScale scale = scale_;
+    if (kept_range_) scale.range = *kept_range_;
+    return scale;
+}
+
 std::optional<float> MeasuredColoring::value_at(const Hit& hit, const UnionMesh& mesh) const {
     const bool per_leaf = values_.place == ValuePlace::leaf;
     if (!subject_ || values_.values.size() != (per_leaf ? mesh.leaf_count() : mesh.vertex_count()))

@@ -43,14 +43,18 @@ class MeasuredColoring {
     /// The value at a point of \p mesh; none without values of it.
     std::optional<float> value_at(const Hit& hit, const UnionMesh& mesh) const;
 
+    /// Keeps the range of the scale, whatever the values are; none for the range that suits them.
+    void keep_range(std::optional<ValueRange> range) { kept_range_ = range; }
+
     /// Of the last take().
-    const ColorScale& scale() const { return scale_; }
+    ColorScale scale() const;
 
   private:
     std::optional<Subject> subject_;
     std::optional<std::pair<Coloring, std::vector<std::size_t>>> scale_of_;
     SurfaceValues values_;
-    ColorScale scale_;
+    ColorScale scale_;  ///< with the range that suits the values
+    std::optional<ValueRange> kept_range_;
 };
 
 }  // namespace interleaf

@@ -61,6 +61,43 @@ std::string fitted_title(std::string title, float size, float width) {
     return title + "…";
 }
 
+/// The measures of a legend, in pixels.
+struct LegendLayout {
+    float size;    ///< height of a line of text
+    float inset;   ///< from the border of the box to what is in it
+    float margin;  ///< from the side of the picture to the box
+    float tick;    ///< length of a tick
+    glm::vec2 bar;
+    glm::vec2 box;
+    std::string title;
+    std::vector<LegendNumber> numbers;
+};
+
+/// None if the picture has no room.
+std::optional<LegendLayout> layout_of(int width, int height, const PictureLegend& legend) {
+    const auto shorter = static_cast<float>(std::min(width, height));
+    LegendLayout layout{};
+    const float size = layout.size = std::max(11.0F, std::round(shorter / 40));
+    layout.inset = std::round(0.8F * size);
+    layout.margin = std::round(size);
+    layout.tick = std::round(0.35F * size);
+    layout.bar = {std::round(0.9F * size),
+                  std::round(std::min(15 * size, static_cast<float>(height) - 2 * layout.margin - 5 * size))};
+    const float longest = static_cast<float>(width) / 2 - 2 * layout.inset - layout.margin;
+    if (layout.bar.y < 3 * size || longest < 3 * size) return std::nullopt;
+    layout.numbers = numbers_of(legend.scale);
+    float numbers_width = 0;
+    for (const LegendNumber& number : layout.numbers)
+        numbers_width = std::max(numbers_width, PixelCanvas::text_width(size, number.text));
+    layout.title = fitted_title(legend.title, size, longest);
+    const float beside_bar = layout.bar.x + 2 * layout.tick + numbers_width;
+    if (beside_bar > longest) return std::nullopt;
+    const glm::vec2 inner(std::ceil(std::max(beside_bar, PixelCanvas::text_width(size, layout.title))),
+                          size + layout.inset + layout.bar.y + std::round(0.4F * size));
+    layout.box = inner + 2 * layout.inset;
+    return layout;
+}
+
 }  // namespace
 
 std::optional<PictureLegend> picture_legend(const Display& display, std::span<const FamilyField> fields) {
@@ -69,28 +106,16 @@ std::optional<PictureLegend> picture_legend(const Display& display, std::span<co
     return PictureLegend{title_with_unit(field->label.name, field->unit), display.scale};
 }
 
+float legend_part(int width, int height, const PictureLegend& legend) {
+    const std::optional<LegendLayout> layout = layout_of(width, height, legend);
+    return layout ? (layout->box.x + layout->margin) / static_cast<float>(width) : 0;
+}
+
 void draw_legend(std::span<std::uint8_t> rgba, int width, int height, const PictureLegend& legend) {
-    const auto shorter = static_cast<float>(std::min(width, height));
-    const float size = std::max(11.0F, std::round(shorter / 40));
-    const float inset = std::round(0.8F * size);
-    const float margin = std::round(size);
-    const glm::vec2 bar(std::round(0.9F * size),
-                        std::round(std::min(15 * size, static_cast<float>(height) - 2 * margin - 5 * size)));
-    const float longest = static_cast<float>(width) / 2 - 2 * inset - margin;
-    if (bar.y < 3 * size || longest < 3 * size) return;
-
-    const std::vector<LegendNumber> numbers = numbers_of(legend.scale);
-    float numbers_width = 0;
-    for (const LegendNumber& number : numbers)
-        numbers_width = std::max(numbers_width, PixelCanvas::text_width(size, number.text));
-    const std::string title = fitted_title(legend.title, size, longest);
-    const float tick = std::round(0.35F * size);
-    if (bar.x + 2 * tick + numbers_width > longest) return;
-    const glm::vec2 inner(std::max(bar.x + 2 * tick + numbers_width, PixelCanvas::text_width(size, title)),
-                          size + inset + bar.y + std::round(0.4F * size));
-
+    const std::optional<LegendLayout> layout = layout_of(width, height, legend);
+    if (!layout) return;
+    const auto& [size, inset, margin, tick, bar, box, title, numbers] = *layout;
     PixelCanvas canvas(rgba, width, height);
-    const glm::vec2 box = glm::vec2(std::ceil(inner.x), inner.y) + 2 * inset;
     const glm::vec2 corner(static_cast<float>(width) - margin - box.x,
                            std::round((static_cast<float>(height) - box.y) / 2));
     canvas.fill(corner, corner + box, std::round(0.4F * size), box_color);

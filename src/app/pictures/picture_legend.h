@@ -22,6 +22,9 @@ struct PictureLegend {
 /// The legend of the scalar that \p display shows; none if it shows none.
 std::optional<PictureLegend> picture_legend(const Display& display, std::span<const FamilyField> fields);
 
+/// The part of the picture's width, from its right side, in which draw_legend() draws; 0 if it draws nothing.
+float legend_part(int width, int height, const PictureLegend& legend);
+
 /// Draws \p legend at the right side of a picture, as large as suits the size of the picture. Does nothing if the
 /// picture has no room for it.
 /// \param rgba  8 bits per channel, sRGB-encoded, top row first; 4 \p width \p height bytes

@@ -69,11 +69,11 @@ void ScenePicture::draw_ground(Renderer& renderer, const Scene& scene, Quality q
         return other.weights == scene.weights && other.surface == scene.surface && other.view == scene.view &&
                other.box == scene.box;
     };
-    const bool is_new = !ground_;
-    if (is_new) ground_.emplace();
+    const bool is_new = !ground_ || (shadow_of_ && shadow_of_->camera.up() != scene.camera.up());
+    if (!ground_) ground_.emplace();
     const bool has_shadow = shadow_of_ && has_same_surface(*shadow_of_);
     if (is_new || (!has_shadow && quality != Quality::coarse)) {
-        ground_->cast_shadow(renderer, scene.weights, scene.box);
+        ground_->cast_shadow(renderer, scene.weights, scene.box, scene.camera.up());
         shadow_of_ = scene;
     }
     ground_->draw(*target_, scene.camera, scene.display.light_background);

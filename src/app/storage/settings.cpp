@@ -55,6 +55,12 @@ float number_at(const JsonPlace& place, float low, float high) {
     return static_cast<float>(number);
 }
 
+UpAxis up_at(const JsonPlace& place) {
+    const auto up = up_axis_named(place.string());
+    if (!up) place.fail_expecting("\"X\", \"Y\" or \"Z\"");
+    return *up;
+}
+
 Appearance appearance_at(const JsonPlace& place) {
     Appearance appearance;
     if (const auto theme = place.optional_member("theme")) {
@@ -111,7 +117,8 @@ std::string settings_text(const Settings& settings) {
     if (settings.window_size)
         document["window"] = {{"width", settings.window_size->x}, {"height", settings.window_size->y}};
     if (settings.appearance != Appearance{}) document["appearance"] = appearance_json(settings.appearance);
-    document["camera"] = {{"trackball", settings.trackball}, {"axes", settings.axes}};
+    document["camera"] = {
+        {"trackball", settings.trackball}, {"axes", settings.axes}, {"up", name_of(settings.up)}};
     if (!settings.shortcuts.empty()) document["shortcuts"] = settings.shortcuts;
     return document.dump(2) + "\n";
 }
@@ -183,6 +190,7 @@ Settings parse_settings(std::string_view json, std::string_view name) {
         if (const auto trackball = camera->optional_member("trackball"))
             settings.trackball = trackball->boolean();
         if (const auto axes = camera->optional_member("axes")) settings.axes = axes->boolean();
+        if (const auto up = camera->optional_member("up")) settings.up = up_at(*up);
     }
     if (const auto shortcuts = root.optional_member("shortcuts"))
         for (std::string& command : shortcuts->member_names()) {

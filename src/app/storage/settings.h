@@ -12,6 +12,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "hierarchy/up_axis.h"
 #include "ui/widgets/appearance.h"
 
 namespace interleaf {
@@ -25,6 +26,7 @@ struct Settings {
     Appearance appearance{};
     bool trackball = false;  ///< whether drags turn the camera as a trackball
     bool axes = true;        ///< whether the view shows its axes
+    UpAxis up = UpAxis::y;   ///< of the view
 
     /// Texts of shortcuts by names of commands; what they mean is not checked here (app/window/shortcuts.h).
     std::map<std::string, std::string> shortcuts;

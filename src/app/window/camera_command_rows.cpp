@@ -41,6 +41,16 @@ void toggle_projection(ViewerState& state, double) {
     projection = projection == Projection::perspective ? Projection::orthographic : Projection::perspective;
 }
 
+template <UpAxis up>
+void turn_up_axis(ViewerState& state, double) {
+    state.camera.up = up;
+}
+
+template <UpAxis up>
+bool is_up_axis(const ViewerState& state) {
+    return state.camera.up == up;
+}
+
 void toggle_orbit_style(ViewerState& state, double) {
     OrbitStyle& orbit = state.camera.orbit;
     orbit = orbit == OrbitStyle::turntable ? OrbitStyle::trackball : OrbitStyle::turntable;
@@ -57,37 +67,37 @@ constexpr Command camera_table[] = {
      .menu = "Camera",
      .name = "Front view",
      .shortcuts = {{{GLFW_KEY_1, GLFW_MOD_CONTROL}, {GLFW_KEY_KP_1}}},
-     .description = "Look along the Z axis, from its positive end",
+     .description = "Look from the front, the positive end of Z while Y points up",
      .run = look_along<0, 0>},
     {.id = CommandId::view_back,
      .menu = "Camera",
      .name = "Back view",
      .shortcuts = {{{GLFW_KEY_2, GLFW_MOD_CONTROL}, {GLFW_KEY_KP_1, GLFW_MOD_CONTROL}}},
-     .description = "Look along the Z axis, from its negative end",
+     .description = "Look from the back",
      .run = look_along<180, 0>},
     {.id = CommandId::view_left,
      .menu = "Camera",
      .name = "Left view",
      .shortcuts = {{{GLFW_KEY_3, GLFW_MOD_CONTROL}, {GLFW_KEY_KP_3, GLFW_MOD_CONTROL}}},
-     .description = "Look along the X axis, from its negative end",
+     .description = "Look from the left",
      .run = look_along<-90, 0>},
     {.id = CommandId::view_right,
      .menu = "Camera",
      .name = "Right view",
      .shortcuts = {{{GLFW_KEY_4, GLFW_MOD_CONTROL}, {GLFW_KEY_KP_3}}},
-     .description = "Look along the X axis, from its positive end",
+     .description = "Look from the right",
      .run = look_along<90, 0>},
     {.id = CommandId::view_top,
      .menu = "Camera",
      .name = "Top view",
      .shortcuts = {{{GLFW_KEY_5, GLFW_MOD_CONTROL}, {GLFW_KEY_KP_7}}},
-     .description = "Look down along the Y axis",
+     .description = "Look down from above",
      .run = look_along<0, 90>},
     {.id = CommandId::view_bottom,
      .menu = "Camera",
      .name = "Bottom view",
      .shortcuts = {{{GLFW_KEY_6, GLFW_MOD_CONTROL}, {GLFW_KEY_KP_7, GLFW_MOD_CONTROL}}},
-     .description = "Look up along the Y axis",
+     .description = "Look up from below",
      .run = look_along<0, -90>},
     {.id = CommandId::usual_view,
      .menu = "Camera",
@@ -102,6 +112,27 @@ constexpr Command camera_table[] = {
      .description = "Show parallel lines parallel, without perspective",
      .run = toggle_projection,
      .is_on = [](const ViewerState& state) { return state.camera.projection == Projection::orthographic; }},
+    {.id = CommandId::x_up,
+     .menu = "Camera",
+     .name = "X up",
+     .shortcuts = {{{GLFW_KEY_X, GLFW_MOD_ALT}}},
+     .description = "Let the X axis point up in the view",
+     .run = turn_up_axis<UpAxis::x>,
+     .is_on = is_up_axis<UpAxis::x>},
+    {.id = CommandId::y_up,
+     .menu = "Camera",
+     .name = "Y up",
+     .shortcuts = {{{GLFW_KEY_Y, GLFW_MOD_ALT}}},
+     .description = "Let the Y axis point up in the view",
+     .run = turn_up_axis<UpAxis::y>,
+     .is_on = is_up_axis<UpAxis::y>},
+    {.id = CommandId::z_up,
+     .menu = "Camera",
+     .name = "Z up",
+     .shortcuts = {{{GLFW_KEY_Z, GLFW_MOD_ALT}}},
+     .description = "Let the Z axis point up in the view, as many programs for numerics do",
+     .run = turn_up_axis<UpAxis::z>,
+     .is_on = is_up_axis<UpAxis::z>},
     {.id = CommandId::trackball,
      .menu = "Camera",
      .name = "Trackball",

@@ -179,6 +179,7 @@ bool ComparisonView::draw(const Display& display, const Gui& gui, float window_h
                     .view = 0};
         scene.display.detail = 1;
         scene.display.ground = false;
+        scene.display.shading = display.shading.value_or(usual_shading(side.mesh.triangles.size()));
         scene.display.follows_camera = false;
         scene.display.line_width *= gui.scale() * gui.density();
         scene.display.coloring = has_colors_ ? Coloring::field : Coloring::plain;

@@ -30,7 +30,7 @@ void DocumentViews::apply_to_views(const WindowActions& actions, ViewerState& st
     apply_to_key_views(actions, state, layout);
     if (actions.axes) {
         surface_.camera().orbit(actions.axes->orbit, state.camera.orbit);
-        if (const auto& from = actions.axes->look_from) surface_.camera().look_from(from->x, from->y);
+        if (const auto& from = actions.axes->look_from) surface_.camera().look_from_end(*from);
     }
     if (actions.comparison) comparison_.apply_to_comparison(*actions.comparison, state);
 }
@@ -70,7 +70,7 @@ void DocumentViews::point_at_leaf(const WindowActions& actions, const ViewerStat
 void DocumentViews::take_back_click(const ViewInput& input, ViewerState& state) {
     if (input.view_all && inspected_before_click_)
         state.inspected = *std::exchange(inspected_before_click_, std::nullopt);
-    if (input.pressed) inspected_before_click_.reset();
+    if (input.pressed && !input.pressed_again) inspected_before_click_.reset();
 }
 
 /// A click on a leaf inspects it, a click beside the surface ends the inspection.
@@ -98,7 +98,7 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
         curves_of_.reset();
     }
     state.session.display.light_background = state.appearance.theme == Theme::light;
-    portraits_.set_background(state.session.display.light_background);
+    portraits_.set_look(state.session.display.light_background, state.camera.up);
     follow_curves(state, layout.panels.timeline.width);
     Session& session = state.session;
     adapt_display(session.display, fields_);
@@ -127,6 +127,8 @@ void DocumentViews::move_cameras(ViewerState& state, const FrameLayout& layout, 
     CameraWishes& wishes = state.camera_wishes;
     Camera& camera = comparison_.is_shown() ? comparison_.camera() : surface_.camera();
     camera.set_projection(state.camera.projection);
+    comparison_.camera().set_up(state.camera.up);
+    surface_.set_up(state.camera.up);
     for (const auto& move : std::exchange(wishes.moves, {})) move(camera);
     const double elapsed = std::clamp(now - spun_at_, 0.0, longest_spin_step);
     spun_at_ = now;

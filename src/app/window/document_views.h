@@ -72,7 +72,7 @@ class DocumentViews {
     bool is_measuring() const { return history_.is_working(); }
 
     /// The scale of a coloring by values that the blend determines.
-    const ColorScale& measured_scale() const { return surface_.measured_scale(); }
+    ColorScale measured_scale() const { return surface_.measured_scale(); }
 
     /// Whether all keys lie in one plane.
     bool is_flat() const { return surface_.is_flat(); }

@@ -1,6 +1,7 @@
 #include "app/window/initial_state.h"
 
 #include <string>
+#include <string_view>
 
 #include "app/document/path_commands.h"
 #include "app/document/shown_field.h"
@@ -27,11 +28,21 @@ void begin_with(const ViewerOptions& options, ViewerState& state, double now) {
     if (options.at) state.session.move_point(*options.at, now);
 }
 
-void change_shortcuts(Shortcuts& shortcuts, const Settings& settings, ViewerState& state) {
+void change_shortcuts(Shortcuts& shortcuts, const Settings& settings, ViewerState& state, Gui& gui) {
     for (const std::string& remark : shortcuts.change(settings.shortcuts)) {
         if (!state.message.empty()) state.message.text += '\n';
         state.message.text += "settings.json: " + remark;
     }
+    gui.set_command_keys(command_keys(shortcuts));
+}
+
+std::map<std::string, std::string, std::less<>> command_keys(const Shortcuts& shortcuts) {
+    std::map<std::string, std::string, std::less<>> keys;
+    for (const Command& command : commands()) {
+        const std::string_view name = command.name.substr(0, command.name.find_last_not_of('.') + 1);
+        keys.emplace(name, shortcuts.text(command));
+    }
+    return keys;
 }
 
 }  // namespace interleaf

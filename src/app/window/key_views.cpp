@@ -95,6 +95,7 @@ bool KeyViews::draw(const Display& display, const ColorScale& scale, const Camer
                     .box = {},
                     .view = 0};
         scene.display.ground = false;
+        scene.display.shading = display.shading.value_or(usual_shading(view.hierarchy->leaf_count()));
         scene.display.detail = 1;
         scene.display.follows_camera = false;
         if (is_measured(display.coloring)) scene.display.scale = scale;

@@ -12,6 +12,7 @@
 #include <glm/vec4.hpp>
 
 #include "app/document/shown_field.h"
+#include "app/document/shown_shading.h"
 #include "app/window/camera_control.h"
 #include "hierarchy/color.h"
 #include "hierarchy/morph.h"
@@ -49,10 +50,6 @@ constexpr float arrow_cell = 24;
 /// The camera's first direction, in degrees.
 constexpr glm::vec2 usual_direction{30, 20};
 
-/// From where a plane across an axis is seen from its front, and from where its heights are seen.
-constexpr std::array<glm::vec2, 3> front_directions = {{{90, 0}, {0, 90}, {0, 0}}};
-constexpr std::array<glm::vec2, 3> oblique_directions = {{{60, 25}, {30, 35}, {-30, 25}}};
-
 /// The extent of both.
 Extent together(const Extent& a, const Extent& b) {
     const Box box{glm::min(a.box.min, b.box.min), glm::max(a.box.max, b.box.max)};
@@ -84,8 +81,21 @@ void SurfaceView::set_extent(const Extent& all_keys) {
 
 /// Looks at the plane of the keys from its front, or at their heights from the side.
 void SurfaceView::face_plane() {
-    const glm::vec2 direction = (warped_.is_warped() ? oblique_directions : front_directions)[*axis_];
-    camera_.look_from(direction.x, direction.y);
+    glm::vec3 front(0);
+    front[static_cast<int>(*axis_)] = 1;
+    camera_.look_from_end(front);
+    if (!warped_.is_warped()) return;
+    const auto [azimuth, elevation, roll] = camera_.direction();
+    if (elevation < 45)
+        camera_.look_from(azimuth - 30, 25);
+    else
+        camera_.look_from(usual_direction.x, 35);
+}
+
+void SurfaceView::set_up(UpAxis up) {
+    if (up == camera_.up()) return;
+    camera_.set_up(up);
+    if (axis_) face_plane();
 }
 
 void SurfaceView::apply_to_camera(const ViewInput& input, OrbitStyle style, const Rect& view) {
@@ -223,6 +233,7 @@ void SurfaceView::refine(const Session& session, const FamilyField* field, const
 void SurfaceView::follow_measured(const Session& session) {
     const Coloring coloring = session.display.coloring;
     if (!is_measured(coloring)) return measured_.forget();
+    measured_.keep_range(session.display.kept_range());
     const MeasuredColoring::Subject subject{
         .coloring = coloring,
         .mesh = {shows_view_, shows_view_ ? view_.version() : surface_.figures().rebuilds},
@@ -256,6 +267,7 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
     // What the renderer is given has its detail already.
     scene.display.detail = 1;
     scene.display.follows_camera = false;
+    scene.display.shading = shown_shading(session);
     if (is_measured(scene.display.coloring)) scene.display.scale = measured_.scale();
     scene.display.line_width *= gui.scale() * gui.density();
     const bool is_good = picture_.update(shows_view_ ? view_.renderer() : surface_.renderer(), scene);

@@ -39,6 +39,9 @@ class SurfaceView {
     /// not.
     void set_extent(const Extent& all_keys);
 
+    /// Makes \p up the vertical axis; the camera faces the plane of flat keys again.
+    void set_up(UpAxis up);
+
     /// Whether all keys lie in one plane.
     bool is_flat() const { return axis_.has_value(); }
 
@@ -86,7 +89,7 @@ class SurfaceView {
     void show_measured(const Session& session, glm::vec2 pointer, const Rect& view);
 
     /// The scale of such a coloring.
-    const ColorScale& measured_scale() const { return measured_.scale(); }
+    ColorScale measured_scale() const { return measured_.scale(); }
     /// The ray through \p pointer, window coordinates, over \p view.
     Ray ray_at(glm::vec2 pointer, const Rect& view) const;
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "app/document/shown_shading.h"
 #include "app/document/viewpoint.h"
 #include "hierarchy/error.h"
 
@@ -22,8 +23,8 @@ Json json_of(const Weights& weights, const Family& family) {
     return json;
 }
 
-Json json_of(const Display& display) {
-    return {{"shading", name_of(display.shading)},
+Json json_of(const Display& display, Shading shading) {
+    return {{"shading", name_of(shading)},
             {"coloring", name_of(display.coloring)},
             {"field", display.field},
             {"color_map", name_of(display.scale.map)},
@@ -54,7 +55,7 @@ Json json_of(const Session& session) {
     json["active"] = Json::array();
     for (const Weight& weight : session.weights())
         json["active"].push_back(session.family().keys[weight.key].name);
-    json["display"] = json_of(session.display);
+    json["display"] = json_of(session.display, shown_shading(session));
     return json;
 }
 

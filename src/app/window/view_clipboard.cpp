@@ -84,6 +84,7 @@ void paste(ViewerState& state) {
 
 void take_viewpoint(ViewerState& state, const Viewpoint& viewpoint) {
     state.camera.projection = viewpoint.projection;
+    state.camera.up = viewpoint.up;
     state.camera_wishes.viewpoint = viewpoint;
 }
 

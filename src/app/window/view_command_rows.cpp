@@ -9,6 +9,7 @@
 #include <GLFW/glfw3.h>
 
 #include "app/document/fit_comparison.h"
+#include "app/document/shown_shading.h"
 
 namespace interleaf {
 
@@ -40,8 +41,8 @@ void change_detail(ViewerState& state, float step) {
 }
 
 void toggle_shading(ViewerState& state, double) {
-    Shading& shading = state.session.display.shading;
-    shading = shading == Shading::smooth ? Shading::flat : Shading::smooth;
+    const bool is_smooth = shown_shading(state.session) == Shading::smooth;
+    state.session.display.shading = is_smooth ? Shading::flat : Shading::smooth;
 }
 
 template <bool Display::*line>
@@ -81,9 +82,9 @@ constexpr Command view_table[] = {
      .menu = "View",
      .name = "Smooth shading",
      .shortcuts = {{{GLFW_KEY_S}}},
-     .description = "Shade smoothly, or each triangle flat",
+     .description = "Shade smoothly, or each triangle flat, as keys of few leaves are at first",
      .run = toggle_shading,
-     .is_on = [](const ViewerState& state) { return state.session.display.shading == Shading::smooth; }},
+     .is_on = [](const ViewerState& state) { return shown_shading(state.session) == Shading::smooth; }},
     {.id = CommandId::ambient_occlusion,
      .menu = "View",
      .name = "Ambient occlusion",

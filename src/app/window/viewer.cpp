@@ -141,7 +141,7 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
         glfwSetWindowSize(window_.handle(), last->x, last->y);
     state_.appearance = files_.appearance();
     begin_with(options, state_, glfwGetTime());
-    change_shortcuts(input_.shortcuts, files_.settings(), state_);
+    change_shortcuts(input_.shortcuts, files_.settings(), state_, gui_);
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(window_.handle(), 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
 }

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "app/brushing/brush_stroke.h"
+#include "app/document/shown_shading.h"
 #include "app/pictures/view_surface.h"
 #include "family/family_time.h"
 #include "ui/panels/detail_panel.h"
@@ -97,6 +98,7 @@ void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
                                                         .curves = shown.field_curves,
                                                         .time = shown.state.session.time(),
                                                         .measured = shown.measured_scale,
+                                                        .shading = shown_shading(shown.state.session),
                                                         .is_flat = shown.is_flat});
     if (wanted.display != display) result.actions.display = std::move(wanted.display);
     result.actions.asks_for_unit = wanted.asks_for_unit;

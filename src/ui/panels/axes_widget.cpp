@@ -26,7 +26,6 @@ struct AxisEnd {
     glm::vec3 towards;
     const char* letter;  ///< null for a negative end
     glm::vec3 color;
-    glm::vec2 look_from;  ///< azimuth and elevation, degrees
     const char* tip;
 };
 
@@ -38,17 +37,18 @@ const std::array<AxisEnd, 6> axis_ends = {
     {{{1, 0, 0},
       "X",
       x_color,
-      {90, 0},
       "Look along X, from its positive end.\nClick again to look from its negative end."},
-     {{-1, 0, 0}, nullptr, x_color, {-90, 0}, "Look along X, from its negative end."},
-     {{0, 1, 0}, "Y", y_color, {0, 90}, "Look down along Y.\nClick again to look up."},
-     {{0, -1, 0}, nullptr, y_color, {0, -90}, "Look up along Y."},
+     {{-1, 0, 0}, nullptr, x_color, "Look along X, from its negative end."},
+     {{0, 1, 0},
+      "Y",
+      y_color,
+      "Look along Y, from its positive end.\nClick again to look from its negative end."},
+     {{0, -1, 0}, nullptr, y_color, "Look along Y, from its negative end."},
      {{0, 0, 1},
       "Z",
       z_color,
-      {0, 0},
       "Look along Z, from its positive end.\nClick again to look from its negative end."},
-     {{0, 0, -1}, nullptr, z_color, {180, 0}, "Look along Z, from its negative end."}}};
+     {{0, 0, -1}, nullptr, z_color, "Look along Z, from its negative end."}}};
 
 /// The end and where it is drawn.
 struct PlacedEnd {
@@ -123,13 +123,8 @@ AxesResult axes_widget(const Rect& view, const glm::mat3& axes, const char* wind
         result.orbit = from_imgui(io.MouseDelta) / view.height;
     if (ImGui::IsItemDeactivated() && pointed != nullptr &&
         io.MouseDragMaxDistanceSqr[0] < io.MouseDragThreshold * io.MouseDragThreshold) {
-        result.look_from = pointed->end->look_from;
-        if (pointed->depth > seen_along)
-            result.look_from =
-                pointed->end->towards.y != 0
-                    ? -*result.look_from
-                    : glm::vec2(
-                          result.look_from->x > 0 ? result.look_from->x - 180 : result.look_from->x + 180, 0);
+        const glm::vec3 towards = pointed->end->towards;
+        result.look_from = pointed->depth > seen_along ? -towards : towards;
     }
     if (ImGui::IsItemHovered())
         ImGui::GetWindowDrawList()->AddCircleFilled(to_imgui(center), place->width / 2,

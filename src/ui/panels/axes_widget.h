@@ -6,14 +6,14 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "ui/widgets/rect.h"
 
 namespace interleaf {
 
 struct AxesResult {
-    /// The direction to look from, if the end of an axis was clicked: azimuth and elevation, degrees.
-    std::optional<glm::vec2> look_from{};
+    std::optional<glm::vec3> look_from{};  ///< the end of an axis to look from, if one was clicked
     glm::vec2 orbit{0};  ///< movement of the pointer in a drag, in units of the view's height, y down
 };
 

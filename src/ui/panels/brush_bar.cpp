@@ -8,6 +8,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include "ui/widgets/command_keys.h"
 #include "ui/widgets/modal.h"
 #include "ui/widgets/style.h"
 
@@ -19,9 +20,9 @@ namespace {
 constexpr float wheel_factor = 1.12F;
 constexpr float key_factor = 1.25F;
 
-void explain(const char* text) {
+void explain(const std::string& text) {
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsItemActive())
-        ImGui::SetTooltip("%s", text);
+        ImGui::SetTooltip("%s", text.c_str());
 }
 
 /// Puts the next item on the same line, if \p width is left there.
@@ -37,8 +38,9 @@ bool tool_button(bool is_on) {
     }
     const bool pressed = ImGui::Button("Refine brush");
     if (is_on) ImGui::PopStyleColor(2);
-    explain(is_on ? "Put the brush away (X)"
-                  : "Bisect or coarsen the leaves of the selected key under the pointer (X)");
+    explain(with_keys(
+        is_on ? "Put the brush away" : "Bisect or coarsen the leaves of the selected key under the pointer",
+        {"Refine brush"}));
     return pressed;
 }
 

@@ -5,9 +5,11 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include "ui/widgets/command_keys.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/section.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 
@@ -29,12 +31,11 @@ DetailChoice detail_panel(DetailChoice choice, std::size_t leaves, bool is_coars
     ImGui::BeginDisabled(choice.follows_camera);
     ImGui::SetNextItemWidth(-1);
     ImGui::SliderFloat("##detail", &choice.detail, 0, 1, "", ImGuiSliderFlags_AlwaysClamp);
-    if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
-        ImGui::SetTooltip("From the roots to the whole keys (- and =)");
+    tooltip(with_keys("From the roots to the whole keys", {"Less detail", "More detail"}));
     ImGui::EndDisabled();
     ImGui::Checkbox("Follow the camera", &choice.follows_camera);
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Finer where the surface is seen large and at its silhouette (Shift+C)");
+    tooltip(
+        with_keys("Finer where the surface is seen large and at its silhouette", {"Detail follows camera"}));
     return choice;
 }
 

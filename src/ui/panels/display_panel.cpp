@@ -12,6 +12,7 @@
 #include "render/surface_values.h"
 #include "ui/panels/field_panel.h"
 #include "ui/widgets/choice.h"
+#include "ui/widgets/command_keys.h"
 #include "ui/widgets/scale_legend.h"
 #include "ui/widgets/section.h"
 #include "ui/widgets/short_name.h"
@@ -24,8 +25,8 @@ namespace {
 
 /// Shows the colorings in rows.
 void coloring_choice(Coloring& value, bool has_fields) {
-    constexpr std::size_t in_row = 3;
     const std::vector<Coloring> all = colorings(has_fields);
+    const std::size_t in_row = all.size() % 3 == 0 ? 3 : 4;
     for (std::size_t begin = 0; begin < all.size(); begin += in_row) {
         const auto row = std::span(all).subspan(begin, std::min(in_row, all.size() - begin));
         std::vector<const char*> labels;
@@ -44,22 +45,24 @@ void coloring_choice(Coloring& value, bool has_fields) {
 }
 
 /// A check box in one of two columns.
-void check(const char* label, bool& value, const char* tip, bool is_second = false) {
+void check(const char* label, bool& value, const std::string& tip, bool is_second = false) {
     if (is_second) {
         const float left = ImGui::GetStyle().WindowPadding.x;
         const float column = (ImGui::GetContentRegionAvail().x + ImGui::GetStyle().ItemSpacing.x) / 2;
         ImGui::SameLine(left + std::round(column));
     }
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {scaled(2), scaled(2)});
+    // Check boxes stand close together, so that the legend below them has room.
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {scaled(2), scaled(1)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, scaled(3)});
     ImGui::Checkbox(label, &value);
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
     tooltip(tip);
 }
 
 void choose_material(Display& display) {
     ImGui::SetNextItemWidth(-1);
     const bool is_open = ImGui::BeginCombo("##material", label_of(display.material));
-    if (!is_open) return tooltip("What a plain surface looks to be made of (Ctrl+M)");
+    if (!is_open) return tooltip(with_keys("What a plain surface looks to be made of", {"Next material"}));
     for (const Material material : materials()) {
         if (!ImGui::Selectable(label_of(material), material == display.material)) continue;
         display.material = material;
@@ -115,8 +118,18 @@ void swatch_row(glm::vec3 color, const std::string& text, const std::string& too
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip.c_str());
 }
 
-/// Many active keys can make thousands of origins.
-constexpr std::size_t max_origin_rows = 12;
+/// The legend shows at least so many origins. Many active keys can make thousands.
+constexpr std::size_t min_shown_origins = 6;
+
+/// Lines of text below the cursor for which the panel, unscrolled, has room.
+std::size_t lines_in_view() {
+    const float bottom =
+        ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - ImGui::GetStyle().WindowPadding.y;
+    const float top = ImGui::GetCursorScreenPos().y + ImGui::GetScrollY();
+    const float lines =
+        (bottom - top + ImGui::GetStyle().ItemSpacing.y) / ImGui::GetTextLineHeightWithSpacing();
+    return static_cast<std::size_t>(std::max(lines, 0.0F));
+}
 
 std::string origin_name(KeySet origin, const Legend& legend) {
     std::string name;
@@ -143,11 +156,25 @@ void origin_row(KeySet origin, const Legend& legend, float width) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Leaves that are bisected this far in %s", name.c_str());
 }
 
-/// In two columns, where the names have room in them or the column would be long.
+/// Names the origins that have no row of their own.
+void other_origins(std::span<const KeySet> origins, const Legend& legend) {
+    constexpr std::size_t max_named = 20;
+    wrapped_text(fmt::format("and {} other sets of keys", origins.size()), colors::dim_text);
+    if (!ImGui::IsItemHovered()) return;
+    std::string names;
+    for (const KeySet origin : origins.first(std::min(origins.size(), max_named)))
+        names += fmt::format("{}{}", names.empty() ? "" : "\n", origin_name(origin, legend));
+    ImGui::SetTooltip("%s%s", names.c_str(), origins.size() > max_named ? "\n…" : "");
+}
+
+/// As many origins as the panel shows without scrolling: in two columns if they are many.
 void origin_legend(const Legend& legend) {
     constexpr std::size_t long_from = 5;
     ImGui::PushFont(small_font());
-    const std::size_t shown = std::min(legend.origins.size(), max_origin_rows);
+    const std::size_t count = legend.origins.size();
+    const std::size_t lines = lines_in_view();
+    const std::size_t fitting = count <= 2 * lines ? count : 2 * (std::max<std::size_t>(lines, 1) - 1);
+    const std::size_t shown = std::min(count, std::max(fitting, min_shown_origins));
     const bool has_columns = shown >= long_from;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float room = ImGui::GetContentRegionAvail().x;
@@ -156,9 +183,7 @@ void origin_legend(const Legend& legend) {
         if (has_columns && row % 2 == 1) ImGui::SameLine();
         origin_row(legend.origins[row], legend, width);
     }
-    if (shown < legend.origins.size())
-        wrapped_text(fmt::format("and {} other sets of keys", legend.origins.size() - shown),
-                     colors::dim_text);
+    if (shown < count) other_origins(legend.origins.subspan(shown), legend);
     ImGui::PopFont();
 }
 
@@ -185,7 +210,21 @@ void common_legend(const Legend& legend) {
     ImGui::PopFont();
 }
 
-void measured_legend(Coloring coloring, const Legend& legend) {
+/// Offers to keep the shown range, and to edit its ends.
+void keep_range(Display& display, const ColorScale& shown) {
+    const bool was_kept = display.kept_range().has_value();
+    bool is_kept = was_kept;
+    check("Lock range", is_kept, "Keeps this range. Otherwise the range suits the active keys.");
+    if (!is_kept && was_kept) display.measured_range.reset();
+    if (is_kept && !was_kept) display.measured_range = {display.coloring, shown.range};
+    if (!is_kept) return;
+    ColorScale scale = shown;
+    edit_range(scale);
+    display.measured_range->range = scale.range;
+}
+
+void measured_legend(Display& display, const Legend& legend) {
+    const Coloring coloring = display.coloring;
     const std::string first = legend.active_names.empty() ? "" : legend.active_names.front();
     const std::string text = coloring == Coloring::angle       ? "Smallest angle of each leaf, degrees"
                              : coloring == Coloring::curvature ? "Mean curvature"
@@ -204,29 +243,37 @@ void measured_legend(Coloring coloring, const Legend& legend) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\n%s", text.c_str(), tooltip);
     ImGui::PopFont();
     scale_legend(legend.measured);
+    keep_range(display, legend.measured);
 }
 
-void choose_shading(Display& display) {
+void choose_shading(Display& display, Shading shown_shading) {
     constexpr std::array<const char*, 2> labels{"Smooth", "Flat"};
-    constexpr std::array<const char*, 2> tips{"Shade smoothly, with the exact normals of the blend (S)",
-                                              "Shade each leaf flat, so that its shape is seen (S)"};
+    const std::string smooth =
+        with_keys("Shade smoothly, with the exact normals of the blend", {"Smooth shading"});
+    const std::string flat = with_keys("Shade each leaf flat, so that its shape is seen", {"Smooth shading"});
+    const std::array<const char*, 2> tips{smooth.c_str(), flat.c_str()};
     const float width = std::round(ImGui::GetContentRegionAvail().x * 0.54F);
-    const std::size_t chosen = display.shading == Shading::smooth ? 0 : 1;
-    display.shading = choice("shading", labels, chosen, width, tips) == 0 ? Shading::smooth : Shading::flat;
+    const std::size_t shown = shown_shading == Shading::smooth ? 0 : 1;
+    const std::size_t chosen = choice("shading", labels, shown, width, tips);
+    if (chosen != shown) display.shading = chosen == 0 ? Shading::smooth : Shading::flat;
     ImGui::SameLine();
     choose_material(display);
-    check("Occlusion", display.occlusion, "Darken hollows, where less light arrives (A)");
-    check("Ground", display.ground, "Show a ground below the surface, with its soft shadow (Ctrl+G)", true);
+    check("Occlusion", display.occlusion,
+          with_keys("Darken hollows, where less light arrives", {"Ambient occlusion"}));
+    check("Ground", display.ground,
+          with_keys("Show a ground below the surface, with its soft shadow", {"Ground"}), true);
 }
 
 void choose_lines(Display& display) {
-    check("Wireframe", display.wireframe, "Show the edges of the leaves (W)");
-    check("Roots", display.root_edges, "Show the edges of the root complex, which all keys share (E)", true);
+    check("Wireframe", display.wireframe, with_keys("Show the edges of the leaves", {"Wireframe"}));
+    check("Roots", display.root_edges,
+          with_keys("Show the edges of the root complex, which all keys share", {"Root edges"}), true);
     check("Refinement edges", display.refinement_edges,
-          "Show the edge of each leaf that bisection would split next (R)");
-    check("Vertices", display.vertices, "Show a dot at each vertex of the leaves (V)");
+          with_keys("Show the edge of each leaf that bisection would split next", {"Refinement edges"}));
+    check("Vertices", display.vertices, with_keys("Show a dot at each vertex of the leaves", {"Vertices"}));
     check("Normals", display.normals,
-          "Show a line along the normal at each vertex, or at some of very many (N)", true);
+          with_keys("Show a line along the normal at each vertex, or at some of very many", {"Normals"}),
+          true);
 }
 
 void choose_color(Display& display, const Legend& legend, bool& asks_for_unit) {
@@ -234,7 +281,7 @@ void choose_color(Display& display, const Legend& legend, bool& asks_for_unit) {
     if (display.coloring == Coloring::level) level_legend(legend.levels);
     if (display.coloring == Coloring::origin) origin_legend(legend);
     if (display.coloring == Coloring::common) common_legend(legend);
-    if (is_measured(display.coloring)) measured_legend(display.coloring, legend);
+    if (is_measured(display.coloring)) measured_legend(display, legend);
     if (display.coloring == Coloring::field)
         display = field_panel(display, legend.fields, legend.key_without_field.value_or(""), legend.is_flat,
                               asks_for_unit);
@@ -247,7 +294,8 @@ void choose_color(Display& display, const Legend& legend, bool& asks_for_unit) {
 DisplayPanelResult display_panel(const Display& shown, const Legend& legend) {
     DisplayPanelResult result{.display = shown};
     Display& display = result.display;
-    if (section("Shading", {}, "How the surface is lit, and what it is made of.")) choose_shading(display);
+    if (section("Shading", {}, "How the surface is lit, and what it is made of."))
+        choose_shading(display, legend.shading);
     section_gap();
     if (section("Lines", {}, "Edges, vertices and normals over the surface.")) choose_lines(display);
     section_gap();

@@ -24,8 +24,9 @@ struct Legend {
     std::optional<std::string> key_without_field;  ///< an active key that lacks the shown field; may be none
     const FieldCurves* curves = nullptr;           ///< of the shown scalar over time; null for none
     double time = 0;
-    ColorScale measured;   ///< of a coloring by values that the blend determines
-    bool is_flat = false;  ///< whether the keys lie in a plane, so that a field can raise them
+    ColorScale measured;                ///< of a coloring by values that the blend determines
+    Shading shading = Shading::smooth;  ///< of the surface
+    bool is_flat = false;               ///< whether the keys lie in a plane, so that a field can raise them
 };
 
 struct DisplayPanelResult {

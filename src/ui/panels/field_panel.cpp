@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "family/vector_field.h"
+#include "ui/widgets/command_keys.h"
 #include "ui/widgets/scale_legend.h"
 #include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
@@ -52,23 +53,13 @@ void choose_map(ColorMap& map) {
     ImGui::EndCombo();
 }
 
-/// Offers to lock the range, and to edit its ends. Ignores ends that are no range, as they may be while the
-/// user types.
+/// Offers to lock the range, and to edit its ends.
 void lock_range(Display& display) {
     ImGui::Checkbox("Lock range", &display.range_locked);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Keeps this range. Otherwise the range covers the values of all keys.");
     if (!display.range_locked) return;
-    ColorScale& scale = display.scale;
-    double ends[] = {double{scale.range.min} + scale.offset, double{scale.range.max} + scale.offset};
-    ImGui::SetNextItemWidth(-1);
-    const bool is_changed = ImGui::InputScalarN("##range", ImGuiDataType_Double, ends, 2, nullptr, nullptr,
-                                                scale.offset == 0 ? "%.5g" : "%.9g");
-    tooltip("Values of the first and the last color");
-    if (!is_changed) return;
-    const ValueRange range{static_cast<float>(ends[0] - scale.offset),
-                           static_cast<float>(ends[1] - scale.offset)};
-    if (std::isfinite(range.min) && std::isfinite(range.max) && range.min < range.max) scale.range = range;
+    edit_range(display.scale);
 }
 
 /// Offers a logarithmic scale, which needs a range above 0.
@@ -103,7 +94,7 @@ bool show_title(const FamilyField& field) {
     draw_name({corner.x, corner.y + padding.y}, row - width - scaled(6), colors::text, field.label.name);
     ImGui::SetCursorScreenPos({corner.x + row - width, corner.y});
     const bool is_pressed = ImGui::Button("##unit", {width, 0});
-    tooltip("Unit of the field: type another one (Shift+U)");
+    tooltip(with_keys("Unit of the field: type another one", {"Unit of field"}));
     draw_text({corner.x + row - width + padding.x, corner.y + padding.y}, width - 2 * padding.x,
               field.unit.empty() ? colors::dim_text : colors::text, unit);
     return is_pressed;

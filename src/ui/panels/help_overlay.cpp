@@ -11,6 +11,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "ui/widgets/command_keys.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -99,7 +100,8 @@ HelpResult help_head(const HelpOverlay& help) {
     std::string search = help.search;
     if (help.takes_focus) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - close - ImGui::GetStyle().ItemSpacing.x);
-    if (ImGui::InputTextWithHint("##search", "Search the help (Ctrl+F)", &search)) result.search = search;
+    if (ImGui::InputTextWithHint("##search", with_keys("Search the help", {"Find"}).c_str(), &search))
+        result.search = search;
     ImGui::SameLine();
     result.closed = ImGui::Button("Close");
     ImGui::Spacing();

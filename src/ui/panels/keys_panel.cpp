@@ -10,6 +10,7 @@
 #include <imgui_stdlib.h>
 
 #include "render/palette.h"
+#include "ui/widgets/command_keys.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/row_clipper.h"
 #include "ui/widgets/section.h"
@@ -109,8 +110,8 @@ void show_search(const KeysPanel& panel, std::span<const std::size_t> rows, Keys
     const float button = text_size("Active").x + 2 * ImGui::GetStyle().FramePadding.x;
     if (panel.takes_focus) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - gap);
-    const bool is_entered = ImGui::InputTextWithHint("##search", "Find key (Ctrl+F)", &search.text,
-                                                     ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool is_entered = ImGui::InputTextWithHint("##search", with_keys("Find key", {"Find"}).c_str(),
+                                                     &search.text, ImGuiInputTextFlags_EnterReturnsTrue);
     if (is_entered && !rows.empty()) result.chosen = rows.front();
     if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) search = {};
     ImGui::SameLine(0, gap);
@@ -211,7 +212,7 @@ void show_rows(const KeysPanel& panel, std::span<const std::size_t> shown, KeysP
 }  // namespace
 
 float key_picture_side() {
-    return scaled(36);
+    return scaled(32);
 }
 
 std::optional<std::size_t> dropped_key(std::size_t key_count) {
@@ -252,10 +253,10 @@ KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
     const float gap = scaled(2);
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
     result.add = ImGui::Button("Add...", {width, 0});
-    tooltip("Add keys or meshes from files (Ctrl+I)");
+    tooltip(with_keys("Add keys or meshes from files", {"Add keys"}));
     ImGui::SameLine(0, gap);
     result.keep_blend = ImGui::Button("Keep blend", {width, 0});
-    tooltip("Add the shown surface as a key (Ctrl+K)");
+    tooltip(with_keys("Add the shown surface as a key", {"Keep blend"}));
     return result;
 }
 

@@ -14,10 +14,12 @@
 #include "ui/panels/domain_drawing.h"
 #include "ui/panels/domain_view.h"
 #include "ui/panels/keys_panel.h"
+#include "ui/widgets/command_keys.h"
 #include "ui/widgets/plot_frame.h"
 #include "ui/widgets/section.h"
 #include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 
@@ -197,9 +199,9 @@ bool recording_button(bool is_recording, float width) {
     const bool is_pressed =
         ImGui::Button(is_recording ? "End recording##path" : "Record path##path", {width, 0});
     if (is_recording) ImGui::PopStyleColor();
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", is_recording ? "The drag becomes the path (P)"
-                                             : "Then drag the point: its way becomes a path over time (P)");
+    tooltip(with_keys(
+        is_recording ? "The drag becomes the path" : "Then drag the point: its way becomes a path over time",
+        {"Record path"}));
     return is_pressed;
 }
 
@@ -212,15 +214,15 @@ void show_buttons(const DomainPanel& panel, const DomainBox& whole, float width,
     if (!panel.view) return;
     ImGui::SameLine();
     if (ImGui::Button("Show all##domain", {width - gap - part, 0})) result.view = whole;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show the whole domain (Shift+F)");
+    tooltip(with_keys("Show the whole domain", {"Show whole domain"}));
 }
 
 std::string remark_of(const Family& family, const DomainPanel& panel) {
     if (const auto selected = selected_point(family, panel))
         return fmt::format("point {} of {}, {:.6g} s", *selected + 1, family.path->points().size(),
                            family.path->points()[*selected].time);
-    if (edited_path(family, panel) != nullptr) return "drag vertices, path (D)";
-    if (panel.edits) return "drag vertices (D)";
+    if (edited_path(family, panel) != nullptr) return with_keys("drag vertices, path", {"Edit domain"});
+    if (panel.edits) return with_keys("drag vertices", {"Edit domain"});
     if (panel.is_recording) return "drag the point";
     return panel.point ? fmt::format("{:.3f}, {:.3f}", panel.point->at.x, panel.point->at.y) : std::string();
 }
@@ -245,7 +247,7 @@ bool show_heading(const Family& family, const DomainPanel& panel, ParameterDomai
     if (ImGui::IsItemHovered()) {
         ImGui::GetWindowDrawList()->AddLine({right - size.x, corner.y + size.y}, {right, corner.y + size.y},
                                             colors::dim_text);
-        ImGui::SetTooltip("Type the place of the point (Shift+G)");
+        ImGui::SetTooltip("%s", with_keys("Type the place of the point", {"Go to place"}).c_str());
     }
     ImGui::SetCursorScreenPos(after);
     return is_open;

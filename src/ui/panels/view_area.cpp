@@ -42,18 +42,20 @@ ViewInput view_area(const Rect& rect, const char* name) {
             else
                 (pans ? input.pan : input.orbit) = from_imgui(io.MouseDelta) / rect.height;
         }
+        // A second press that becomes a drag is no double-click.
         constexpr float farthest = 3;  // screen coordinates; the hand may shake
-        input.clicked = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
-                        io.MouseClickedLastCount[ImGuiMouseButton_Left] == 1 && !io.KeyShift && !io.KeyCtrl &&
-                        io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] <= farthest * farthest;
+        const bool is_in_place = ImGui::IsItemDeactivated() &&
+                                 ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+                                 io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] <= farthest * farthest;
+        const int presses = io.MouseClickedLastCount[ImGuiMouseButton_Left];
+        input.clicked = is_in_place && presses == 1 && !io.KeyShift && !io.KeyCtrl;
+        input.view_all = is_in_place && presses == 2;
         input.hovered = ImGui::IsItemHovered();
         input.pressed = ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+        input.pressed_again = input.pressed && presses == 2;
         input.held = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
         input.pointed_at = ImGui::IsItemHovered() && !ImGui::IsAnyMouseDown();
-        if (ImGui::IsItemHovered()) {
-            input.zoom = std::pow(1.12F, io.MouseWheel);
-            input.view_all = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-        }
+        if (ImGui::IsItemHovered()) input.zoom = std::pow(1.12F, io.MouseWheel);
     }
     end_panel();
     ImGui::PopStyleVar(2);

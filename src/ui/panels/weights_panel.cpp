@@ -12,9 +12,11 @@
 #include "family/weight_edits.h"
 #include "render/palette.h"
 #include "ui/panels/key_picker.h"
+#include "ui/widgets/command_keys.h"
 #include "ui/widgets/section.h"
 #include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 
@@ -141,7 +143,7 @@ std::optional<double> weight_slider(std::size_t key, double value, bool is_activ
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(6);
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
-        ImGui::SetTooltip("Drag, or double-click to type any number");
+        ImGui::SetTooltip("Drag; double-click or press Enter to type any number");
     if (!std::isfinite(value)) return std::nullopt;
     value = std::clamp(value, -max_typed_weight, max_typed_weight);
     const bool becomes_active = is_activated && !is_active;
@@ -188,16 +190,14 @@ void weight_buttons(const WeightsPanel& panel, WeightsPanelResult& result) {
     ImGui::BeginDisabled(!has_effect);
     if (ImGui::Button("Sum to 1", {width, 0})) result.weights = summed;
     ImGui::EndDisabled();
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", has_effect ? "Divide all weights by their sum (Shift+N)"
-                                : summed   ? "The weights sum to 1"
-                                           : "The weights sum to 0, so no factor makes their sum 1");
+    tooltip(has_effect ? with_keys("Divide all weights by their sum", {"Make weights sum to 1"})
+            : summed   ? "The weights sum to 1"
+                       : "The weights sum to 0, so no factor makes their sum 1");
     ImGui::SameLine(0, gap);
     ImGui::BeginDisabled(!panel.can_reset);
     result.resets = ImGui::Button("Reset", {width, 0});
     ImGui::EndDisabled();
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("Back to the weights before the first slider moved");
+    tooltip(with_keys("Back to the weights before the first slider moved", {"Reset weights"}));
 }
 
 }  // namespace

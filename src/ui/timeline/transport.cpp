@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include "ui/widgets/command_keys.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {
@@ -87,28 +88,29 @@ struct ButtonRow {
     TransportButton button;
     const char* name;
     const char* tooltip;
+    const char* command;
 };
 
 constexpr std::array buttons{
-    ButtonRow{TransportButton::first_key, "##first", "First key (Home)"},
-    ButtonRow{TransportButton::previous_key, "##previous", "Previous key (Page Up)"},
-    ButtonRow{TransportButton::step_back, "##back", "One frame back (Left)"},
-    ButtonRow{TransportButton::play_backward, "##backward", "Play backward (Shift+Space)"},
-    ButtonRow{TransportButton::play, "##play", "Play (Space)"},
-    ButtonRow{TransportButton::step_forward, "##forward", "One frame forward (Right)"},
-    ButtonRow{TransportButton::next_key, "##next", "Next key (Page Down)"},
-    ButtonRow{TransportButton::last_key, "##last", "Last key (End)"},
+    ButtonRow{TransportButton::first_key, "##first", "First key", "Go to start"},
+    ButtonRow{TransportButton::previous_key, "##previous", "Previous key", "Go to previous key"},
+    ButtonRow{TransportButton::step_back, "##back", "One frame back", "Step back"},
+    ButtonRow{TransportButton::play_backward, "##backward", "Play backward", "Play backward"},
+    ButtonRow{TransportButton::play, "##play", "Play", "Play"},
+    ButtonRow{TransportButton::step_forward, "##forward", "One frame forward", "Step forward"},
+    ButtonRow{TransportButton::next_key, "##next", "Next key", "Go to next key"},
+    ButtonRow{TransportButton::last_key, "##last", "Last key", "Go to end"},
 };
 
 constexpr std::array speeds{1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 2.0, 4.0, 8.0};
 constexpr std::array frame_rates{10.0, 24.0, 25.0, 30.0, 50.0, 60.0};
 
 /// Tooltips above the row: beside the pointer they would cover the start of the track.
-void tooltip_above(const char* text) {
+void tooltip_above(const std::string& text) {
     if (!ImGui::IsItemHovered()) return;
     const ImVec2 corner = ImGui::GetItemRectMin();
     ImGui::SetNextWindowPos({corner.x, corner.y - scaled(4)}, ImGuiCond_Always, {0, 1});
-    ImGui::SetTooltip("%s", text);
+    ImGui::SetTooltip("%s", text.c_str());
 }
 
 bool is_minor(TransportButton button) {
@@ -117,13 +119,13 @@ bool is_minor(TransportButton button) {
 
 void show_buttons(const TransportState& state, bool all, TransportResult& result) {
     const float side = ImGui::GetFrameHeight();
-    for (const auto& [button, name, tooltip] : buttons) {
+    for (const auto& [button, name, tooltip, command] : buttons) {
         if (!all && is_minor(button)) continue;
         const bool is_on = state.playing && ((button == TransportButton::play && !state.plays_back) ||
                                              (button == TransportButton::play_backward && state.plays_back));
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         if (ImGui::Button(name, {side * 1.25F, side})) result.pressed = button;
-        tooltip_above(is_on ? "Pause (Space)" : tooltip);
+        tooltip_above(with_keys(is_on ? "Pause" : tooltip, {command}));
         draw_symbol(button, is_on,
                     {*ImGui::GetWindowDrawList(),
                      {corner.x + side * 0.625F, corner.y + side / 2},
@@ -135,7 +137,8 @@ void show_buttons(const TransportState& state, bool all, TransportResult& result
 
 /// A combo box as wide as \p width. \p show(item) lists the items while it is open.
 template <typename Items>
-void combo(const char* name, const std::string& shown, const char* tooltip, float width, Items show_items) {
+void combo(const char* name, const std::string& shown, const std::string& tooltip, float width,
+           Items show_items) {
     ImGui::SetNextItemWidth(width);
     const bool is_open = ImGui::BeginCombo(name, shown.c_str(), ImGuiComboFlags_HeightLargest);
     if (!is_open) tooltip_above(tooltip);
@@ -173,17 +176,20 @@ std::string title_of(const Interpolation& interpolation) {
 }
 
 void choose_interpolation(const TransportState& state, TransportResult& result) {
-    combo("##interpolation", title_of(state.interpolation), "How the keys are blended", scaled(118), [&] {
-        for (const auto& [basis, title, description] : basis_titles) {
-            const bool is_chosen = basis == state.interpolation.basis && state.interpolation.degree == 0;
-            if (ImGui::Selectable(title, is_chosen)) result.interpolation = Interpolation{.basis = basis};
-            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", description);
-        }
-        if (ImGui::Selectable("Bernstein pieces...", state.interpolation.degree > 0))
-            result.pressed = TransportButton::ask_for_degree;
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("Polynomials of a degree that you type, joined at keys");
-    });
+    combo("##interpolation", title_of(state.interpolation),
+          with_keys("How the keys are blended", {"Interpolation"}), scaled(118), [&] {
+              for (const auto& [basis, title, description] : basis_titles) {
+                  const bool is_chosen =
+                      basis == state.interpolation.basis && state.interpolation.degree == 0;
+                  if (ImGui::Selectable(title, is_chosen))
+                      result.interpolation = Interpolation{.basis = basis};
+                  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", description);
+              }
+              if (ImGui::Selectable("Bernstein pieces...", state.interpolation.degree > 0))
+                  result.pressed = TransportButton::ask_for_degree;
+              if (ImGui::IsItemHovered())
+                  ImGui::SetTooltip("Polynomials of a degree that you type, joined at keys");
+          });
 }
 
 void choose_source(const TransportState& state, TransportResult& result) {
@@ -191,17 +197,18 @@ void choose_source(const TransportState& state, TransportResult& result) {
         return source == TimeSource::keys ? "Keys" : "Path";
     };
     combo("##source", title_of_source(state.source),
-          "Follow the keys, or the path through the domain (Shift+P)", scaled(76), [&] {
+          with_keys("Follow the keys, or the path through the domain", {"Follow path"}), scaled(76), [&] {
               for (const TimeSource each : {TimeSource::keys, TimeSource::path})
                   if (ImGui::Selectable(title_of_source(each), each == state.source)) result.source = each;
           });
 }
 
 void choose_repeat(const TransportState& state, TransportResult& result) {
-    combo("##repeat", title_of(state.repeat), "What happens at the end (L)", scaled(122), [&] {
-        for (const Repeat each : repeats())
-            if (ImGui::Selectable(title_of(each).c_str(), each == state.repeat)) result.repeat = each;
-    });
+    combo("##repeat", title_of(state.repeat), with_keys("What happens at the end", {"Repeat"}), scaled(122),
+          [&] {
+              for (const Repeat each : repeats())
+                  if (ImGui::Selectable(title_of(each).c_str(), each == state.repeat)) result.repeat = each;
+          });
 }
 
 /// "1/16", "2": as playback speeds are read.

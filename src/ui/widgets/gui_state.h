@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 
@@ -15,6 +16,8 @@ namespace interleaf {
 struct GuiState {
     Theme theme = Theme::dark;
     std::set<std::string, std::less<>> closed_sections{};  ///< titles
+    std::map<std::string, std::string, std::less<>>
+        command_keys{};          ///< texts of keys by the names of commands
     std::set<ImWchar> glyphs{};  ///< characters beyond those that the typeface always has
     bool lacks_glyphs = false;   ///< whether some of them are not in the typeface yet
 };

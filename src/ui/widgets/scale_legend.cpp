@@ -11,6 +11,7 @@
 
 #include "ui/widgets/scale_ticks.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 
@@ -96,6 +97,18 @@ void scale_legend(const ColorScale& scale) {
     }
     ImGui::Dummy({width, height + scaled(6) + ImGui::GetTextLineHeight()});
     ImGui::PopFont();
+}
+
+void edit_range(ColorScale& scale) {
+    double ends[] = {double{scale.range.min} + scale.offset, double{scale.range.max} + scale.offset};
+    ImGui::SetNextItemWidth(-1);
+    const bool is_changed = ImGui::InputScalarN("##range", ImGuiDataType_Double, ends, 2, nullptr, nullptr,
+                                                scale.offset == 0 ? "%.5g" : "%.9g");
+    tooltip("Values of the first and the last color");
+    if (!is_changed) return;
+    const ValueRange range{static_cast<float>(ends[0] - scale.offset),
+                           static_cast<float>(ends[1] - scale.offset)};
+    if (std::isfinite(range.min) && std::isfinite(range.max) && range.min < range.max) scale.range = range;
 }
 
 }  // namespace interleaf

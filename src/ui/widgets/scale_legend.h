@@ -14,4 +14,8 @@ void scale_legend(const ColorScale& scale);
 /// \param corner  upper left corner
 void draw_scale_colors(glm::vec2 corner, glm::vec2 size, const ColorScale& scale);
 
+/// Shows the ends of the range of \p scale as two fields, and takes what is typed. Ignores ends that are no range, as
+/// they may be while the user types.
+void edit_range(ColorScale& scale);
+
 }  // namespace interleaf

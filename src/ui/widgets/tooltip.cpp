@@ -4,9 +4,9 @@
 
 namespace interleaf {
 
-void tooltip(const char* text) {
+void tooltip(const std::string& text) {
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsItemActive())
-        ImGui::SetTooltip("%s", text);
+        ImGui::SetTooltip("%s", text.c_str());
 }
 
 }  // namespace interleaf

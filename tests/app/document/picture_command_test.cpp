@@ -70,6 +70,12 @@ TEST_CASE("only options that differ from the defaults are named") {
     CHECK(display_options(display).back() == "--log-scale");
     display.field = "heat";
     CHECK(display_options(display)[4] == "--color=heat");
+    Display measured;
+    measured.coloring = Coloring::moved;
+    measured.measured_range = {Coloring::curvature, {-1, 1}};
+    CHECK(display_options(measured) == std::vector<std::string>{"--color=moved"});
+    measured.measured_range = {Coloring::moved, {0, 0.5F}};
+    CHECK(display_options(measured) == std::vector<std::string>{"--color=moved", "--range=0,0.5"});
     Display made;
     made.material = Material::steel;
     made.ground = made.light_background = true;

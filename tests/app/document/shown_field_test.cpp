@@ -107,3 +107,19 @@ TEST_CASE("a wanted range keeps its digits where the field has an offset") {
     display.wanted_range = {0, 1e39};
     CHECK_THROWS_AS(require_field(display, far), UsageError);
 }
+
+TEST_CASE("a wanted range of a measured coloring is kept for that coloring, also without fields") {
+    Display display;
+    display.coloring = Coloring::curvature;
+    display.wanted_range = {-2, 3};
+    require_field(display, {});
+    adapt_display(display, {});
+    CHECK(display.kept_range() == ValueRange{-2, 3});
+    CHECK_FALSE(display.wanted_range);
+    display.coloring = Coloring::moved;
+    CHECK_FALSE(display.kept_range());
+    display.coloring = Coloring::curvature;
+    CHECK(display.kept_range() == ValueRange{-2, 3});
+    display.wanted_range = {1, 1e300};
+    CHECK_THROWS_AS(require_field(display, {}), UsageError);
+}

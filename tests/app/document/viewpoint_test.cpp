@@ -19,14 +19,32 @@ TEST_CASE("a view is read from its text in every form") {
                     .center = glm::vec3(1, 2, -0.3F),
                     .distance = 4.0F,
                     .projection = Projection::orthographic});
+    CHECK(parse_viewpoint("10,20,up=z") == Viewpoint{.direction = {10, 20, 0}, .up = UpAxis::z});
     CHECK(parse_viewpoint("0,0,perspective") == Viewpoint{.direction = {0, 0, 0}});
 }
 
 TEST_CASE("a text that is no view is refused, and the message says what was expected") {
-    for (const char* text :
-         {"", "10", "10,91", "-361,0", "10,20,0", "10,20,101", "10,20,2,3", "a,b", "10,20,roll",
-          "10,20,roll=", "10,20,roll=nan", "10,20,center=1:2", "10,20,center=1:2:inf", "10,20,distance=0",
-          "10,20,distance=-1", "10,20,distance=1e99", "10,20,fisheye", "10,20,", "10,20,orthographic=1"}) {
+    for (const char* text : {"",
+                             "10",
+                             "10,91",
+                             "-361,0",
+                             "10,20,0",
+                             "10,20,101",
+                             "10,20,2,3",
+                             "a,b",
+                             "10,20,roll",
+                             "10,20,roll=",
+                             "10,20,roll=nan",
+                             "10,20,center=1:2",
+                             "10,20,center=1:2:inf",
+                             "10,20,distance=0",
+                             "10,20,distance=-1",
+                             "10,20,distance=1e99",
+                             "10,20,fisheye",
+                             "10,20,",
+                             "10,20,orthographic=1",
+                             "10,20,up=W",
+                             "10,20,up"}) {
         CAPTURE(text);
         CHECK_THROWS_AS(parse_viewpoint(text), UsageError);
     }
@@ -45,6 +63,7 @@ TEST_CASE("the text of a camera gives the same camera, to the last bit") {
     for (int i = 0; i < 200; ++i) {
         Camera camera;
         if (i % 2 == 1) camera.set_projection(Projection::orthographic);
+        camera.set_up(static_cast<UpAxis>(i % 3));
         camera.view_all(scene, 1.5F);
         camera.orbit({random(-1, 1), random(-1, 1)},
                      i % 3 == 0 ? OrbitStyle::trackball : OrbitStyle::turntable);

@@ -28,6 +28,7 @@ Settings sample_settings() {
                            .closed_sections = {"Lines", "Weights"}},
             .trackball = true,
             .axes = false,
+            .up = UpAxis::z,
             .shortcuts = {{"Play", "K or Space"}, {"no command", "no key"}}};
 }
 

@@ -6,10 +6,13 @@
 #include <doctest/doctest.h>
 
 #include "app/sample_family.h"
+#include "app/window/initial_state.h"
 #include "app/window/window_actions.h"
 #include "family/family_time.h"
 #include "render/palette.h"
 #include "ui/headless_gui.h"
+#include "ui/widgets/command_keys.h"
+#include "ui/widgets/gui_state.h"
 #include "ui/widgets/style.h"
 
 using namespace interleaf;
@@ -21,6 +24,8 @@ constexpr glm::vec2 window{1280, 800};
 /// The phases of the viewer's frame, without the surface.
 class Panels {
   public:
+    Panels() { gui_state()->command_keys = command_keys(table_shortcuts()); }
+
     ViewerState& state() { return state_; }
 
     /// Runs one frame.
@@ -196,4 +201,19 @@ TEST_CASE("a click in the domain gives it the arrow keys, and a click elsewhere 
     CHECK(panels.state().domain_has_focus);
     click({640, 300});
     CHECK_FALSE(panels.state().domain_has_focus);
+}
+
+TEST_CASE("tooltips name commands that there are, in every state of the panels") {
+    Panels panels;
+    panels.frame({0, 0}, false);
+    panels.state().edits_domain = true;
+    panels.state().shown_domain = DomainBox{{-0.5, -0.5}, {0.5, 0.5}};
+    panels.state().help_shown = true;
+    panels.state().key_search.is_shown = true;
+    panels.frame({0, 0}, false);
+    panels.state().edits_domain = false;
+    panels.state().recording.emplace();
+    panels.state().brush.is_on = true;
+    panels.frame({0, 0}, false);
+    CHECK(with_keys("Play it", {"Play"}) == "Play it (Space)");
 }

@@ -51,11 +51,11 @@ TEST_CASE("a click on the end of an axis looks from there, and a second click fr
         const AxesResult clicked = click(camera, axis);
         REQUIRE(clicked.look_from);
         Camera turned = camera;
-        turned.look_from(clicked.look_from->x, clicked.look_from->y);
+        turned.look_from_end(*clicked.look_from);
         CHECK(glm::distance(turned.axes()[2], axis) < 1e-5F);
         const AxesResult again = click(turned, axis);
         REQUIRE(again.look_from);
-        turned.look_from(again.look_from->x, again.look_from->y);
+        turned.look_from_end(*again.look_from);
         CHECK(glm::distance(turned.axes()[2], -axis) < 1e-5F);
     }
 }
