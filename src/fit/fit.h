@@ -19,6 +19,7 @@
 #include "fit/mesh/surface_mesh.h"
 #include "fit/sphere_map/sphere_roots.h"
 #include "fit/sphere_map/spherical_map.h"
+#include "hierarchy/cube.h"
 #include "hierarchy/hierarchy.h"
 #include "hierarchy/landmark.h"
 #include "hierarchy/progress.h"

@@ -62,7 +62,7 @@ SurfaceFile read_surface(const fs::path& file) {
     if (!is_called(file, &Format::holds_mesh))
         throw InputError(fmt::format("{}: expected a file that ends in {}", file.string(),
                                      extensions_in_words(&Format::holds_mesh)));
-    return read_surface(file, find_format(file)->parse_surface);
+    return parse_file(file, find_format(file)->parse_surface);
 }
 
 }  // namespace interleaf

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "hierarchy/cube.h"
 #include "sequence/deformation_flow.h"
 #include "sequence/evolving_mesh.h"
 #include "sequence/surface_stretch.h"
@@ -12,41 +13,21 @@
 namespace interleaf {
 namespace {
 
-/// The squares of a cube, each halved by a diagonal, which is the refinement edge of both halves.
-RootComplex cube_roots() {
-    return {8,
-            {{1, 0, 3},
-             {2, 3, 0},
-             {4, 5, 6},
-             {7, 6, 5},
-             {1, 5, 0},
-             {4, 0, 5},
-             {2, 6, 3},
-             {7, 3, 6},
-             {2, 0, 6},
-             {4, 6, 0},
-             {1, 3, 5},
-             {7, 5, 3}}};
-}
-
-/// The directions of the cube's corners. The coordinate along axis n is positive where bit n of the number is
-/// set.
-std::vector<glm::dvec3> cube_directions() {
+/// The directions of the vertices of \p roots from the origin.
+std::vector<glm::dvec3> directions_of(const Hierarchy& roots) {
     std::vector<glm::dvec3> directions;
-    directions.reserve(8);
-    for (unsigned v = 0; v < 8; ++v)
-        directions.push_back(
-            glm::normalize(glm::dvec3((v & 1) != 0 ? 1 : -1, (v & 2) != 0 ? 1 : -1, (v & 4) != 0 ? 1 : -1)));
+    directions.reserve(roots.positions.size());
+    for (const glm::dvec3 corner : roots.positions) directions.push_back(glm::normalize(corner));
     return directions;
 }
 
 /// The ball in the flow, with an adaptive mesh.
 class FlowingBall {
   public:
-    FlowingBall(unsigned steps, double tolerance)
+    FlowingBall(const Hierarchy& roots, unsigned steps, double tolerance)
         : sphere_(flow_duration, steps),
-          directions_(cube_directions()),
-          surface_(cube_roots(), traced(directions_),
+          directions_(directions_of(roots)),
+          surface_(roots.roots, traced(directions_),
                    [this](Index a, Index b, Index midpoint) {
                        if (midpoint == directions_.size()) directions_.emplace_back();
                        directions_[midpoint] = halfway(a, b);
@@ -103,7 +84,7 @@ class FlowingBall {
 
 Family make_flow(const SequenceOptions& options, const SequenceProgress& progress) {
     check_options(options);
-    FlowingBall ball(options.steps, options.tolerance);
+    FlowingBall ball(cube(), options.steps, options.tolerance);
     std::vector<Hierarchy> states = {ball.state()};
     for (unsigned step = 1; step <= options.steps; ++step) {
         ball.advance();

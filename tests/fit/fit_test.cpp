@@ -13,6 +13,7 @@
 #include "fit/closed_meshes.h"
 #include "fit/star_shapes.h"
 #include "hierarchy/checker.h"
+#include "hierarchy/cube.h"
 #include "hierarchy/error.h"
 
 using namespace interleaf;

@@ -10,6 +10,7 @@
 
 #include "fit/landmarks/landmark_report.h"
 #include "fit/star_shapes.h"
+#include "hierarchy/cube.h"
 
 using namespace interleaf;
 using namespace interleaf::testing;

@@ -10,7 +10,7 @@
 #include "app/cli/import_command.h"
 #include "app/cli/landmarks_command.h"
 #include "app/cli/option_text.h"
-#include "hierarchy/error.h"
+#include "app/document/expected_text.h"
 #include "io/formats.h"
 
 namespace interleaf {
@@ -67,8 +67,7 @@ void add_fit(CLI::App& program) {
     add_text_option(*command, "--match",
                     "Whether like parts of the meshes come to like places of the roots: auto or none",
                     [options](const std::string& text) {
-                        if (text != "auto" && text != "none")
-                            throw UsageError(fmt::format("expected auto or none, got '{}'", text));
+                        if (text != "auto" && text != "none") fail_expecting("auto or none", text);
                         options->matches = text == "auto";
                     })
         ->type_name("HOW")
@@ -103,7 +102,7 @@ void add_fit(CLI::App& program) {
     command->add_flag("--fill-holes", options->fill_holes,
                       "Fill holes, even if that adds over 5 % to the area");
     add_text_option(*command, "--report", "Print the report as JSON", [options](const std::string& text) {
-        if (text != "json") throw UsageError(fmt::format("expected json, got '{}'", text));
+        if (text != "json") fail_expecting("json", text);
         options->json = true;
     })->type_name("json");
     add_form(*command, options->form);

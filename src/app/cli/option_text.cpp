@@ -10,6 +10,7 @@
 #include "text/parsed_number.h"
 #include <fmt/core.h>
 
+#include "app/document/expected_text.h"
 #include "app/document/typed_count.h"
 #include "family/field_scale.h"
 #include "hierarchy/error.h"
@@ -42,28 +43,24 @@ constexpr ShownEdges shown_edges[] = {{"wireframe", &Display::wireframe},
                                       {"vertices", &Display::vertices},
                                       {"normals", &Display::normals}};
 
-[[noreturn]] void expected(std::string_view what, std::string_view text) {
-    throw UsageError(fmt::format("expected {}, got '{}'", what, text));
-}
-
 }  // namespace
 
 double parse_number(std::string_view text) {
     const auto values = numbers(text);
-    if (!values || values->size() != 1) expected("a number", text);
+    if (!values || values->size() != 1) fail_expecting("a number", text);
     return values->front();
 }
 
 Index parse_count(std::string_view text) {
     const std::optional<Index> count = typed_count(text);
-    if (!count) expected("a whole number", text);
+    if (!count) fail_expecting("a whole number", text);
     return *count;
 }
 
 unsigned parse_corner(std::string_view text) {
     constexpr std::string_view corners[] = {"first", "second", "last"};
     const auto* const found = std::ranges::find(corners, text);
-    if (found == std::end(corners)) expected("first, second or last", text);
+    if (found == std::end(corners)) fail_expecting("first, second or last", text);
     return static_cast<unsigned>(found - corners);
 }
 
@@ -71,7 +68,7 @@ float parse_line_width(std::string_view text) {
     constexpr double max_width = 100;
     const auto width = parsed_number<double>(text);
     if (!width || !(*width > 0 && *width <= max_width))
-        expected(fmt::format("a width above 0, at most {}", max_width), text);
+        fail_expecting(fmt::format("a width above 0, at most {}", max_width), text);
     return static_cast<float>(*width);
 }
 
@@ -81,7 +78,7 @@ ChosenWarp parse_warp(std::string_view text) {
     if (const std::size_t comma = text.rfind(','); comma != std::string_view::npos)
         if (const auto factor = numbers(text.substr(comma + 1)); factor && factor->size() == 1)
             warp = {std::string(text.substr(0, comma)), factor->front()};
-    if (warp.field.empty()) expected("FIELD or FIELD,FACTOR", text);
+    if (warp.field.empty()) fail_expecting("FIELD or FIELD,FACTOR", text);
     return warp;
 }
 
@@ -89,7 +86,7 @@ void parse_height(std::string_view text, Display& display) {
     constexpr double usual_part = 0.25;
     const ChosenWarp chosen = parse_warp(text);
     const double part = chosen.field == text ? usual_part : chosen.factor;
-    if (!(part > 0 && part <= 1)) expected("FIELD or FIELD,PART with a part above 0 and up to 1", text);
+    if (!(part > 0 && part <= 1)) fail_expecting("FIELD or FIELD,PART with a part above 0 and up to 1", text);
     display.raised_by = chosen.field;
     display.height = static_cast<float>(part);
 }
@@ -103,7 +100,7 @@ void parse_arrows(std::string_view text, Display& display) {
         if (rest.empty()) break;
     }
     if (parts.size() < 2 || parts.size() > 3 || std::ranges::any_of(parts, &std::string::empty))
-        expected("two or three scalars, X,Y or X,Y,Z", text);
+        fail_expecting("two or three scalars, X,Y or X,Y,Z", text);
     display.arrows = true;
     display.arrow_parts = {};
     std::ranges::move(parts, display.arrow_parts.begin());
@@ -118,13 +115,13 @@ NamedUnit parse_unit(std::string_view text) {
 
 unsigned parse_bits(std::string_view text) {
     const unsigned bits = parsed_number<unsigned>(text).value_or(0);
-    if (bits < 8 || bits > 24) expected("a whole number from 8 to 24", text);
+    if (bits < 8 || bits > 24) fail_expecting("a whole number from 8 to 24", text);
     return bits;
 }
 
 glm::dvec2 parse_point(std::string_view text) {
     const auto values = numbers(text);
-    if (!values || values->size() != 2) expected("U,V", text);
+    if (!values || values->size() != 2) fail_expecting("U,V", text);
     return {(*values)[0], (*values)[1]};
 }
 
@@ -139,10 +136,10 @@ std::vector<NamedWeight> parse_weights(std::string_view text) {
             continue;
         }
         const std::optional<double> value = parsed_number<double>(part.substr(equals + 1));
-        if (!value || !std::isfinite(*value)) expected("NAME=WEIGHT,...", text);
+        if (!value || !std::isfinite(*value)) fail_expecting("NAME=WEIGHT,...", text);
         weights.push_back({std::exchange(name, {}), *value});
     }
-    if (!name.empty()) expected("NAME=WEIGHT,...", text);
+    if (!name.empty()) fail_expecting("NAME=WEIGHT,...", text);
     return weights;
 }
 
@@ -153,7 +150,7 @@ PictureSize parse_size(std::string_view text) {
     };
     const auto is_allowed = [](int length) { return length >= 1 && length <= max_side; };
     if (sides.size() != 2 || !is_allowed(side(0)) || !is_allowed(side(1))) {
-        expected(fmt::format("WIDTHxHEIGHT with sides from 1 to {}", max_side), text);
+        fail_expecting(fmt::format("WIDTHxHEIGHT with sides from 1 to {}", max_side), text);
     }
     return {side(0), side(1)};
 }
@@ -163,7 +160,7 @@ FrameRange parse_frames(std::string_view text) {
     const auto first = parsed_number<std::size_t>(ends.front());
     const auto last = parsed_number<std::size_t>(ends.back());
     if (ends.size() != 2 || !first || !last || *last < *first)
-        expected("A:B, the numbers of the first and the last frame", text);
+        fail_expecting("A:B, the numbers of the first and the last frame", text);
     return {*first, *last};
 }
 
@@ -176,7 +173,7 @@ ConstantRange parse_constant_range(std::string_view text) {
         if (low && high && low->size() == 1 && high->size() == 1)
             return {std::string(text.substr(0, equals)), low->front(), high->front()};
     }
-    expected("NAME=A:B", text);
+    fail_expecting("NAME=A:B", text);
 }
 
 AxisTurn parse_axis_turn(std::string_view text) {
@@ -185,37 +182,37 @@ AxisTurn parse_axis_turn(std::string_view text) {
     const std::size_t axis = parts[0].size() == 1 ? axes.find(parts[0]) : std::string_view::npos;
     const std::optional<double> degrees = parts.size() == 2 ? parsed_number<double>(parts[1]) : std::nullopt;
     if (axis == std::string_view::npos || !degrees || !(std::abs(*degrees) <= 360))
-        expected("AXIS,DEGREES with the axis x, y or z, from -360 to 360 degrees", text);
+        fail_expecting("AXIS,DEGREES with the axis x, y or z, from -360 to 360 degrees", text);
     return {static_cast<int>(axis), *degrees};
 }
 
 UpAxis parse_up(std::string_view text) {
     if (const std::optional<UpAxis> up = up_axis_named(text)) return *up;
-    expected("X, Y or Z", text);
+    fail_expecting("X, Y or Z", text);
 }
 
 LandmarkPlacing parse_placing(std::string_view text) {
     if (text == "similarity") return LandmarkPlacing::similarity;
     if (text == "rigid") return LandmarkPlacing::rigid;
     if (text == "keep") return LandmarkPlacing::keep;
-    expected("similarity, rigid or keep", text);
+    fail_expecting("similarity, rigid or keep", text);
 }
 
 Shading parse_shading(std::string_view text) {
     const std::optional<Shading> shading = shading_named(text);
-    if (!shading) expected("smooth or flat", text);
+    if (!shading) fail_expecting("smooth or flat", text);
     return *shading;
 }
 
 Material parse_material(std::string_view text) {
     const std::optional<Material> material = material_named(text);
-    if (!material) expected("clay, porcelain, steel, jade or normals", text);
+    if (!material) fail_expecting("clay, porcelain, steel, jade or normals", text);
     return *material;
 }
 
 Theme parse_theme(std::string_view text) {
     const std::optional<Theme> theme = theme_named(text);
-    if (!theme) expected("dark or light", text);
+    if (!theme) fail_expecting("dark or light", text);
     return *theme;
 }
 
@@ -232,12 +229,12 @@ void parse_coloring(std::string_view text, Display& display) {
 
 Basis parse_basis(std::string_view text) {
     if (const std::optional<Basis> basis = basis_named(text)) return *basis;
-    expected(bases_in_words(), text);
+    fail_expecting(bases_in_words(), text);
 }
 
 TimeSource parse_time_source(std::string_view text) {
     if (const std::optional<TimeSource> source = time_source_named(text)) return *source;
-    expected("keys or path", text);
+    fail_expecting("keys or path", text);
 }
 
 std::string bases_in_words() {
@@ -248,7 +245,7 @@ std::string bases_in_words() {
 
 ColorMap parse_color_map(std::string_view text) {
     if (const std::optional<ColorMap> map = color_map_named(text)) return *map;
-    expected(color_maps_in_words(), text);
+    fail_expecting(color_maps_in_words(), text);
 }
 
 std::string color_maps_in_words() {
@@ -259,16 +256,16 @@ std::string color_maps_in_words() {
 
 std::array<double, 2> parse_range(std::string_view text) {
     const auto values = numbers(text);
-    if (!values || values->size() != 2) expected("MIN,MAX", text);
+    if (!values || values->size() != 2) fail_expecting("MIN,MAX", text);
     const std::array<double, 2> range = {(*values)[0], (*values)[1]};
-    if (range[0] >= range[1]) expected("MIN,MAX, ascending", text);
+    if (range[0] >= range[1]) fail_expecting("MIN,MAX, ascending", text);
     return range;
 }
 
 void parse_shown_edges(std::string_view text, Display& display) {
     for (const std::string_view name : split_at(text, ',')) {
         const auto found = std::ranges::find(shown_edges, name, &ShownEdges::name);
-        if (found == std::end(shown_edges)) expected(shown_edges_in_words(), name);
+        if (found == std::end(shown_edges)) fail_expecting(shown_edges_in_words(), name);
         display.*found->shown = true;
     }
 }

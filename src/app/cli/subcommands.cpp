@@ -15,6 +15,7 @@
 #include "app/cli/mesh_subcommands.h"
 #include "app/cli/option_text.h"
 #include "app/cli/picture_subcommands.h"
+#include "app/document/expected_text.h"
 #include "hierarchy/error.h"
 #include "io/formats.h"
 
@@ -43,8 +44,7 @@ void add_export(CLI::App& program) {
     add_text_option(*command, "--union",
                     "Of pvd: the union of all keys in all files, or that of the two keys of each interval",
                     [options](const std::string& text) {
-                        if (text != "all" && text != "interval")
-                            throw UsageError(fmt::format("expected all or interval, got '{}'", text));
+                        if (text != "all" && text != "interval") fail_expecting("all or interval", text);
                         options->series.mesh = text == "all" ? SeriesUnion::all : SeriesUnion::interval;
                     })
         ->type_name("all|interval");

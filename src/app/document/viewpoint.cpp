@@ -7,8 +7,8 @@
 #include "text/parsed_number.h"
 #include <fmt/core.h>
 
+#include "app/document/expected_text.h"
 #include "app/document/family_extent.h"
-#include "hierarchy/error.h"
 #include "io/text/joined_text.h"
 
 namespace interleaf {
@@ -16,21 +16,17 @@ namespace {
 
 constexpr double max_coordinate = 1e30;
 
-[[noreturn]] void expected_view(std::string_view what, std::string_view text) {
-    throw UsageError(fmt::format("expected {}, got '{}'", what, text));
-}
-
 /// A number from \p min to \p max.
 float number_within(std::string_view text, double min, double max, const char* what) {
     const std::optional<double> number = parsed_number<double>(text);
-    if (!number || !(*number >= min && *number <= max)) expected_view(what, text);
+    if (!number || !(*number >= min && *number <= max)) fail_expecting(what, text);
     return static_cast<float>(*number);
 }
 
 glm::vec3 center_in(std::string_view text) {
     constexpr const char* what = "center=X:Y:Z";
     const std::vector<std::string_view> coordinates = split_at(text, ':');
-    if (coordinates.size() != 3) expected_view(what, text);
+    if (coordinates.size() != 3) fail_expecting(what, text);
     glm::vec3 center;
     for (int i = 0; i < 3; ++i)
         center[i] =
@@ -62,14 +58,14 @@ void take_named(std::string_view part, Viewpoint& viewpoint) {
     else if (part == "perspective")
         viewpoint.projection = Projection::perspective;
     else
-        expected_view(viewpoint_form, part);
+        fail_expecting(viewpoint_form, part);
 }
 
 }  // namespace
 
 Viewpoint parse_viewpoint(std::string_view text) {
     const std::vector<std::string_view> parts = split_at(text, ',');
-    if (parts.size() < 2) expected_view(viewpoint_form, text);
+    if (parts.size() < 2) fail_expecting(viewpoint_form, text);
     Viewpoint viewpoint;
     viewpoint.direction.azimuth = number_within(parts[0], -360, 360, "an azimuth from -360 to 360");
     viewpoint.direction.elevation = number_within(parts[1], -90, 90, "an elevation from -90 to 90");

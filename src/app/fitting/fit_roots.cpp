@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "hierarchy/cube.h"
 #include "hierarchy/error.h"
 #include "shapes/icosahedron.h"
 

@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "fit/correspondence/coarsening.h"
+#include "fit/mesh/space_triangle.h"
 #include "fit/sphere_map/orientation.h"
 #include "fit/sphere_map/rest_shape.h"
 #include "fit/sphere_map/spherical_star.h"
@@ -21,10 +22,6 @@ constexpr double shape_blend = 0.05;
 
 /// The factor by which the mesh grows from one relaxation to the next.
 constexpr double level_growth = 1.25;
-
-double squared_length_of(const glm::dvec3& v) {
-    return glm::dot(v, v);
-}
 
 double doubled_area_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     return glm::length(glm::cross(b - a, c - a));
@@ -117,9 +114,9 @@ void MovingMesh::update_shape(Index triangle) {
     const auto opposite_sides = rest_cotangents(a, b, c, shape_blend);
     for (std::size_t k = 0; k < 3; ++k)
         cotangent_[std::size_t{3} * triangle + k] = opposite_sides[(k + 1) % 3];
-    const double mean = (squared_length_of(b - a) + squared_length_of(c - b) + squared_length_of(a - c)) / 3;
+    const double mean = (squared_length(b - a) + squared_length(c - b) + squared_length(a - c)) / 3;
     const auto blended = [&](const glm::dvec3& side) {
-        return (1 - shape_blend) * squared_length_of(side) + shape_blend * mean;
+        return (1 - shape_blend) * squared_length(side) + shape_blend * mean;
     };
     const double u = blended(b - a);
     const double v = blended(c - b);

@@ -1,12 +1,17 @@
-// A triangle in space: its normal, places on it, and the distance of a point from it.
+// Vectors and triangles in space: lengths, normals, places on a triangle, and the distance of a point from it.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 namespace interleaf {
+
+inline double squared_length(const glm::dvec3& vector) {
+    return glm::dot(vector, vector);
+}
 
 /// The corners of a triangle in space.
 using TriangleCorners = std::array<glm::dvec3, 3>;

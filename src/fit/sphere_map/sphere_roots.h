@@ -9,11 +9,6 @@
 
 namespace interleaf {
 
-/// The squares of a cube, each halved by a diagonal: 12 right isosceles triangles, not bisected. The
-/// diagonals are the refinement edges. These triangles keep their shape under bisection; equilateral ones do
-/// not.
-Hierarchy cube();
-
 /// The 8 triangles of an octahedron, not bisected. The refinement edges are the edges of the equator.
 Hierarchy octahedron();
 

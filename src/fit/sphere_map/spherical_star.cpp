@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "fit/mesh/space_triangle.h"
+
 namespace interleaf {
 namespace {
 
@@ -14,10 +16,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A determinant below this fraction of the length of its edges is too close to 0: rounding a unit vector
 /// moves it by 1e-16.
 constexpr double min_height = 8e-16;
-
-double squared_length(const glm::dvec3& vector) {
-    return glm::dot(vector, vector);
-}
 
 /// The exponents of MIPS and of the area's term.
 struct Exponents {

@@ -62,7 +62,7 @@ SurfaceFile parse_obj(std::string_view text, std::string_view name) {
     return surface;
 }
 
-SurfaceFile read_surface(const std::filesystem::path& file, SurfaceParser parse) {
+SurfaceFile parse_file(const std::filesystem::path& file, SurfaceParser parse) {
     SurfaceFile surface = parse(read_text(file, max_surface_size), file.string());
     if (std::string lost = lost_digits(surface); !lost.empty()) surface.remarks.push_back(std::move(lost));
     return surface;

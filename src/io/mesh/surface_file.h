@@ -48,7 +48,7 @@ SurfaceFile parse_stl(std::string_view bytes, std::string_view name);
 /// digits.
 /// \throw InputError   as \p parse
 /// \throw MachineError if the file cannot be opened or read
-SurfaceFile read_surface(const std::filesystem::path& file, SurfaceParser parse);
+SurfaceFile parse_file(const std::filesystem::path& file, SurfaceParser parse);
 
 /// Settles \p mesh and divides its polygons into triangles.
 /// \throw InputError as settle() and triangles_of()

@@ -1,6 +1,7 @@
 #include "ui/panels/menu_bar.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -28,10 +29,22 @@ void describe(std::string_view text) {
     ImGui::SetTooltip("%.*s", static_cast<int>(text.size()), text.data());
 }
 
+/// A label as wide as \p name, of which nothing is visible.
+std::string blank_label(const std::string& name) {
+    const auto blanks = static_cast<std::size_t>(std::ceil(text_size(name).x / text_size(" ").x));
+    return std::string(blanks, ' ') + "##" + name;
+}
+
 bool menu_item(const MenuEntry& entry) {
     need_glyphs(entry.name);
-    const bool is_chosen =
-        ImGui::MenuItem(entry.name.c_str(), entry.shortcut.c_str(), entry.on, entry.enabled);
+    // Dear ImGui hides the part of a label after "##", which the name of a key may have, so this draws it.
+    const bool hides_part = entry.name.find("##") != std::string::npos;
+    const std::string label = hides_part ? blank_label(entry.name) : entry.name;
+    const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
+    const bool is_chosen = ImGui::MenuItem(label.c_str(), entry.shortcut.c_str(), entry.on, entry.enabled);
+    if (hides_part)
+        draw_text(corner, text_size(label.substr(0, label.find("##"))).x,
+                  ImGui::GetColorU32(entry.enabled ? ImGuiCol_Text : ImGuiCol_TextDisabled), entry.name);
     describe(entry.description);
     return is_chosen;
 }

@@ -3,30 +3,20 @@
 #include "app/pictures/morph_surface.h"
 
 #include <chrono>
-#include <memory>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
 
+#include "app/pictures/held_unions.h"
 #include "render/context.h"
 #include "shapes/shapes.h"
 
 using namespace interleaf;
+using namespace interleaf::testing;
 
 namespace {
-
-constexpr std::chrono::milliseconds slow{150};
-
-UnionCache::Prepared made_slowly(const UnionCache::Keys& keys, UnionMesh& scratch) {
-    std::this_thread::sleep_for(slow);
-    std::vector<const Hierarchy*> hierarchies;
-    hierarchies.reserve(keys.size());
-    for (const SharedHierarchy& key : keys) hierarchies.push_back(&*key);
-    unite(hierarchies, scratch);
-    return std::make_shared<const PreparedSurface>(prepared_surface(scratch));
-}
 
 Family family_of(Index leaves) {
     Family family;
@@ -37,33 +27,29 @@ Family family_of(Index leaves) {
     return family;
 }
 
-std::chrono::duration<double> duration_of(auto action) {
-    const auto start = std::chrono::steady_clock::now();
-    action();
-    return std::chrono::steady_clock::now() - start;
-}
-
 }  // namespace
 
 TEST_CASE("while a union is made, the last surface stays with its weights, and no update waits for it") {
     const EglContext context;
     const Family family = family_of(400);
-    MorphSurface surface(made_slowly);
+    MorphSurface surface(union_when_released);
     surface.update(family, {{0, 0.5}, {1, 0.5}}, nullptr);
     REQUIRE(surface.figures().rebuilds == 1);  // the first surface is waited for
     CHECK_FALSE(surface.figures().is_late);
 
     const Weights next{{1, 0.25}, {2, 0.75}};
-    int late = 0;
-    for (;;) {
-        const auto taken = duration_of([&] { surface.update(family, next, nullptr); });
-        if (!surface.figures().is_late) break;
-        CHECK(taken < slow / 2);
+    unions_are_held = true;
+    for (int frame = 0; frame < 3; ++frame) {
+        surface.update(family, next, nullptr);
+        CHECK(surface.figures().is_late);
         CHECK(surface.weights() == std::vector<float>{0.5F, 0.5F});
         CHECK(surface.figures().keys == std::vector<std::size_t>{0, 1});
-        REQUIRE(++late < 1000);
     }
-    CHECK(late > 0);
+    unions_are_held = false;
+    int late = 0;
+    for (surface.update(family, next, nullptr); surface.figures().is_late;
+         surface.update(family, next, nullptr))
+        REQUIRE(++late < 10'000);
     CHECK(surface.weights() == std::vector<float>{0.25F, 0.75F});
     CHECK(surface.figures().keys == std::vector<std::size_t>{1, 2});
     CHECK(surface.figures().rebuilds == 2);
@@ -73,12 +59,14 @@ TEST_CASE("while a union is made, the last surface stays with its weights, and n
 TEST_CASE("going back while a union is made shows the present union at once") {
     const EglContext context;
     const Family family = family_of(400);
-    MorphSurface surface(made_slowly);
+    MorphSurface surface(union_when_released);
     const Weights first{{0, 0.5}, {1, 0.5}};
     surface.update(family, first, nullptr);
+    unions_are_held = true;
     surface.update(family, {{1, 0.5}, {2, 0.5}}, nullptr);
     CHECK(surface.figures().is_late);
     surface.update(family, first, nullptr);
+    unions_are_held = false;
     CHECK_FALSE(surface.figures().is_late);
     CHECK(surface.figures().rebuilds == 1);
 }
@@ -94,12 +82,17 @@ TEST_CASE("a large union is sent in slices, ahead of its need or while the last 
         MorphSurface surface;
         surface.update(family, first, nullptr);
         surface.expect(family, expected);
-        // Each call of update() is a frame.
-        for (int frame = 0; is_ahead && frame < 300; ++frame) {
+        // Once the union is made, each frame sends a slice of it, and there are several slices.
+        const auto has_sent_all = [&] { return surface.renderer().send(0); };
+        int frames = 0;
+        const auto draw_frame = [&] {
             surface.update(family, first, nullptr);
             surface.expect(family, expected);
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        }
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            REQUIRE(++frames < 60'000);
+        };
+        while (is_ahead && has_sent_all()) draw_frame();
+        while (is_ahead && !has_sent_all()) draw_frame();
         int late = 0;
         for (surface.update(family, next, nullptr); surface.figures().is_late && late < 1000; ++late)
             surface.update(family, next, nullptr);

@@ -13,6 +13,7 @@
 #include "fit/mesh/surface_distance.h"
 #include "fit/star_shapes.h"
 #include "hierarchy/checker.h"
+#include "hierarchy/cube.h"
 
 using namespace interleaf;
 using namespace interleaf::testing;

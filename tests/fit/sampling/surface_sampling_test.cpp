@@ -19,6 +19,7 @@
 #include "fit/star_shapes.h"
 #include "hierarchy/adaptive_mesh.h"
 #include "hierarchy/checker.h"
+#include "hierarchy/cube.h"
 #include "hierarchy/greedy.h"
 
 using namespace interleaf;

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "fit/closed_meshes.h"
+#include "hierarchy/cube.h"
 #include "hierarchy/error.h"
 #include "hierarchy/marking.h"
 #include "hierarchy/measure.h"

@@ -1,5 +1,6 @@
 #include "hierarchy/detail/random_views.h"
 
+#include <doctest/doctest.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -42,6 +43,15 @@ ViewRefinement DetailedKeys::refinement() const {
     pointers.reserve(details.size());
     for (const KeyDetail& detail : details) pointers.push_back(&detail);
     return {keys, pointers};
+}
+
+void for_random_details(unsigned count, std::size_t keys,
+                        const std::function<void(const RandomFamily&, Random&, const DetailedKeys&)>& test) {
+    for_random_families(count, keys, [&](const RandomFamily& family) {
+        CAPTURE(family.seed);
+        Random random(family.seed);
+        test(family, random, DetailedKeys(family.keys));
+    });
 }
 
 }  // namespace interleaf::testing

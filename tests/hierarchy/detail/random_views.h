@@ -1,6 +1,8 @@
 // Random views of random keys, and the refinements that suit them.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "hierarchy/detail/key_detail.h"
@@ -26,5 +28,10 @@ struct DetailedKeys {
     std::vector<const Hierarchy*> keys;
     std::vector<KeyDetail> details;
 };
+
+/// Runs \p test on random families with their details. A failure names the family's seed.
+/// \param test  takes the family, random numbers of its seed, and the details
+void for_random_details(unsigned count, std::size_t keys,
+                        const std::function<void(const RandomFamily&, Random&, const DetailedKeys&)>& test);
 
 }  // namespace interleaf::testing

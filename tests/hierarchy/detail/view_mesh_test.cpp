@@ -67,10 +67,7 @@ std::pair<Vectors, Vectors> seen_at(const Way& way, double part, const DetailedK
 }  // namespace
 
 TEST_CASE("within the budget the view is the whole union and its blend") {
-    for_random_families(200, 2, [](const RandomFamily& family) {
-        CAPTURE(family.seed);
-        Random random(family.seed);
-        const DetailedKeys detailed(family.keys);
+    for_random_details(200, 2, [](const RandomFamily&, Random& random, const DetailedKeys& detailed) {
         ViewRefinement refinement = detailed.refinement();
         const std::vector<float> weights = random_weights(random, 2);
         const UnionMesh whole = unite(detailed.keys);
@@ -86,10 +83,7 @@ TEST_CASE("within the budget the view is the whole union and its blend") {
 // A jump would remain however short the step is. So the test halves the way again and again where the surface
 // moves most, and the movement must vanish.
 TEST_CASE("the surface and its normals move continuously with view and weights") {
-    for_random_families(300, 3, [](const RandomFamily& family) {
-        CAPTURE(family.seed);
-        Random random(family.seed);
-        const DetailedKeys detailed(family.keys);
+    for_random_details(300, 3, [](const RandomFamily& family, Random& random, const DetailedKeys& detailed) {
         ViewRefinement refinement = detailed.refinement();
         const Way way{.views = {random_view(random), random_view(random)},
                       .weights = {random_weights(random, 3), random_weights(random, 3)},

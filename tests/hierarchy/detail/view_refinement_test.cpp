@@ -59,10 +59,7 @@ std::vector<float> literal_view_errors(const Hierarchy& key, const ViewPoint& vi
 }  // namespace
 
 TEST_CASE("each key's cut for a view passes the checker, their union is the view's, within the budget") {
-    for_random_families(1500, 3, [](const RandomFamily& family) {
-        CAPTURE(family.seed);
-        Random random(family.seed);
-        const DetailedKeys detailed(family.keys);
+    for_random_details(1500, 3, [](const RandomFamily& family, Random& random, const DetailedKeys& detailed) {
         ViewRefinement refinement = detailed.refinement();
         ViewMesh mesh;
         for (int n = 0; n < 3; ++n) {
@@ -92,10 +89,7 @@ TEST_CASE("each key's cut for a view passes the checker, their union is the view
 }
 
 TEST_CASE("errors in a view are those of the literal greedy refinement") {
-    for_random_families(1500, 1, [](const RandomFamily& family) {
-        CAPTURE(family.seed);
-        Random random(family.seed);
-        const DetailedKeys detailed(family.keys);
+    for_random_details(1500, 1, [](const RandomFamily& family, Random& random, const DetailedKeys& detailed) {
         const ViewPoint at = random_view(random);
         const std::vector<float> expected =
             literal_errors(family.keys[0], literal_view_errors(family.keys[0], at));
@@ -110,10 +104,7 @@ TEST_CASE("errors in a view are those of the literal greedy refinement") {
 }
 
 TEST_CASE("a refinement leaves nothing behind for the next view") {
-    for_random_families(200, 2, [](const RandomFamily& family) {
-        CAPTURE(family.seed);
-        Random random(family.seed);
-        const DetailedKeys detailed(family.keys);
+    for_random_details(200, 2, [](const RandomFamily& family, Random& random, const DetailedKeys& detailed) {
         ViewRefinement used = detailed.refinement(), fresh = detailed.refinement();
         const std::vector<float> weights = random_weights(random, 2);
         const std::size_t budget = family.roots.triangle_count() + 40;

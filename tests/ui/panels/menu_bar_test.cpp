@@ -6,8 +6,10 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <imgui_internal.h>
 
 #include "ui/headless_gui.h"
+#include "ui/widgets/style.h"
 
 using namespace interleaf;
 
@@ -42,4 +44,18 @@ TEST_CASE(
     for (int frame = 0; frame < 3; ++frame) chosen_in_frame(gui, entries, first, false);
     chosen_in_frame(gui, entries, first, true);
     CHECK(chosen_in_frame(gui, entries, first, false) == 0U);
+}
+
+TEST_CASE("the whole name of an entry has room in the menu, also behind a double hash") {
+    HeadlessGui gui({800, 300});
+    const std::string name = "Undo Rename to a##key with a name that is long";
+    const std::vector<MenuEntry> entries{{.menu = "Edit", .name = name, .shortcut = {}, .description = {}}};
+    for (int frame = 0; frame < 6; ++frame) chosen_in_frame(gui, entries, {24, 8}, frame == 2);
+    gui.begin_frame({24, 8}, false);
+    CHECK(menu_bar(entries, {}, "title").chosen == std::nullopt);
+    const ImGuiWindow* const menu = ImGui::FindWindowByName("##Menu_00");
+    REQUIRE(menu != nullptr);
+    CHECK(menu->Active);
+    CHECK(menu->Size.x > text_size(name).x);
+    gui.end_frame();
 }
