@@ -183,6 +183,13 @@ void choose_interpolation(const TransportState& state, TransportResult& result) 
             result.pressed = TransportButton::ask_for_degree;
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip("Polynomials of a degree that you type, joined at keys");
+        ImGui::Separator();
+        const bool turns = state.blend == BlendKind::turning;
+        if (ImGui::MenuItem("Turn parts", nullptr, turns))
+            result.blend = turns ? BlendKind::straight : BlendKind::turning;
+        if (ImGui::IsItemHovered())
+            ImGui::SetTooltip(
+                "Parts that turn from key to key turn on the way, instead of shrinking (Alt+B)");
     });
 }
 
