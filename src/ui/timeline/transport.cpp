@@ -185,7 +185,7 @@ void choose_interpolation(const TransportState& state, TransportResult& result) 
             ImGui::SetTooltip("Polynomials of a degree that you type, joined at keys");
         ImGui::Separator();
         const bool turns = state.blend == BlendKind::turning;
-        if (ImGui::MenuItem("Turn parts", nullptr, turns))
+        if (ImGui::Selectable("Turn parts", turns))
             result.blend = turns ? BlendKind::straight : BlendKind::turning;
         if (ImGui::IsItemHovered())
             ImGui::SetTooltip(
