@@ -10,6 +10,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "family/blend_kind.h"
 #include "family/domain_path.h"
 #include "family/field_scale.h"
 #include "family/parameter_domain.h"
@@ -43,6 +44,8 @@ struct Family {
     /// have only one of them.
     TimeSource time_source = TimeSource::keys;
 
+    BlendKind blend = BlendKind::straight;
+
     /// Named points on the sphere of the roots, at which all keys have the same part of their bodies. Names are
     /// unique and not empty.
     std::vector<LandmarkDirection> landmarks{};
@@ -63,7 +66,8 @@ std::optional<std::size_t> find_key(const Family& family, std::string_view name)
 /// Landmarks have unique names and unit vectors. Scales have fields of their own, finite offsets and units. Timeline and domain refer to existing keys. A path goes through a domain, and drives only where there is one.
 std::vector<std::string> check(const Family& family);
 
-/// The union of the active keys of \p weights, with one position stream per weight, in their order.
+/// The union of the active keys of \p weights, with one position stream per weight, in their order. It blends
+/// straight, unless set_blend() lets it blend as the family does.
 UnionMesh unite(const Family& family, const Weights& weights);
 
 /// As above, but reuses the memory of \p mesh.

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/vec4.hpp>
 
 #include "hierarchy/morph.h"
 #include "hierarchy/turning_rotations.h"

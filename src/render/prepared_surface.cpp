@@ -42,6 +42,7 @@ std::size_t PreparedSurface::byte_count() const {
     per_vertex += mesh.key_count() * sizeof(glm::vec3);
     const std::size_t per_leaf = sizeof(Triangle) + sizeof(LeafTag) + sizeof(KeySet) + sizeof(LeafTexel);
     std::size_t bytes = mesh.vertex_count() * per_vertex + mesh.leaf_count() * per_leaf;
+    if (mesh.turning) bytes += mesh.turning->byte_count();
     for (const Buffer<Index>& own : mesh.own_vertices) bytes += own.size() * sizeof(Index);
     return bytes;
 }
@@ -49,7 +50,7 @@ std::size_t PreparedSurface::byte_count() const {
 PreparedSurface prepared_surface(UnionMesh mesh) {
     PreparedSurface surface;
     surface.mesh = std::move(mesh);
-    if (surface.mesh.key_count() <= max_gpu_keys) normal_form(surface.mesh, surface.form);
+    if (is_blended_on_gpu(surface.mesh)) normal_form(surface.mesh, surface.form);
     surface.leaves = surface_leaves(surface.mesh);
     return surface;
 }

@@ -14,6 +14,11 @@ namespace interleaf {
 /// Four keys take 14 of the 16 vertex attributes that OpenGL 3.3 guarantees.
 inline constexpr std::size_t max_gpu_keys = 4;
 
+/// Whether the GPU blends the keys of \p mesh; otherwise the processor does.
+inline bool is_blended_on_gpu(const UnionMesh& mesh) {
+    return mesh.key_count() <= max_gpu_keys && !mesh.turning;
+}
+
 /// The data of a leaf that surface.frag reads.
 struct LeafTexel {
     std::uint32_t tag;
@@ -32,7 +37,7 @@ SurfaceLeaves surface_leaves(const UnionMesh& mesh);
 
 struct PreparedSurface {
     UnionMesh mesh;
-    NormalForm form;  ///< empty with more than max_gpu_keys keys
+    NormalForm form;  ///< empty unless is_blended_on_gpu()
     SurfaceLeaves leaves;
 
     /// Memory of the large arrays, in bytes.

@@ -125,11 +125,11 @@ void Renderer::begin_upload(std::shared_ptr<const PreparedSurface> surface) {
 /// Begins to send a surface. Without sending_, all of it is sent, because the arguments may not last.
 void Renderer::begin_sending(const UnionMesh& mesh, const SurfaceLeaves& leaves, const NormalForm& form) {
     assert(mesh.key_count() > 0);
-    assert(mesh.key_count() > max_gpu_keys || form.product_count == product_count(mesh.key_count()));
+    assert(!is_blended_on_gpu(mesh) || form.product_count == product_count(mesh.key_count()));
     next_.key_count = 0;
     next_.buffers.begin(mesh, leaves.texels, form);
     describe_next(mesh, leaves);
-    if (mesh.key_count() > max_gpu_keys)
+    if (!is_blended_on_gpu(mesh))
         next_.processor_blend =
             ProcessorBlend{.mesh = sending_ ? std::shared_ptr<const UnionMesh>(sending_, &sending_->mesh)
                                             : std::make_shared<const UnionMesh>(mesh)};

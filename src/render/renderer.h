@@ -3,8 +3,8 @@
 // upload() sends the data that stay constant while the active keys stay the same: leaves, tags, position
 // streams, normal products. begin_upload(), send() and show_sent() do the same in slices, while the surface
 // before is still drawn. draw() sends weights, camera and display as uniforms and draws once; the vertex
-// shader blends positions and exact normals. With more than max_gpu_keys active keys, the processor blends
-// positions into a streamed buffer and takes the normals of the blended surface.
+// shader blends positions and exact normals. With more than max_gpu_keys active keys, or where they turn, the
+// processor blends positions into a streamed buffer and takes the normals of the blended surface.
 #pragma once
 
 #include <cstddef>
@@ -35,8 +35,8 @@ class Renderer {
     Renderer();
 
     /// Replaces the surface.
-    /// \param form  the normal products of \p mesh; not needed, and may be empty, with more than max_gpu_keys
-    ///     keys
+    /// \param form  the normal products of \p mesh; not needed, and may be empty, unless
+    ///     is_blended_on_gpu()
     /// \param keys  index in the family of each key of \p mesh, for the colors by origin; 0, 1, 2, ... if
     ///     empty
     /// \throw MachineError if there are more leaves than a buffer texture holds here; the old surface stays
@@ -106,7 +106,7 @@ class Renderer {
     /// Programs, made when first needed.
     using SurfacePrograms = std::map<SurfaceKind, GlProgram>;
 
-    /// A mesh with too many keys for the GPU, which the processor blends.
+    /// A mesh that the processor blends.
     struct ProcessorBlend {
         std::shared_ptr<const UnionMesh> mesh;
         std::optional<UnionField> field{};

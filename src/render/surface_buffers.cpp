@@ -53,7 +53,7 @@ SurfaceBuffers::SurfaceBuffers()
       leaf_texture_(GlTexture::create()) {}
 
 void SurfaceBuffers::begin(const UnionMesh& mesh, std::span<const LeafTexel> texels, const NormalForm& form) {
-    const bool is_blended_here = mesh.key_count() <= max_gpu_keys;
+    const bool is_blended_here = is_blended_on_gpu(mesh);
     begin_leaves(mesh, texels, is_blended_here ? mesh.key_count() : 1);
     if (!is_blended_here) return;
     for (std::size_t key = 0; key < key_count_; ++key)

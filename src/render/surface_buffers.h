@@ -23,7 +23,7 @@ class SurfaceBuffers {
 
     /// Begins to send a surface, instead of the present one.
     /// \param texels  one per leaf
-    /// \param form    ignored with more than max_gpu_keys keys; streams come by stream() then
+    /// \param form    ignored unless is_blended_on_gpu(); streams come by stream() then
     /// \pre the arguments outlive the sending
     /// \throw MachineError if there are more leaves than a buffer texture holds here; the old surface stays
     void begin(const UnionMesh& mesh, std::span<const LeafTexel> texels, const NormalForm& form);

@@ -164,6 +164,32 @@ TEST_CASE("segments are for glTF and for linear timelines, and weights beyond 0 
     CHECK_FALSE(std::filesystem::exists(folder / "t.glb"));
 }
 
+TEST_CASE("parts turn in what is written, but for morph targets and pages, which tell") {
+    const ScratchFolder folder;
+    REQUIRE(run_interleaf({"family", INTERLEAF_FIVE_KEYS, "--blend", "turning", "-o", folder / "t"}).status ==
+            0);
+    const auto written = [&](const std::string& family, const std::string& file) {
+        return run_interleaf({"export", family, "--weights", "star=0.5,bone=0.5", "-o", folder / file});
+    };
+    const auto mesh_of = [&](const std::string& family) {
+        const Outcome outcome =
+            run_interleaf({"export", family, "--weights", "star=0.5,bone=0.5", "--format", "obj", "-o", "-"});
+        CHECK(outcome.errors.empty());
+        return outcome.output;
+    };
+    CHECK(mesh_of(folder / "t") != mesh_of(INTERLEAF_FIVE_KEYS));
+    REQUIRE(run_interleaf({"family", folder / "t", "--blend", "straight", "-o", folder / "s"}).status == 0);
+    CHECK(mesh_of(folder / "s") == mesh_of(INTERLEAF_FIVE_KEYS));
+    CHECK(contains(written(folder / "t", "t.glb").errors, "t.glb: morph targets blend straight"));
+    CHECK(contains(written(folder / "t", "t.html").errors, "t.html: a web page blends straight"));
+    CHECK(written(folder / "s", "s.glb").errors.empty());
+    CHECK(contains(run_interleaf({"info", folder / "t"}).output, "blend turning"));
+    const Outcome unknown =
+        run_interleaf({"family", INTERLEAF_FIVE_KEYS, "--blend", "round", "-o", folder / "u"});
+    CHECK(unknown.status == 2);
+    CHECK(contains(unknown.errors, "--blend: expected straight or turning, got 'round'"));
+}
+
 TEST_CASE("points and times outside are clamped, and the default is time 0") {
     const auto exported = [](std::vector<std::string> choice) {
         choice.insert(choice.end(), {"--format", "obj"});

@@ -26,6 +26,7 @@ UnionMesh turning_union(const std::vector<const Hierarchy*>& keys) {
 
 UnionMesh turning_union(const std::vector<Hierarchy>& keys) {
     std::vector<const Hierarchy*> pointers;
+    pointers.reserve(keys.size());
     for (const Hierarchy& key : keys) pointers.push_back(&key);
     return turning_union(pointers);
 }

@@ -77,7 +77,7 @@ GIVES = {
     "glm/exponential.hpp": "glm::exp glm::inversesqrt glm::log glm::pow glm::sqrt",
     "glm/geometric.hpp": "glm::cross glm::distance glm::dot glm::faceforward glm::length glm::normalize glm::reflect",
     "glm/gtc/matrix_transform.hpp": "glm::lookAt glm::ortho glm::perspective glm::rotate glm::scale glm::translate",
-    "glm/gtc/quaternion.hpp": "glm::angleAxis glm::dquat glm::mat3_cast glm::quat glm::quat_cast glm::slerp",
+    "glm/gtc/quaternion.hpp": "glm::angleAxis glm::conjugate glm::dquat glm::mat3_cast glm::quat glm::quat_cast glm::slerp",
     "glm/gtc/type_ptr.hpp": "glm::value_ptr",
     "glm/mat2x2.hpp": "glm::dmat2 glm::mat2",
     "glm/mat3x3.hpp": "glm::dmat3 glm::mat3",

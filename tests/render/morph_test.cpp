@@ -84,6 +84,33 @@ TEST_CASE("the blend on the processor follows the weights") {
     CHECK(take_picture(renderer, target, camera, star) == first);
 }
 
+TEST_CASE("keys that turn are drawn as their turning blend, and as themselves at weight 1") {
+    const EglContext context;
+    TestSurface straight = surface_of(keys_of({"star", "bone"}));
+    UnionMesh turning = straight.mesh;
+    turning.turning.emplace(turning);
+    Renderer renderer;
+    OffscreenTarget target(320, 240, 1);
+    const Camera camera = camera_on(straight, target);
+    const std::vector<float> half = {0.5F, 0.5F};
+    const std::vector<float> star = {1, 0};
+    renderer.upload(straight.mesh, straight.form);
+    const Picture straight_half = take_picture(renderer, target, camera, half);
+    const Picture straight_star = take_picture(renderer, target, camera, star);
+    renderer.upload(turning, {});
+    const Picture picture = take_picture(renderer, target, camera, half);
+    CHECK(count_differences(picture, straight_half, 40) > 1000);
+    // The processor takes the normals of the blended surface, which differ a little.
+    CHECK(count_differences(take_picture(renderer, target, camera, star), straight_star, 12) < 300);
+
+    straight.mesh.positions = {morph(turning, half)};
+    Buffer<glm::vec3> normals;
+    surface_normals(turning, half, straight.mesh.positions[0], normals);
+    renderer.upload_blend(turning, straight.mesh.positions[0], normals, std::vector<std::size_t>{0, 1});
+    const std::vector<float> one = {1};
+    CHECK(count_differences(take_picture(renderer, target, camera, one), picture, 2) < 60);
+}
+
 TEST_CASE("the picture of a blend that the caller has made is that of the keys") {
     const EglContext context;
     const TestSurface surface = surface_of(keys_of({"star", "bone"}));

@@ -31,6 +31,8 @@ void make_adapted(const FamilyOptions& options) {
     if (!options.keys.empty()) throw UsageError("--adapt: it makes its own keys, so no KEY is taken");
     if (options.basis || options.degree)
         throw UsageError("--adapt: the family has no timeline for --interpolation and --degree");
+    if (options.blend)
+        throw UsageError("--adapt: it chooses keys for straight blends, so no --blend is taken");
     run_adapt(options.adapt, options.output, options.form);
 }
 
@@ -47,6 +49,7 @@ void run_family(const FamilyOptions& options) {
         const Interpolation interpolation = interpolation_of(family, options);
         family = with_interpolation(std::move(family), interpolation);
     }
+    if (options.blend) family.blend = *options.blend;
     try {
         for (const auto& [field, unit] : options.units)
             family = with_field_unit(std::move(family), field, unit);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/cli/adapt_command.h"
+#include "family/blend_kind.h"
 #include "family/field_units.h"
 #include "family/interpolation.h"
 #include "io/hierarchy/hierarchy_file.h"
@@ -20,6 +21,7 @@ struct FamilyOptions {
     AdaptOptions adapt;                       ///< instead of keys, if it names a shape
     std::optional<Basis> basis;               ///< of the timeline; by default the present one
     std::optional<std::size_t> degree;        ///< of the pieces of Basis::bernstein
+    std::optional<BlendKind> blend;           ///< by default the present one
     std::vector<NamedUnit> units;             ///< of fields of the keys
     std::optional<std::string> time_unit;     ///< of the timeline; by default the present one
     HierarchyFileOptions form;                ///< of the key files

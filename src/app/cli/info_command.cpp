@@ -177,6 +177,7 @@ void print_json(Kind kind, const Family& family, std::span<const Figures> keys, 
     if (family.origin != glm::dvec3(0)) document["origin"] = json_of(family.origin);
     if (kind == Kind::hierarchy)
         document.update(json_of(census_as_it_is(surface_of(*family.keys.front().hierarchy))));
+    if (family.blend != BlendKind::straight) document["blend"] = name_of(family.blend);
     if (family.timeline) document["timeline"] = json_of(*family.timeline, family);
     if (family.domain) document["domain"] = json_of(*family.domain, family);
     if (family.path) document["path"] = path_json(family);
@@ -263,6 +264,10 @@ void print_keys(const Family& family, std::span<const Figures> keys) {
     }
 }
 
+void print_blend(const Family& family) {
+    if (family.blend != BlendKind::straight) fmt::print("\nblend {}\n", name_of(family.blend));
+}
+
 void print_timeline(const Timeline& timeline, const Family& family) {
     fmt::print("\ntimeline, {}, {}\n",
                family.time_unit.empty() ? name_of(timeline.unit()) : std::string_view(family.time_unit),
@@ -293,6 +298,7 @@ void print_text(Kind kind, const Family& family, std::span<const Figures> keys, 
     if (family.origin != glm::dvec3(0)) print_line("origin", text_of(family.origin));
     print_fields(fields_of(family));
     if (kind == Kind::family) print_keys(family, keys);
+    print_blend(family);
     if (family.timeline) print_timeline(*family.timeline, family);
     if (family.domain) print_domain(*family.domain, family);
     if (family.path) print_path(family);

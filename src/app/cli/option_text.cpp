@@ -232,6 +232,11 @@ Basis parse_basis(std::string_view text) {
     fail_expecting(bases_in_words(), text);
 }
 
+BlendKind parse_blend_kind(std::string_view text) {
+    if (const std::optional<BlendKind> kind = blend_kind_named(text)) return *kind;
+    expected("straight or turning", text);
+}
+
 TimeSource parse_time_source(std::string_view text) {
     if (const std::optional<TimeSource> source = time_source_named(text)) return *source;
     fail_expecting("keys or path", text);

@@ -15,6 +15,7 @@
 #include "app/cli/morph_selection.h"
 #include "app/cli/render_command.h"
 #include "app/importing/series_import.h"
+#include "family/blend_kind.h"
 #include "family/field_units.h"
 #include "family/interpolation.h"
 #include "hierarchy/triangle.h"
@@ -86,6 +87,7 @@ std::string color_maps_in_words();
 
 /// The name of an interpolation basis.
 Basis parse_basis(std::string_view text);
+BlendKind parse_blend_kind(std::string_view text);
 
 /// What drives the blend over time: "keys" or "path".
 TimeSource parse_time_source(std::string_view text);

@@ -182,6 +182,11 @@ void add_family_command(CLI::App& program) {
                     "Of bernstein: the degree of its pieces; without it, one piece for all keys",
                     [options](const std::string& text) { options->degree = parse_count(text); })
         ->type_name("N");
+    add_text_option(*command, "--blend",
+                    "How surfaces go from key to key: straight, or turning, which turns parts instead of "
+                    "shrinking them",
+                    [options](const std::string& text) { options->blend = parse_blend_kind(text); })
+        ->type_name("KIND");
     add_adapt(*command, options->adapt);
     add_units(*command, options->units, [options](const std::string& unit) { options->time_unit = unit; });
     add_form(*command, options->form);
@@ -191,6 +196,7 @@ void add_family_command(CLI::App& program) {
         "  interleaf family sphere.ilh star.ilh bone.ilh -o three-keys\n"
         "  interleaf family 'flow.*.obj' -o flow\n"
         "  interleaf family flow --interpolation b-spline -o smooth-flow\n"
+        "  interleaf family arm-down.ilh arm-up.ilh --blend turning -o wave\n"
         "  interleaf family --adapt star --range arm=0.2:1.5 --range sharpness=12:40 --tolerance 0.01 -o "
         "stars");
 }

@@ -40,6 +40,25 @@ void reset_weights(ViewerState& state, double now) {
     state.session.set_weights(Weights(*state.session.first_weights()), now);
 }
 
+void choose_blend(ViewerState& state, BlendKind blend, double now) {
+    if (state.document.family().blend == blend) return;
+    edit(
+        state, blend == BlendKind::turning ? "Turn parts" : "Blend straight",
+        [blend](Family family) {
+            family.blend = blend;
+            return family;
+        },
+        now);
+}
+
+void toggle_turning(ViewerState& state, double now) {
+    choose_blend(state, is_turning(state) ? BlendKind::straight : BlendKind::turning, now);
+}
+
+bool is_turning(const ViewerState& state) {
+    return state.document.family().blend == BlendKind::turning;
+}
+
 bool can_make_weights_sum_to_one(const ViewerState& state) {
     const Weights& weights = state.session.weights();
     return summed_to_one(weights) && std::abs(sum_of(weights) - 1) > sum_tolerance;

@@ -1,5 +1,5 @@
 // The commands of the Blend menu, and what the sliders of the weights do. What drives and the weights belong to the
-// session: they are not steps of the document, so they are not undone.
+// session: they are not steps of the document, so they are not undone. The kind of blend belongs to the family.
 #pragma once
 
 #include <cstddef>
@@ -19,6 +19,13 @@ void make_weights_sum_to_one(ViewerState& state, double now);
 
 /// Returns to the weights before the first slider moved.
 void reset_weights(ViewerState& state, double now);
+
+/// An undoable step of the document.
+void choose_blend(ViewerState& state, BlendKind blend, double now);
+
+/// From straight to turning, and back.
+void toggle_turning(ViewerState& state, double now);
+bool is_turning(const ViewerState& state);
 
 bool can_make_weights_sum_to_one(const ViewerState& state);
 bool can_reset_weights(const ViewerState& state);

@@ -119,6 +119,7 @@ void keep_blend(ViewerState& state, double now) {
     const auto change = [&](const Family& family) {
         UnionMesh mesh = unite(family, weights);
         unite_fields(family, weights, mesh);
+        set_blend(mesh, family.blend);
         return with_key_added(family, {"blend", morphed_hierarchy(mesh, weight_values(weights))});
     };
     const std::size_t count = state.document.family().keys.size();

@@ -32,6 +32,7 @@ class BlendMeter {
         const Weights weights = weights_at(family_, time, source_);
         if (const auto active = active_keys(weights); active != active_) {
             unite(family_, weights, mesh_);
+            set_blend(mesh_, family_.blend);
             active_ = active;
         }
         morph(mesh_, weight_values(weights), positions_);
@@ -92,7 +93,7 @@ void measure_blends(const Family& family, TimeSource source, const std::stop_tok
 
 bool have_same_blends(const Family& a, const Family& b) {
     const auto source = source_of_time(a);
-    if (source != source_of_time(b)) return false;
+    if (source != source_of_time(b) || a.blend != b.blend) return false;
     if (!source) return true;
     const bool has_same_time =
         *source == TimeSource::keys ? a.timeline == b.timeline : a.path == b.path && a.domain == b.domain;

@@ -58,7 +58,8 @@ void BlendPainter::unite_keys(const Weights& weights) {
     require_field(weights);
     warped_.follow(family_, weights, {}, warp_);
     mesh_ = unite(warped_.family(), warped_.weights());
-    renderer_.upload(mesh_, mesh_.key_count() <= max_gpu_keys ? normal_form(mesh_) : NormalForm{}, keys);
+    set_blend(mesh_, family_.blend);
+    renderer_.upload(mesh_, is_blended_on_gpu(mesh_) ? normal_form(mesh_) : NormalForm{}, keys);
     arrows_.follow(warped_.family(), warped_.weights(), mesh_, ++unions_, shown_vector(display_, fields_));
     if (const FamilyField* const field = shown()) {
         const UnionField united = united_field(warped_.family(), warped_.weights(), mesh_, field->label);

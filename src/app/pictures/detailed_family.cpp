@@ -23,6 +23,7 @@ void DetailedFamily::follow(const Family& family, const Weights& weights, float 
         return;
     }
     levels_ = {};
+    levels_.blend = family.blend;
     weights_.clear();
     for (std::size_t n = 0; n < weights.size(); ++n) {
         const Key& key = family.keys[weights[n].key];

@@ -35,6 +35,7 @@ bool are_same(const std::vector<SharedHierarchy>& a, const std::vector<SharedHie
 
 void MorphSurface::update(const Family& family, const Weights& weights, const FieldName* field,
                           std::span<const std::size_t> sources) {
+    follow_blend(family.blend);
     const std::vector<std::size_t> active = active_keys(weights);
     std::vector<SharedHierarchy> hierarchies;
     std::vector<std::size_t> keys;
@@ -86,10 +87,18 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
     update_field(family, weights, field);
 }
 
+/// Forgets all unions where they blend in another way; the shown one stays until update() has the next.
+void MorphSurface::follow_blend(BlendKind blend) {
+    if (blend == blend_) return;
+    blend_ = blend;
+    unions_ = std::make_unique<UnionCache>(UnionCache::usual_bytes, UnionCache::maker_of(blend));
+    hierarchies_.clear();
+}
+
 /// \param is_kept  whether the keys come again; levels of detail are other hierarchies whenever they are cut
 UnionCache::Result MorphSurface::needed_union(const UnionCache::Keys& hierarchies, bool is_kept) {
-    if (!is_kept) return {unions_.make(hierarchies), false};
-    return union_ == nullptr ? unions_.get(hierarchies) : unions_.get_within(hierarchies, longest_wait);
+    if (!is_kept) return {unions_->make(hierarchies), false};
+    return union_ == nullptr ? unions_->get(hierarchies) : unions_->get_within(hierarchies, longest_wait);
 }
 
 /// Sends at most about \p max_bytes more of \p united to the GPU.
@@ -119,6 +128,7 @@ void MorphSurface::update_field(const Family& family, const Weights& weights, co
 }
 
 void MorphSurface::expect(const Family& family, std::span<const std::vector<std::size_t>> key_sets) {
+    follow_blend(family.blend);
     std::vector<UnionCache::Keys> wanted;
     wanted.reserve(key_sets.size());
     for (const std::vector<std::size_t>& keys : key_sets) {
@@ -127,13 +137,13 @@ void MorphSurface::expect(const Family& family, std::span<const std::vector<std:
         for (const std::size_t key : keys) hierarchies.push_back(family.keys[key].hierarchy);
     }
     if (!figures_.is_late) send_ahead(wanted);
-    unions_.prepare(std::move(wanted));
+    unions_->prepare(std::move(wanted));
 }
 
 /// Sends a slice of the first union of \p wanted that is not shown, if it is made.
 void MorphSurface::send_ahead(std::span<const UnionCache::Keys> wanted) {
     for (const UnionCache::Keys& keys : wanted) {
-        const UnionCache::Prepared united = unions_.peek(keys);
+        const UnionCache::Prepared united = unions_->peek(keys);
         if (united != nullptr && united == union_) continue;
         if (united != nullptr) has_sent(united, slice_bytes);
         return;
@@ -141,13 +151,14 @@ void MorphSurface::send_ahead(std::span<const UnionCache::Keys> wanted) {
 }
 
 bool MorphSurface::prepares(const Family& family, const Weights& weights) {
+    follow_blend(family.blend);
     std::vector<SharedHierarchy> hierarchies;
     hierarchies.reserve(weights.size());
     for (const Weight& weight : weights) hierarchies.push_back(family.keys[weight.key].hierarchy);
     if (union_ != nullptr && are_same(hierarchies, hierarchies_)) return false;
-    unions_.prepare({hierarchies});
-    if (const UnionCache::Prepared united = unions_.peek(hierarchies)) return !has_sent(united, slice_bytes);
-    return unions_.is_coming(hierarchies);
+    unions_->prepare({hierarchies});
+    if (const UnionCache::Prepared united = unions_->peek(hierarchies)) return !has_sent(united, slice_bytes);
+    return unions_->is_coming(hierarchies);
 }
 
 Extent MorphSurface::extent() const {

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,11 +40,12 @@ struct SurfaceFigures {
 
 class MorphSurface {
   public:
-    /// \param maker  makes the unions; null for unite()
+    /// \param maker  makes the unions of straight blends; null for the usual one
     /// \pre a GL context is current
-    explicit MorphSurface(UnionCache::Maker maker = nullptr) : unions_(UnionCache::usual_bytes, maker) {}
+    explicit MorphSurface(UnionCache::Maker maker = nullptr)
+        : unions_(std::make_unique<UnionCache>(UnionCache::usual_bytes, maker)) {}
 
-    /// Rebuilds the union if \p weights have other active keys than before. Unites \p field if it has changed
+    /// Rebuilds the union if \p weights have other active keys than before, or \p family blends in another way. Unites \p field if it has changed
     /// or the union is new. Waits for a union no longer than a part of a frame, but for the first one: until it
     /// is there, all of the surface stays as it was, and figures() are late. Then call this function again.
     /// \param field   the field to show; null for none
@@ -81,12 +83,14 @@ class MorphSurface {
     Renderer& renderer() { return renderer_; }
 
   private:
+    void follow_blend(BlendKind blend);
     bool has_sent(const UnionCache::Prepared& united, std::size_t max_bytes);
     void send_ahead(std::span<const UnionCache::Keys> wanted);
     UnionCache::Result needed_union(const UnionCache::Keys& hierarchies, bool is_kept);
     void update_field(const Family& family, const Weights& weights, const FieldName* field);
 
-    UnionCache unions_;
+    std::unique_ptr<UnionCache> unions_;  ///< which all blend in one way
+    BlendKind blend_ = BlendKind::straight;
     UnionCache::Prepared union_;  ///< the shown one; null before the first update()
     UnionCache::Prepared sent_;   ///< the one that is sent to the GPU; null for none
     bool has_waited_ = false;     ///< for the union that is needed now

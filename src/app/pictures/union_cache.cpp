@@ -10,19 +10,26 @@ namespace {
 
 /// \param scratch  keeps the memory that unite() asks for, which is that of the largest possible union; the
 ///     result takes only what it needs
+template <BlendKind blend>
 UnionCache::Prepared prepared_union(const UnionCache::Keys& keys, UnionMesh& scratch) {
     std::vector<const Hierarchy*> hierarchies;
     hierarchies.reserve(keys.size());
     for (const SharedHierarchy& key : keys) hierarchies.push_back(&*key);
     unite(hierarchies, scratch);
+    set_blend(scratch, blend);
     return std::make_shared<const PreparedSurface>(prepared_surface(scratch));
 }
 
 }  // namespace
 
+UnionCache::Maker UnionCache::maker_of(BlendKind blend) {
+    return blend == BlendKind::straight ? prepared_union<BlendKind::straight>
+                                        : prepared_union<BlendKind::turning>;
+}
+
 UnionCache::UnionCache(std::size_t max_bytes, Maker maker)
     : max_bytes_(max_bytes),
-      maker_(maker != nullptr ? maker : prepared_union),
+      maker_(maker != nullptr ? maker : maker_of(BlendKind::straight)),
       worker_([this](const std::stop_token& stop) { work(stop); }) {}
 
 bool UnionCache::are_same(const Keys& a, const Keys& b) {

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "family/blend_kind.h"
 #include "family/shared_hierarchy.h"
 #include "hierarchy/union_mesh.h"
 #include "render/prepared_surface.h"
@@ -26,6 +27,9 @@ class UnionCache {
     /// Makes the union of \p keys. \p scratch keeps memory from one call to the next.
     using Maker = Prepared (*)(const Keys& keys, UnionMesh& scratch);
 
+    /// The maker of unions that blend in this way.
+    static Maker maker_of(BlendKind blend);
+
     static constexpr std::size_t usual_bytes = std::size_t{512} << 20;
 
     struct Result {
@@ -35,7 +39,7 @@ class UnionCache {
 
     /// \param max_bytes  memory of all unions together; the least recently used ones go first. The last
     ///     returned union stays in any case.
-    /// \param maker  null for unite(); a test passes a slow one
+    /// \param maker  null for straight blends; a test passes a slow one
     explicit UnionCache(std::size_t max_bytes = usual_bytes, Maker maker = nullptr);
 
     /// The union of \p keys. Waits for the worker if it is making this union, and makes it otherwise.

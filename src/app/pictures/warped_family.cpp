@@ -17,6 +17,7 @@ void WarpedFamily::follow(const Family& family, const Weights& weights, std::spa
         return;
     }
     warped_ = {};
+    warped_.blend = family.blend;
     warped_.field_scales = family.field_scales;
     weights_.clear();
     sources_.clear();

@@ -87,6 +87,7 @@ enum class CommandId : std::uint8_t {
     drive_by_domain,
     show_one_key,
     drive_by_weights,
+    turn_parts,
     sum_to_one,
     reset_weights,
     frame_model,

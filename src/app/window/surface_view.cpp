@@ -167,10 +167,11 @@ void SurfaceView::want_details(const Session& session) {
     details_.want(std::move(keys));
 }
 
-/// Whether the display asks for what only the whole surface has: heights or arrows.
+/// Whether only the whole surface will do: for heights, for arrows, and for parts that turn.
 bool SurfaceView::needs_whole(const Session& session, std::span<const FamilyField> fields) const {
     const Display& display = session.display;
-    return warped_.is_warped() || warp_of(display, fields, all_keys_.box) || shown_vector(display, fields);
+    return session.family().blend == BlendKind::turning || warped_.is_warped() ||
+           warp_of(display, fields, all_keys_.box) || shown_vector(display, fields);
 }
 
 /// Whether the detail of the surface follows the camera: because the display says so, or while a large surface
@@ -290,8 +291,10 @@ void SurfaceView::draw_outline(const NodePath& node, bool has_numbers, const Rec
     const UnionMesh& mesh = shows_view_ ? view_.mesh() : surface_.mesh();
     if (node.root >= mesh.roots.triangle_count()) return;
     outline_.follow(mesh, {shows_view_, shows_view_ ? view_.version() : surface_.figures().rebuilds}, node);
+    const Buffer<glm::vec3> turned = mesh.turning ? blend_positions() : Buffer<glm::vec3>{};
     const auto position = [&](Index vertex) {
         if (shows_view_) return view_.positions()[vertex];
+        if (mesh.turning) return turned[vertex];
         glm::vec3 sum(0);
         for (std::size_t key = 0; key < mesh.key_count(); ++key)
             sum += surface_.weights()[key] * mesh.positions[key][vertex];

@@ -101,6 +101,7 @@ void apply_to_transport(const TransportResult& done, ViewerState& state, double 
     if (done.speed) state.session.set_speed(*done.speed, now);
     if (done.frame_rate) state.session.frame_rate = *done.frame_rate;
     if (done.interpolation) choose_interpolation(state, *done.interpolation, now);
+    if (done.blend) choose_blend(state, *done.blend, now);
     if (done.source) choose_time_source(state, *done.source, now);
 }
 

@@ -148,6 +148,7 @@ TransportState transport_of(const Session& session) {
             .speed = session.playback().speed(),
             .frame_rate = session.frame_rate,
             .interpolation = family.timeline ? family.timeline->interpolation() : Interpolation{},
+            .blend = family.blend,
             .source = source_of_time(family).value_or(TimeSource::keys),
             .has_both_sources = family.timeline && family.path};
 }

@@ -51,6 +51,7 @@ Blend blend_over(const Family& family, const Weights& weights, const Hierarchy* 
     for (const float weight : weight_values(weights)) blend.weights.push_back(weight);
     blend.mesh = unite(keys);
     unite_fields(keys, blend.mesh);
+    set_blend(blend.mesh, family.blend);
     blend.positions = morph(blend.mesh, blend.weights);
     if (!std::ranges::all_of(blend.positions, is_finite))
         throw UsageError("--weights: too large for float positions");

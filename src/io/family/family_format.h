@@ -12,7 +12,8 @@ inline constexpr std::string_view name = "interleaf-family";
 
 /// Written for a family that needs no member of version 2.
 inline constexpr std::uint32_t oldest_version = 1;
-/// Written for a family with an origin, a path, landmarks, units or offsets, or whose interpolation is not linear.
+/// Written for a family with an origin, a path, landmarks, units or offsets, or whose interpolation is not linear,
+/// or that does not blend straight.
 inline constexpr std::uint32_t version = 2;
 
 inline constexpr std::uint64_t max_file_size = 16 << 20;

@@ -175,15 +175,6 @@ Interpolation interpolation_at(const JsonPlace& place, double version) {
     return interpolation;
 }
 
-/// The member `unit` of the timeline at \p place, which version 1 does not have.
-TimeUnit unit_at(const JsonPlace& place, double version) {
-    const auto unit_place = place.optional_member("unit");
-    if (!unit_place || version < family_format::version) return TimeUnit::seconds;
-    const std::optional<TimeUnit> unit = time_unit_named(unit_place->string());
-    if (!unit) unit_place->fail_expecting("\"seconds\" or \"steps\"");
-    return *unit;
-}
-
 Timeline timeline_at(const JsonPlace& place, const KeyNames& names, double version) {
     const Interpolation interpolation = interpolation_at(place, version);
 
@@ -331,6 +322,11 @@ void read_composition(const JsonPlace& place, Family& family) {
         if (version.number() > 1) read_path(*domain, family);
     }
     if (version.number() == 1) return;
+    if (const auto blend = place.optional_member("blend")) {
+        const std::optional<BlendKind> kind = blend_kind_named(blend->string());
+        if (!kind) blend->fail_expecting("\"straight\" or \"turning\"");
+        family.blend = *kind;
+    }
     if (const auto origin = place.optional_member("origin")) family.origin = origin_at(*origin);
     if (const auto scales = place.optional_member("scales")) family.field_scales = scales_at(*scales);
     if (const auto timeline = place.optional_member("timeline"))

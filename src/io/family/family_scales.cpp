@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include <fmt/core.h>
@@ -16,6 +17,14 @@ std::string written_unit_at(const JsonPlace& place) {
     if (!is_unit(unit))
         place.fail_expecting(fmt::format("a unit of at most {} bytes without control characters", max_unit));
     return unit;
+}
+
+TimeUnit unit_at(const JsonPlace& place, double version) {
+    const auto unit_place = place.optional_member("unit");
+    if (!unit_place || version < family_format::version) return TimeUnit::seconds;
+    const std::optional<TimeUnit> unit = time_unit_named(unit_place->string());
+    if (!unit) unit_place->fail_expecting("\"seconds\" or \"steps\"");
+    return *unit;
 }
 
 std::vector<FieldScale> scales_at(const JsonPlace& place) {

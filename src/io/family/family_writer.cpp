@@ -122,7 +122,7 @@ bool needs_version_2(const Family& family) {
     return family.origin != glm::dvec3(0) || family.path || !family.landmarks.empty() ||
            (family.timeline && (family.timeline->interpolation().basis != Basis::linear ||
                                 family.timeline->unit() != TimeUnit::seconds || !family.time_unit.empty())) ||
-           !family.field_scales.empty();
+           !family.field_scales.empty() || family.blend != BlendKind::straight;
 }
 
 std::string timeline_text(const Timeline& timeline, const Family& family) {
@@ -190,6 +190,8 @@ std::vector<std::string> composition_members(const Family& family, std::string_v
         fmt::format("  \"name\": {}", ordered_json(family.name).dump()),
         std::string(keys),
     };
+    if (family.blend != BlendKind::straight)
+        members.push_back(fmt::format("  \"blend\": \"{}\"", name_of(family.blend)));
     if (family.timeline) members.push_back(timeline_text(*family.timeline, family));
     if (family.domain) members.push_back(domain_text(*family.domain, family));
     if (family.origin != glm::dvec3(0))

@@ -64,6 +64,8 @@ std::string filled(std::string_view page, const std::map<std::string, std::strin
 void export_page(const Export& exported, const OutputTarget& target) {
     const Family& family = exported.family;
     check_active_keys(family);
+    if (family.blend != BlendKind::straight && exported.remarks != nullptr)
+        exported.remarks->emplace_back("a web page blends straight; parts of this family turn");
     const PagePayload payload = page_payload(family, exported.progress);
     const std::string title = escaped_text(family.name);
     const std::string description = escaped_json(

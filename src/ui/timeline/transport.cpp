@@ -10,6 +10,7 @@
 
 #include "ui/widgets/command_keys.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/tooltip.h"
 
 namespace interleaf {
 
@@ -189,6 +190,12 @@ void choose_interpolation(const TransportState& state, TransportResult& result) 
                   result.pressed = TransportButton::ask_for_degree;
               if (ImGui::IsItemHovered())
                   ImGui::SetTooltip("Polynomials of a degree that you type, joined at keys");
+              ImGui::Separator();
+              const bool turns = state.blend == BlendKind::turning;
+              if (ImGui::Selectable("Turn parts", turns))
+                  result.blend = turns ? BlendKind::straight : BlendKind::turning;
+              tooltip(with_keys("Parts that turn from key to key turn on the way, instead of shrinking",
+                                {"Turn parts"}));
           });
 }
 

@@ -23,8 +23,9 @@ struct TransportState {
     double speed;                 ///< seconds of the animation per second
     double frame_rate;            ///< frames per second, for single steps
     Interpolation interpolation;  ///< of the keys
-    TimeSource source;            ///< what drives the blend over time
-    bool has_both_sources;        ///< whether the user can choose the other source
+    BlendKind blend = BlendKind::straight;
+    TimeSource source;      ///< what drives the blend over time
+    bool has_both_sources;  ///< whether the user can choose the other source
 };
 
 /// A button of the row.
@@ -49,6 +50,7 @@ struct TransportResult {
     std::optional<double> speed;                 ///< chosen
     std::optional<double> frame_rate;            ///< chosen
     std::optional<Interpolation> interpolation;  ///< chosen
+    std::optional<BlendKind> blend;              ///< chosen
     std::optional<TimeSource> source;            ///< chosen
 };
 

@@ -5,6 +5,7 @@
 
 #include "app/document/edit_commands.h"
 #include "app/sample_family.h"
+#include "hierarchy/morph.h"
 
 using namespace interleaf;
 
@@ -30,6 +31,31 @@ TEST_CASE("each driver takes over, and the others come back to where they were")
     state.selected_key = 4;
     choose_driver(state, Driver::key, 5);
     CHECK(state.session.weights() == Weights{{4, 1}});
+}
+
+TEST_CASE("turning parts is a step that is undone") {
+    ViewerState state(sample_family());
+    CHECK_FALSE(is_turning(state));
+    toggle_turning(state, 0);
+    CHECK(state.document.family().blend == BlendKind::turning);
+    CHECK(is_turning(state));
+    choose_blend(state, BlendKind::turning, 0);  // no step
+    undo(state, 0);
+    CHECK_FALSE(is_turning(state));
+    redo(state, 0);
+    toggle_turning(state, 0);
+    CHECK_FALSE(is_turning(state));
+}
+
+TEST_CASE("a blend that turns is kept as it is shown") {
+    ViewerState state(sample_family());
+    toggle_turning(state, 0);
+    state.session.set_weights({{0, 0.5}, {1, 0.5}}, 0);
+    UnionMesh mesh = unite(state.document.family(), state.session.weights());
+    set_blend(mesh, BlendKind::turning);
+    keep_blend(state, 0);
+    const Hierarchy& kept = *state.document.family().keys.back().hierarchy;
+    CHECK(kept.positions == morphed_hierarchy(mesh, std::vector{0.5F, 0.5F}).positions);
 }
 
 TEST_CASE("without a selected key, the key with the largest weight is shown alone") {

@@ -73,4 +73,7 @@ TEST_CASE("an edit without effect on the blend measures nothing anew, others do"
     Family other = *family;
     other.timeline = other.timeline->with_interpolation({Basis::hold, 1});
     CHECK_FALSE(have_same_blends(*family, other));
+    other = *family;
+    other.blend = BlendKind::turning;
+    CHECK_FALSE(have_same_blends(*family, other));
 }

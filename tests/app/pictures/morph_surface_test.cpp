@@ -71,6 +71,33 @@ TEST_CASE("going back while a union is made shows the present union at once") {
     CHECK(surface.figures().rebuilds == 1);
 }
 
+TEST_CASE("a family whose parts turn is drawn turning, and straight again when it says so") {
+    const EglContext context;
+    Family family = family_of(400);
+    const Weights weights{{0, 0.5}, {1, 0.5}};
+    MorphSurface surface;
+    const auto settle = [&] {
+        for (int frame = 0; frame < 1000; ++frame) {
+            surface.update(family, weights, nullptr);
+            if (!surface.figures().is_late) return;
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+    };
+    settle();
+    const Extent straight = surface.extent();
+    CHECK_FALSE(surface.mesh().turning);
+    family.blend = BlendKind::turning;
+    settle();
+    CHECK(surface.mesh().turning);
+    CHECK(surface.extent().box != straight.box);
+    surface.update(family, {{0, 1}, {1, 0}}, nullptr);
+    CHECK(surface.figures().rebuilds == 2);
+    family.blend = BlendKind::straight;
+    settle();
+    CHECK_FALSE(surface.mesh().turning);
+    CHECK(surface.extent().box == straight.box);
+}
+
 TEST_CASE("a large union is sent in slices, ahead of its need or while the last surface stays") {
     const EglContext context;
     const Family family = family_of(120'000);

@@ -9,6 +9,7 @@
 #include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
+#include <glm/geometric.hpp>
 
 #include "hierarchy/error.h"
 #include "hierarchy/morph.h"
@@ -51,6 +52,21 @@ TEST_CASE("a blend is the union with its blended positions and common fields") {
     REQUIRE(blend.fields.size() == 1);
     CHECK(blend.fields[0].name == "height");
     CHECK(blend.fields[0].values.size() == blend.positions.size());
+}
+
+TEST_CASE("the blend of a family whose parts turn has turned positions, and is exact at its keys") {
+    Family family = family_with_field();
+    const Weights weights{{0, 0.25}, {2, 0.75}};
+    const Buffer<glm::vec3> straight = blend_of({family, weights, {}}).positions;
+    family.blend = BlendKind::turning;
+    const Blend blend = blend_of({family, weights, {}});
+    CHECK(blend.mesh.turning);
+    CHECK(std::ranges::equal(blend.positions, morph(blend.mesh, blend.weights)));
+    CHECK_FALSE(std::ranges::equal(blend.positions, straight));
+
+    const Blend at_key = blend_of({family, Weights{{0, 1}, {2, 0}}, {}});
+    for (std::size_t v = 0; v < at_key.positions.size(); ++v)
+        REQUIRE(glm::distance(at_key.positions[v], at_key.mesh.positions[0][v]) <= 1e-5F);
 }
 
 TEST_CASE("a blend needs weights, and weights within floats") {

@@ -165,6 +165,22 @@ TEST_CASE("a path and whether it drives are written and read again, in version 2
     }
 }
 
+TEST_CASE("a family whose parts turn is written and read again, in version 2") {
+    std::mt19937 random(1);
+    const ScratchFolder folder;
+    Family family = sample_family(random);
+    family.blend = BlendKind::turning;
+    write_family(family, folder / "f");
+    CHECK(read_family(folder / "f").blend == BlendKind::turning);
+    const std::string text = content(folder / "f/family.json");
+    CHECK(contains(text, "\"version\": 2,"));
+    CHECK(contains(text, "\"blend\": \"turning\""));
+    family.blend = BlendKind::straight;
+    write_family(family, folder / "g");
+    CHECK(read_family(folder / "g").blend == BlendKind::straight);
+    CHECK_FALSE(contains(content(folder / "g/family.json"), "blend"));
+}
+
 TEST_CASE("a timeline of steps is written and read again, in version 2") {
     std::mt19937 random(1);
     const ScratchFolder folder;
