@@ -61,7 +61,8 @@ constexpr double poor_angle = 5;
 constexpr double poor_flipped_part = 0.25;
 constexpr double farther_than_poor = 1.1;
 
-/// Before smoothing, a key is certainly poor beyond these limits.
+/// Before smoothing, a key is certainly poor beyond these limits. After smoothing, the other map is tried below this
+/// angle, too.
 constexpr double hopeless_angle = 1;
 constexpr double hopeless_flipped_part = 1.5;
 
@@ -181,18 +182,23 @@ bool is_to_take(const JudgedMap& refined, const JudgedMap& as_it_is, const FitLi
     return is_no_worse(refined.quality, as_it_is.quality, is_poor ? farther_than_poor : 1);
 }
 
+/// Whether leaves of the key are needles, however it was made: the other map may give a better one.
+bool is_hopeless(const FitQuality& smoothed) {
+    return smoothed.min_angle < hopeless_angle;
+}
+
 /// Whether this choice is certain before the key of the mesh as it is has been smoothed. Smoothing brings no
 /// key nearer to the surface. Where smoothing improves little, the figures are nearly final. Elsewhere the
 /// choice is certain only if no leaf is left that smoothing might improve.
 bool is_sure_to_take(const JudgedMap& refined, const FoundMap& as_it_is, const FitLimits& limits,
                      const Progress& progress) {
-    const bool is_hopeless =
+    const bool is_certainly_poor =
         as_it_is.shapes.min_angle < hopeless_angle || as_it_is.flipped_part(limits) > hopeless_flipped_part;
     const bool is_mended_little = as_it_is.faulty_part() > many_faulty;
     const bool is_best = refined.quality.min_angle >= smoothed_angle && refined.quality.flipped_leaves == 0;
-    return (is_hopeless || is_mended_little || is_best) &&
+    return (is_certainly_poor || is_mended_little || is_best) &&
            is_no_worse(refined.quality, quality_of(*as_it_is.map, as_it_is.surface, progress),
-                       is_hopeless ? farther_than_poor : 1);
+                       is_certainly_poor ? farther_than_poor : 1);
 }
 
 }  // namespace
@@ -255,18 +261,26 @@ JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
     if (has_needles && (!refined || refined->is_bad(options.limits)))
         as_it_is = try_to_map({}, false, 0.6, 0.7);
     if (!as_it_is && !refined) throw InputError(fault);
-    if (!as_it_is) return judged_in(*std::move(refined), 0.8, 1);
+    const auto better_of = [&](JudgedMap of_refined, JudgedMap of_original) {
+        return is_to_take(of_refined, of_original, options.limits) ? std::move(of_refined)
+                                                                   : std::move(of_original);
+    };
+    if (!as_it_is) {
+        JudgedMap judged_refined = judged_in(*std::move(refined), 0.6, 0.8);
+        if (!has_needles || !is_hopeless(judged_refined.quality)) return judged_refined;
+        as_it_is = try_to_map({}, false, 0.8, 0.9);
+        if (!as_it_is) return judged_refined;
+        return better_of(std::move(judged_refined), judged_in(*std::move(as_it_is), 0.9, 1));
+    }
     if (!refined || !is_better(*refined, *as_it_is, options.limits))
         return judged_in(*std::move(as_it_is), 0.8, 1);
     JudgedMap judged_refined = judged_in(*std::move(refined), 0.7, 0.8);
-    if (as_it_is->is_bad(options.limits)) return judged_refined;
+    if (as_it_is->is_bad(options.limits) && !is_hopeless(judged_refined.quality)) return judged_refined;
     const bool is_sure =
         is_sure_to_take(judged_refined, *as_it_is, options.limits, part_of(progress, 0.8, 0.85));
     stopwatch.lap("choosing the map");
     if (is_sure) return judged_refined;
-    JudgedMap judged_as_it_is = judged_in(*std::move(as_it_is), 0.85, 1);
-    return is_to_take(judged_refined, judged_as_it_is, options.limits) ? std::move(judged_refined)
-                                                                       : std::move(judged_as_it_is);
+    return better_of(std::move(judged_refined), judged_in(*std::move(as_it_is), 0.85, 1));
 }
 
 }  // namespace interleaf

@@ -134,9 +134,11 @@ TEST_CASE("on a full disk a film fails with its name and the words of ffmpeg, an
 TEST_CASE("a film that is interrupted leaves nothing, and an ignored interrupt has no effect") {
     const ScratchFolder folder;
     const auto status_after = [&](const char* signal, const char* end) {
-        const std::string command =
-            fmt::format("'{}' render -o '{}' --size 320x180 --to {} & p=$!; sleep 0.3; kill -{} $p; wait $p",
-                        INTERLEAF_PROGRAM, (folder / "a.mp4").string(), end, signal);
+        // Interrupts the program once it writes the film, beside its later place.
+        const std::string command = fmt::format(
+            "'{0}' render -o '{1}/a.mp4' --size 320x180 --to {2} & p=$!; "
+            "while kill -0 $p && ! [ -e '{1}/.interleaf-0' ]; do sleep 0.01; done; kill -{3} $p; wait $p",
+            INTERLEAF_PROGRAM, folder.path().string(), end, signal);
         return std::system(command.c_str());  // NOLINT(concurrency-mt-unsafe): one thread
     };
     CHECK(status_after("TERM", "100") != 0);

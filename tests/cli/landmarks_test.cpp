@@ -54,25 +54,28 @@ struct TwoStars {
         return 3.0 * glm::dvec3(p.z, p.x, p.y) + glm::dvec3(5, 0, 1);
     }
 
-    std::vector<std::string> fit_line(std::vector<std::string> more) const {
-        std::vector<std::string> line = {"fit",
-                                         first,
-                                         second,
-                                         "--landmarks",
-                                         first_landmarks,
-                                         "--landmarks",
-                                         second_landmarks,
-                                         "-o",
-                                         folder / "two",
-                                         "--leaves",
-                                         "2000"};
+    std::vector<std::string> fit_line(const std::string& family, std::vector<std::string> more) const {
+        std::vector<std::string> line = {"fit", first, second, "-o", family, "--leaves", "2000"};
+        line.insert(line.end(), {"--landmarks", first_landmarks, "--landmarks", second_landmarks});
         line.insert(line.end(), more.begin(), more.end());
         return line;
     }
 };
 
+/// The two stars, and a family of their keys. All tests share them, because fits take long.
+struct FittedStars : TwoStars {
+    std::string family = folder / "two";
+    Outcome outcome = run_interleaf(fit_line(family, {"--report", "json"}));
+};
+
+const FittedStars& fitted_stars() {
+    static const FittedStars stars;
+    REQUIRE_MESSAGE(stars.outcome.status == 0, stars.outcome.errors);
+    return stars;
+}
+
 TEST_CASE("landmarks of the star are its tips, listed, and written to a file or to standard output") {
-    const TwoStars stars;
+    const TwoStars& stars = fitted_stars();
     CHECK(stars.landmarks.landmarks.size() == 6);
     CHECK(stars.landmarks.landmarks[0].name == "tip 1");
     const Outcome listed = run_interleaf({"landmarks", stars.first, "-o", stars.folder / "all.json"});
@@ -87,11 +90,9 @@ TEST_CASE("landmarks of the star are its tips, listed, and written to a file or 
 }
 
 TEST_CASE("landmarks place a turned and scaled copy over the first mesh, and its key has them in place") {
-    const TwoStars stars;
-    const Outcome outcome = run_interleaf(stars.fit_line({"--report", "json"}));
-    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
-    CHECK(outcome.errors == "");
-    const auto report = nlohmann::json::parse(outcome.output)["meshes"];
+    const FittedStars& stars = fitted_stars();
+    CHECK(stars.outcome.errors == "");
+    const auto report = nlohmann::json::parse(stars.outcome.output)["meshes"];
     CHECK(report[0]["placement"].is_null());
     CHECK(report[1]["placement"]["scale"].get<double>() == doctest::Approx(1.0 / 3).epsilon(1e-6));
     CHECK(report[1]["distortion_at_90_percent"].get<double>() < 1.5);
@@ -100,7 +101,7 @@ TEST_CASE("landmarks place a turned and scaled copy over the first mesh, and its
         CHECK(report[0]["landmarks"][k]["direction"] == report[1]["landmarks"][k]["direction"]);
         CHECK(report[1]["landmarks"][k]["off_in_key"].get<double>() < 0.01);
     }
-    const Family family = read_family(stars.folder / "two");
+    const Family family = read_family(stars.family);
     const Box first = bounding_box(family.keys[0].hierarchy->positions);
     const Box second = bounding_box(family.keys[1].hierarchy->positions);
     CHECK(glm::distance(first.min, second.min) < 0.02F * first.diagonal());
@@ -113,22 +114,22 @@ TEST_CASE("landmarks place a turned and scaled copy over the first mesh, and its
     CHECK(serialize_hierarchy(*family.keys[0].hierarchy) ==
           serialize_hierarchy(read_hierarchy(stars.folder / "alone.ilh")));
 
-    const Outcome kept = run_interleaf(stars.fit_line({"--place", "keep"}));
+    const std::string kept_family = stars.folder / "kept";
+    const Outcome kept = run_interleaf(stars.fit_line(kept_family, {"--place", "keep", "--match", "none"}));
     REQUIRE_MESSAGE(kept.status == 0, kept.errors);
     CHECK(contains(kept.output, "landmark tip 1: "));
-    const Family where_they_are = read_family(stars.folder / "two");
+    const Family where_they_are = read_family(kept_family);
     CHECK(bounding_box(where_they_are.keys[1].hierarchy->positions).diagonal() ==
           doctest::Approx(3 * first.diagonal()).epsilon(0.02));
 }
 
 TEST_CASE("a family keeps its landmarks, and later keys are fitted onto them") {
-    const TwoStars stars;
-    REQUIRE(run_interleaf(stars.fit_line({})).status == 0);
-    const Family family = read_family(stars.folder / "two");
+    const FittedStars& stars = fitted_stars();
+    const Family family = read_family(stars.family);
     REQUIRE(family.landmarks.size() == 6);
     const Outcome outcome = run_interleaf({"fit", stars.second, "--landmarks", stars.second_landmarks,
-                                           "--onto", stars.folder / "two", "--leaves", "2000", "-o",
-                                           stars.folder / "later.ilh", "--report", "json"});
+                                           "--onto", stars.family, "--match", "none", "--leaves", "2000",
+                                           "-o", stars.folder / "later.ilh", "--report", "json"});
     REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
     const auto landmarks = nlohmann::json::parse(outcome.output)["meshes"][0]["landmarks"];
     for (std::size_t k = 0; k < 6; ++k) {
@@ -140,8 +141,8 @@ TEST_CASE("a family keeps its landmarks, and later keys are fitted onto them") {
     CHECK(glm::distance(first.min, later.min) < 0.03F * first.diagonal());
     CHECK(glm::distance(first.max, later.max) < 0.03F * first.diagonal());
 
-    CHECK(run_interleaf({"fit", stars.second, "--onto", stars.folder / "two", "-o", stars.folder / "x.ilh"})
-              .status == 2);
+    CHECK(run_interleaf({"fit", stars.second, "--onto", stars.family, "-o", stars.folder / "x.ilh"}).status ==
+          2);
     const Outcome without = run_interleaf({"fit", stars.second, "--landmarks", stars.second_landmarks,
                                            "--onto", INTERLEAF_FIVE_KEYS, "-o", stars.folder / "x.ilh"});
     CHECK(without.status == 1);
@@ -150,28 +151,28 @@ TEST_CASE("a family keeps its landmarks, and later keys are fitted onto them") {
 
 TEST_CASE("options and files of landmarks that make no sense are refused, naming the reason") {
     const TwoStars stars;
+    const std::string family = stars.folder / "two";
     const auto fault = [](const std::vector<std::string>& line, int status) {
         const Outcome outcome = run_interleaf(line);
         CHECK(outcome.status == status);
         CHECK(is_one_message(outcome.errors));
         return outcome.errors;
     };
-    CHECK(contains(fault(stars.fit_line({"--same-size"}), 2), "--place keep"));
-    CHECK(contains(fault(stars.fit_line({"--place", "near"}), 2), "similarity, rigid or keep"));
-    CHECK(contains(fault(stars.fit_line({"--rotate", "x,0", "--rotate", "x,90"}), 2), "--rotate x,0"));
-    CHECK(contains(fault({"fit", stars.first, stars.second, "--landmarks", stars.first_landmarks, "-o",
-                          stars.folder / "two"},
-                         2),
-                   "once per mesh"));
+    CHECK(contains(fault(stars.fit_line(family, {"--same-size"}), 2), "--place keep"));
+    CHECK(contains(fault(stars.fit_line(family, {"--place", "near"}), 2), "similarity, rigid or keep"));
     CHECK(
-        contains(fault({"fit", stars.first, stars.second, "--place", "rigid", "-o", stars.folder / "two"}, 2),
-                 "--landmarks"));
+        contains(fault(stars.fit_line(family, {"--rotate", "x,0", "--rotate", "x,90"}), 2), "--rotate x,0"));
+    CHECK(contains(
+        fault({"fit", stars.first, stars.second, "--landmarks", stars.first_landmarks, "-o", family}, 2),
+        "once per mesh"));
+    CHECK(contains(fault({"fit", stars.first, stars.second, "--place", "rigid", "-o", family}, 2),
+                   "--landmarks"));
     put(stars.second_landmarks, R"({"format": "interleaf-landmarks", "version": 1, "landmarks":
         [{"name": "tail", "position": [0, 0, 0]}]})");
-    CHECK(contains(fault(stars.fit_line({}), 1), "no landmark has the name"));
+    CHECK(contains(fault(stars.fit_line(family, {}), 1), "no landmark has the name"));
     put(stars.second_landmarks, "{}");
-    CHECK(contains(fault(stars.fit_line({}), 1), "turned.json: document: has no \"format\""));
-    CHECK_FALSE(std::filesystem::exists(stars.folder / "two"));
+    CHECK(contains(fault(stars.fit_line(family, {}), 1), "turned.json: document: has no \"format\""));
+    CHECK_FALSE(std::filesystem::exists(family));
 }
 
 }  // namespace

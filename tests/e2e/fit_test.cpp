@@ -50,6 +50,14 @@ void go_to_row(const RunningViewer& viewer, const char* name, bool back = false)
     wait_for_offered(viewer, "row", name);
 }
 
+/// Goes to the row named `match`, which is next, and turns matching off. It would take most of the time of the fit.
+void turn_matching_off(const RunningViewer& viewer) {
+    go_to_row(viewer, "match");
+    CHECK(viewer.state()["offer"]["match_parts"] == true);
+    viewer.press(XK_space);
+    wait_for_offered(viewer, "match_parts", false);
+}
+
 State wait_for_compared(const RunningViewer& viewer, const char* mesh) {
     return viewer.wait_for(mesh,
                            [&](const State& s) { return s["comparing"] == true && s["compared"] == mesh; });
@@ -165,10 +173,7 @@ TEST_CASE("in the offer, the keyboard chooses leaves, roots and the turn of each
     wait_for_offered(viewer, "leaves", "2000");
 
     go_to_row(viewer, "roots");
-    go_to_row(viewer, "match");
-    CHECK(viewer.state()["offer"]["match_parts"] == true);
-    viewer.press(XK_space);
-    wait_for_offered(viewer, "match_parts", false);
+    turn_matching_off(viewer);
     go_to_row(viewer, "landmarks");
     go_to_row(viewer, "size");
     viewer.press(XK_space);
@@ -210,9 +215,8 @@ TEST_CASE("landmarks are set from proposals by the keyboard, undone, and used by
     const RunningViewer viewer(home.path(), meshes);
     wait_for_offer(viewer);
     viewer.type("500");
-    for (const char* row : {"roots", "match"}) go_to_row(viewer, row);
-    viewer.press(XK_space);
-    wait_for_offered(viewer, "match_parts", false);
+    go_to_row(viewer, "roots");
+    turn_matching_off(viewer);
     go_to_row(viewer, "landmarks");
     viewer.press(XK_Return);
     const auto wait_for_points = [&](const char* what, const State& places) {
@@ -318,8 +322,9 @@ TEST_CASE("the offer shows what is lost and added, and Fit waits until the user 
         };
     };
     viewer.wait_for("a remark about parts", fault_with("A key is made of one part"));
-    for (const char* row :
-         {"roots", "match", "landmarks", "size", "center", "meshes", "up", "axis", "degrees", "parts"})
+    go_to_row(viewer, "roots");
+    turn_matching_off(viewer);
+    for (const char* row : {"landmarks", "size", "center", "meshes", "up", "axis", "degrees", "parts"})
         go_to_row(viewer, row);
     viewer.press(XK_Return);
     CHECK(viewer.state()["offer"].is_object());
@@ -362,6 +367,8 @@ TEST_CASE("unsaved changes are asked about before the offer to fit, and a cancel
     viewer.type_keys("d");
     const State offered = viewer.wait_for(
         "the offer", [](const State& s) { return s["offer"].is_object() && !s["rects"]["popup"].is_null(); });
+    go_to_row(viewer, "roots");
+    turn_matching_off(viewer);
     const State& popup = offered["rects"]["popup"];
     const glm::vec2 corner(popup[0].get<float>() + popup[2].get<float>(),
                            popup[1].get<float>() + popup[3].get<float>());

@@ -154,6 +154,7 @@ TEST_CASE("when memory runs out, the window keeps its document and saves it for 
     });
 
     // The action that failed succeeds now.
+    check_alive(viewer);
     viewer.press(XK_Escape);
     viewer.wait_for("no message", [](const State& s) { return s["message"] == ""; });
     viewer.drop(std::vector{large}, row_pixel(kept, 1));

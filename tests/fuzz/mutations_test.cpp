@@ -30,7 +30,7 @@ Bytes bytes_of(const fs::path& file) {
 }
 
 std::vector<fs::path> corpus() {
-    std::vector<fs::path> files{fs::directory_iterator(INTERLEAF_CORPUS), {}};
+    std::vector<fs::path> files{fs::directory_iterator(fs::path(INTERLEAF_CORPORA) / target.name), {}};
     std::ranges::sort(files);
     return files;
 }

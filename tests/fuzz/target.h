@@ -19,6 +19,8 @@ using ByteSpan = std::span<const std::byte>;
 using Inspection = std::function<std::string()>;
 
 struct Target {
+    const char* name;  ///< of the target, and of the folder of its corpus
+
     /// Reads a file with the given bytes.
     /// \throw InputError if the reader rejects the file; any other exception is a fault
     Inspection (*read)(ByteSpan file);

@@ -140,6 +140,6 @@ std::uint64_t content_size(ByteSpan file) {
 
 }  // namespace
 
-const Target target{read_hierarchy_bytes, parts_of, file_of, content_size};
+const Target target{"compressed", read_hierarchy_bytes, parts_of, file_of, content_size};
 
 }  // namespace interleaf::fuzz

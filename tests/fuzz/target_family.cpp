@@ -62,6 +62,6 @@ Inspection read(ByteSpan bytes) {
 
 }  // namespace
 
-const Target target{read, whole_as_part, first_part, own_size};
+const Target target{"family", read, whole_as_part, first_part, own_size};
 
 }  // namespace interleaf::fuzz

@@ -78,6 +78,6 @@ std::uint64_t content_size(ByteSpan file) {
 
 }  // namespace
 
-const Target target{read, parts_of, file_of, content_size};
+const Target target{"gltf", read, parts_of, file_of, content_size};
 
 }  // namespace interleaf::fuzz

@@ -37,6 +37,6 @@ Inspection read(ByteSpan bytes) {
 
 }  // namespace
 
-const Target target{read, whole_as_part, first_part, own_size};
+const Target target{"landmarks", read, whole_as_part, first_part, own_size};
 
 }  // namespace interleaf::fuzz

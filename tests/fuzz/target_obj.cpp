@@ -30,6 +30,6 @@ Inspection read(ByteSpan bytes) {
 
 }  // namespace
 
-const Target target{read, whole_as_part, first_part, own_size};
+const Target target{"obj", read, whole_as_part, first_part, own_size};
 
 }  // namespace interleaf::fuzz

@@ -56,6 +56,6 @@ Bytes file_of(std::vector<Bytes> parts, bool keeps_counts) {
 
 }  // namespace
 
-const Target target{read_hierarchy_bytes, parts_of, file_of, own_size};
+const Target target{"plain", read_hierarchy_bytes, parts_of, file_of, own_size};
 
 }  // namespace interleaf::fuzz

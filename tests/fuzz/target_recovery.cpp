@@ -28,6 +28,6 @@ Inspection read(ByteSpan bytes) {
 
 }  // namespace
 
-const Target target{read, whole_as_part, first_part, own_size};
+const Target target{"recovery", read, whole_as_part, first_part, own_size};
 
 }  // namespace interleaf::fuzz

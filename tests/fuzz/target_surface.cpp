@@ -94,6 +94,6 @@ Bytes file_of(std::vector<Bytes> parts, bool keeps_counts) {
 
 }  // namespace
 
-const Target target{read, parts_of, file_of, own_size};
+const Target target{"surface", read, parts_of, file_of, own_size};
 
 }  // namespace interleaf::fuzz

@@ -75,6 +75,6 @@ std::uint64_t content_size(ByteSpan file) {
 
 }  // namespace
 
-const Target target{read, parts_of, joined_parts, content_size};
+const Target target{"vtk", read, parts_of, joined_parts, content_size};
 
 }  // namespace interleaf::fuzz

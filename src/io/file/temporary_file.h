@@ -4,6 +4,7 @@
 // file, and the system releases the lock when the process ends, however it ends. So the next writer in the
 // folder can remove the file of a killed process, and there are never more such files than there were
 // simultaneous writers.
+// A program that starts removes none, because it cannot know in which folders others wrote.
 #pragma once
 
 #include <filesystem>
