@@ -282,7 +282,8 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
 
     MatchReport report;
     report.before = both.figures_of(body.points);
-    if (report.before.distortion < options.enough)
+    // A round body that is turned keeps its shapes. So places must agree, too.
+    if (report.before.energy < MatchWeights().distortion * options.enough)
         return unmatched(std::move(report), "the maps agree already");
     std::vector<Candidate> candidates;
     if (auto own = both.move_own_mesh()) candidates.push_back(std::move(*own));
