@@ -16,8 +16,8 @@ constexpr double tries_per_leaf = 0.5;
 /// The same per round.
 constexpr double tries_per_leaf_and_round = 0.25;
 
-/// The same on a mesh of large triangles that is not refined, if more than this fraction of the leaves needs
-/// smoothing.
+/// The same on a mesh of large triangles that is not refined, and over a matched map, if more than this fraction of
+/// the leaves needs smoothing.
 constexpr double faulty_part_of_many = 0.3;
 constexpr double tries_per_leaf_if_many = 2;
 
@@ -67,7 +67,7 @@ void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& sur
     if (map.is_refined() && !map.is_matched) {
         limits.tries = static_cast<std::size_t>(tries_per_leaf * leaves);
         limits.tries_per_round = static_cast<std::size_t>(tries_per_leaf_and_round * leaves);
-    } else if (map.has_large_triangles &&
+    } else if ((map.has_large_triangles || map.is_matched) &&
                double(count_faulty_leaves(map.mapped, surface)) > faulty_part_of_many * leaves) {
         limits.tries = static_cast<std::size_t>(tries_per_leaf_if_many * leaves);
         limits.tries_of_worst = static_cast<std::size_t>(tries_of_worst_per_leaf * leaves);

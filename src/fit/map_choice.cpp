@@ -41,6 +41,10 @@ constexpr double max_flipped_part = 3;
 /// smoothed.
 constexpr double far_from_accepted = 2;
 
+/// A key of a matched map with this multiple of the flipped leaves for which it would be refused stays refused,
+/// however it is smoothed.
+constexpr double lost_flipped_part = 8;
+
 /// The refined mesh is as fine as this many equilateral triangles. A finer mesh gives better leaves. But on a
 /// long thin body, the map of the finer mesh may shrink a limb; then a coarser mesh is tried.
 constexpr double fine_triangles = 2000;
@@ -90,7 +94,8 @@ SampledSurface sampled(const AlignedMap& map, const SphereRoots& roots, const Pr
 }
 
 /// Smooths and measures. A key that is certainly refused is not smoothed: the key of a bad map that is so far
-/// from the surface that smoothing, which moves vertices along the surface, cannot bring it near.
+/// from the surface that smoothing, which moves vertices along the surface, cannot bring it near, or the key of a
+/// matched map that folds over the surface.
 JudgedMap judged(FoundMap candidate, const SphereRoots& roots, const FitLimits& limits, Stopwatch& stopwatch,
                  const Progress& progress) {
     if (candidate.map->has_large_triangles && candidate.is_bad(limits)) {
@@ -99,6 +104,11 @@ JudgedMap judged(FoundMap candidate, const SphereRoots& roots, const FitLimits& 
         if (quality.hausdorff > far_from_accepted * limits.hausdorff)
             return {std::move(candidate.map), std::move(candidate.surface), quality, candidate.method,
                     candidate.agreement};
+    } else if (candidate.map->is_matched && candidate.flipped_part(limits) > lost_flipped_part) {
+        const FitQuality quality = quality_of(*candidate.map, candidate.surface, progress);
+        stopwatch.lap("measuring");
+        return {std::move(candidate.map), std::move(candidate.surface), quality, candidate.method,
+                candidate.agreement};
     }
     smooth(*candidate.map, roots, candidate.surface, part_of(progress, 0.2, 0.4));
     stopwatch.lap("smoothing");
@@ -211,6 +221,7 @@ JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots,
                 const Progress& progress) {
     FoundMap made;
     made.surface = sampled(*map, roots, part_of(progress, 0, 0.15));
+    made.shapes = measure_shapes(map->mapped, made.surface);
     stopwatch.lap("sampling");
     made.map = std::move(map);
     return judged(std::move(made), roots, {}, stopwatch, part_of(progress, 0.15, 1));

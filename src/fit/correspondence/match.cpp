@@ -35,6 +35,10 @@ constexpr std::size_t finest_part = 3;
 /// The model's mesh also moves over the body, unless the distortion is below this without that.
 constexpr double good_distortion = 1.15;
 
+/// Bodies whose distortion stays above this have no parts that correspond, and no good key of a match. With landmarks,
+/// a person knows better.
+constexpr double hopeless_distortion = 3.5;
+
 /// At the end, shapes on the sphere are restored where their distortion is larger than the first of these; where that
 /// gives no good key, than the next. Each attempt takes as long as a key. Landmarks promise that one will do.
 constexpr std::array<double, 2> worst_shapes = {4, 1.3};
@@ -165,14 +169,20 @@ class Match {
         movement_.part_begins = moving_begins;
         movement_.part_ends = model_moves_from;
         own_mesh_.avoid_needles();
-        const std::optional<int> passes = move_to_best(own_mesh_, movement_, meter_);
-        if (!passes) return std::nullopt;
+        MovementOptions options = movement_;
+        if (body_.landmarks.empty()) options.max_distortion = hopeless_distortion;
+        const MovementResult movement = move_to_best(own_mesh_, options, meter_);
+        are_too_unlike_ = movement.outcome == MovementOutcome::too_unlike;
+        if (movement.outcome != MovementOutcome::moved) return std::nullopt;
         Candidate candidate;
         CoarsenedMesh compared = compared_;
         candidate.points = finished_map(body_, compared, own_mesh_.places().on_sphere, meter_);
-        candidate.passes = *passes;
+        candidate.passes = movement.passes;
         return finished(std::move(candidate));
     }
+
+    /// Whether move_own_mesh() gave up.
+    bool are_too_unlike() const { return are_too_unlike_; }
 
     /// Moves the model's mesh over the body, and inverts the result. This heeds details that only the model has.
     /// \param tries_hard  where triangles stay turned over, tries again with more weight on shapes, which takes as long
@@ -186,11 +196,11 @@ class Match {
         movement_.part_begins = model_moves_from;
         movement_.part_ends = finishing_begins;
         movement_.vertices = models_mesh.points.size();
-        movement_.max_idle_passes = movement_.max_passes;
-        const std::optional<int> passes = move_to_best(moving, movement_, meter_);
-        if (!passes) return std::nullopt;
+        if (!body_.landmarks.empty()) movement_.max_idle_passes = movement_.max_passes;
+        const MovementResult movement = move_to_best(moving, movement_, meter_);
+        if (movement.outcome != MovementOutcome::moved) return std::nullopt;
         Candidate candidate;
-        candidate.passes = *passes;
+        candidate.passes = movement.passes;
         for (const double stiffness : {1.0, 10.0, 40.0}) {
             // Less strained places are pulled back with fewer triangles turned over.
             if (stiffness > 1) moving.relax_stiffly(stiffness);
@@ -236,6 +246,7 @@ class Match {
     MovingMesh models_mesh_;
     MatchWeights own_weights_;
     MatchWeights models_weights_;
+    bool are_too_unlike_ = false;
 };
 
 MatchedMap unmatched(MatchReport report, std::string fault) {
@@ -271,10 +282,12 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
 
     MatchReport report;
     report.before = both.figures_of(body.points);
-    if (report.before.distortion < options.enough)
+    // A round body that is turned keeps its shapes. So places must agree, too.
+    if (report.before.energy < MatchWeights().distortion * options.enough)
         return unmatched(std::move(report), "the maps agree already");
     std::vector<Candidate> candidates;
     if (auto own = both.move_own_mesh()) candidates.push_back(std::move(*own));
+    if (both.are_too_unlike()) return unmatched(std::move(report), "the bodies are too unlike");
     if (candidates.empty() || candidates.front().figures.distortion > good_distortion)
         if (auto models = both.move_models_mesh(!held.empty())) candidates.push_back(std::move(*models));
     if (candidates.empty())

@@ -18,15 +18,13 @@ constexpr int sweeps_per_growth = 60;
 constexpr int sweeps_beyond_even = 20;
 
 struct Movement {
+    MovementResult result;
     MovingMesh::Places places;
     MatchFigures figures;
-    int passes = 0;
 };
 
 /// Makes the passes, up to the base of \p mesh.
-/// \return the best; nothing if no pass finds room for all vertices
-std::optional<Movement> best_movement(MovingMesh& mesh, const MovementOptions& options,
-                                      ProgressMeter& meter) {
+Movement best_movement(MovingMesh& mesh, const MovementOptions& options, ProgressMeter& meter) {
     constexpr int sweeps_of_coarse = 300;
     constexpr double stiffer = 3;
     constexpr double idle_part = 0.99;
@@ -35,10 +33,15 @@ std::optional<Movement> best_movement(MovingMesh& mesh, const MovementOptions& o
     Movement best;
     best.figures.energy = std::numeric_limits<double>::infinity();
     bool is_found = false;
+    int& passes = best.result.passes;
     int idle_passes = 0;
     for (int pass = 0; pass < options.max_passes && idle_passes < options.max_idle_passes; ++pass) {
         meter.enter("matching", options.part_begins + part_of_pass * pass);
         const auto number = static_cast<std::size_t>(pass);
+        if (number == start_sizes.size() && is_found && best.figures.distortion > options.max_distortion) {
+            best.result.outcome = MovementOutcome::too_unlike;
+            return best;
+        }
         if (number < start_sizes.size() || !is_found) {
             mesh.put_at_own_points();
             mesh.coarsen_to(start_sizes[number % start_sizes.size()],
@@ -51,7 +54,7 @@ std::optional<Movement> best_movement(MovingMesh& mesh, const MovementOptions& o
         mesh.relax(sweeps_of_coarse);
         if (!mesh.refine(sweeps_per_growth)) continue;
         const MatchFigures figures = mesh.figures();
-        best.passes = pass + 1;
+        passes = pass + 1;
         const bool is_idle = number >= start_sizes.size() && figures.energy > idle_part * best.figures.energy;
         idle_passes = is_idle ? idle_passes + 1 : 0;
         if (!(figures.energy < best.figures.energy)) continue;
@@ -60,7 +63,8 @@ std::optional<Movement> best_movement(MovingMesh& mesh, const MovementOptions& o
         best.figures = figures;
         if (figures.distortion < options.enough) break;
     }
-    if (!is_found) return std::nullopt;
+    if (!is_found) return best;
+    best.result.outcome = MovementOutcome::moved;
     meter.enter("matching", options.part_begins + part_of_pass * options.max_passes);
     mesh.set_places(best.places);
     mesh.set_weights(weights_at(double(all)));
@@ -72,18 +76,18 @@ std::optional<Movement> best_movement(MovingMesh& mesh, const MovementOptions& o
 
 }  // namespace
 
-std::optional<int> move_to_best(MovingMesh& mesh, const MovementOptions& options, ProgressMeter& meter) {
+MovementResult move_to_best(MovingMesh& mesh, const MovementOptions& options, ProgressMeter& meter) {
     meter.enter("matching", options.part_begins);
     mesh.make_base(options.vertices);
-    const std::optional<Movement> movement = best_movement(mesh, options, meter);
+    Movement best = best_movement(mesh, options, meter);
     mesh.leave_base();
-    if (!movement) {
+    if (best.result.outcome != MovementOutcome::moved) {
         mesh.restore_all();
-        return std::nullopt;
+        return best.result;
     }
-    mesh.set_places(movement->places);
-    if (!mesh.refine(sweeps_beyond_even)) return std::nullopt;
-    return movement->passes;
+    mesh.set_places(best.places);
+    if (!mesh.refine(sweeps_beyond_even)) best.result.outcome = MovementOutcome::no_room;
+    return best.result;
 }
 
 }  // namespace interleaf

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <limits>
 
 #include "fit/correspondence/moving_mesh.h"
 #include "fit/mesh/progress_meter.h"
@@ -14,14 +14,26 @@ struct MovementOptions {
     int max_passes = 10;          ///< at least 1
     double enough = 1.01;         ///< no further pass once the distortion is below this
     int max_idle_passes = 2;      ///< no further pass after so many that gain less than a hundredth
-    double part_begins = 0;       ///< fractions of the meter's work
+    /// Bodies are too unlike if the distortion is above this after the first three passes. Then the passes end.
+    double max_distortion = std::numeric_limits<double>::infinity();
+    double part_begins = 0;  ///< fractions of the meter's work
     double part_ends = 1;
 };
 
-/// Leaves the vertices of \p mesh in their best places.
+enum class MovementOutcome {
+    moved,
+    no_room,  ///< for all vertices
+    too_unlike
+};
+
+struct MovementResult {
+    MovementOutcome outcome = MovementOutcome::no_room;
+    int passes = 0;
+};
+
+/// Leaves the vertices of \p mesh in their best places; in no useful places unless the outcome is `moved`.
 /// \param mesh  with all its vertices, which put_at_own_points() has placed
-/// \return the number of passes; nothing if there is no room for all vertices
 /// \throw Cancelled
-std::optional<int> move_to_best(MovingMesh& mesh, const MovementOptions& options, ProgressMeter& meter);
+MovementResult move_to_best(MovingMesh& mesh, const MovementOptions& options, ProgressMeter& meter);
 
 }  // namespace interleaf

@@ -231,7 +231,6 @@ bool MovingMesh::refine(int sweeps) {
 /// \return false if there is still no room; then the collapse stands
 bool MovingMesh::restore(Index half_edge) {
     constexpr int max_tries = 5;
-    constexpr int sweeps_for_room = 10;
     for (int tries = 0; tries < max_tries; ++tries) {
         const Index vertex = mesh_.origin(half_edge);
         const Index kept = mesh_.origin(mesh_.twin(half_edge));
@@ -242,7 +241,7 @@ bool MovingMesh::restore(Index half_edge) {
         mesh_.collapse(half_edge);
         --count_;
         update_shapes_at(kept);
-        if (tries == 0) relax(sweeps_for_room);
+        if (tries == 0) relax_for_room(kept);
         make_room_around(kept, tries + 1);
     }
     return false;
@@ -273,9 +272,21 @@ bool MovingMesh::place_in_kernel(Index vertex, Index kept) {
     return true;
 }
 
-/// Moves the vertices within \p rings rings of edges about \p vertex to the middles of their kernels.
-void MovingMesh::make_room_around(Index vertex, int rings) {
-    constexpr int rounds = 10;
+/// Relaxes the whole mesh, or only the surroundings of \p vertex while the mesh has grown little since it was relaxed:
+/// where bodies are unlike, many vertices find no room.
+void MovingMesh::relax_for_room(Index vertex) {
+    constexpr double growth = 1.03;
+    constexpr int sweeps = 10;
+    constexpr int rings = 5;
+    if (double(count_) > growth * double(relaxed_count_)) {
+        relax(sweeps);
+    } else {
+        relax_around(vertex, rings, sweeps);
+    }
+}
+
+/// The vertices within \p rings rings of edges about \p vertex.
+std::vector<Index> MovingMesh::vertices_around(Index vertex, int rings) const {
     std::vector<Index> near = {vertex};
     for (int ring = 0; ring < rings; ++ring) {
         const std::vector<Index> inner = near;
@@ -284,6 +295,13 @@ void MovingMesh::make_room_around(Index vertex, int rings) {
         std::ranges::sort(near);
         near.erase(std::unique(near.begin(), near.end()), near.end());
     }
+    return near;
+}
+
+/// Moves the vertices within \p rings rings of edges about \p vertex to the middles of their kernels.
+void MovingMesh::make_room_around(Index vertex, int rings) {
+    constexpr int rounds = 10;
+    const std::vector<Index> near = vertices_around(vertex, rings);
     for (int round = 0; round < rounds; ++round)
         for (const Index v : near) move_to_middle(v);
 }

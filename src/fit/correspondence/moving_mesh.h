@@ -129,10 +129,14 @@ class MovingMesh {
                               TangentDerivatives& sum) const;
     bool place_in_kernel(Index vertex, Index kept);
     bool restore(Index half_edge);
+    std::vector<Index> vertices_around(Index vertex, int rings) const;
+    void relax_for_room(Index vertex);
+    void relax_around(Index vertex, int rings, int sweeps);
     void make_room_around(Index vertex, int rings);
     void move_to_middle(Index vertex);
     std::optional<glm::dvec3> kernel_middle(const glm::dvec3& seed) const;
     int sweep();
+    int move_active();
     void put(Index vertex, const MeshPoint& place);
     std::vector<char> strained_vertices() const;
 
@@ -141,6 +145,7 @@ class MovingMesh {
     ProgressMeter& meter_;
     HalfEdgeMesh mesh_;
     std::size_t count_;
+    std::size_t relaxed_count_ = 0;  ///< number of vertices when the whole mesh was last relaxed
     std::vector<Index> collapses_;
     std::size_t base_ = 0;  ///< number of collapses that refine() does not undo
     Places places_;

@@ -232,9 +232,13 @@ std::optional<glm::dvec3> MovingMesh::kernel_middle(const glm::dvec3& seed) cons
 }
 
 int MovingMesh::sweep() {
-    int moved = 0;
     update_masses();
     fit_affine();
+    return move_active();
+}
+
+int MovingMesh::move_active() {
+    int moved = 0;
     for (Index v = 0; v < mesh_.vertex_capacity(); ++v) {
         if (!mesh_.has_vertex(v) || !std::exchange(is_active_[v], char{0})) continue;
         if (!(relax_vertex(v) > still_gain)) continue;
@@ -246,8 +250,16 @@ int MovingMesh::sweep() {
 }
 
 void MovingMesh::relax(int sweeps) {
+    relaxed_count_ = count_;
     std::fill(is_active_.begin(), is_active_.end(), char{1});
     for (int i = 0; i < sweeps && sweep() > 0; ++i) meter_.step();
+}
+
+/// Relaxes from the vertices within \p rings rings of edges about \p vertex on.
+void MovingMesh::relax_around(Index vertex, int rings, int sweeps) {
+    std::fill(is_active_.begin(), is_active_.end(), char{0});
+    for (const Index v : vertices_around(vertex, rings)) is_active_[v] = 1;
+    for (int i = 0; i < sweeps && move_active() > 0; ++i) meter_.step();
 }
 
 void MovingMesh::relax_stiffly(double factor) {

@@ -152,15 +152,19 @@ void Relaxation::sweep(int sweeps, ProgressMeter& meter) {
 }
 
 bool Relaxation::untangle(int sweeps, ProgressMeter& meter) {
+    is_active_.assign(mesh_.vertex_capacity(), 1);
     for (int i = 0; i < sweeps; ++i) {
         bool is_sound = true;
         for (Index vertex = 0; vertex < mesh_.vertex_capacity(); ++vertex) {
+            if (!mesh_.has_vertex(vertex) || !is_active_[vertex]) continue;
             meter.step();
-            if (!mesh_.has_vertex(vertex)) continue;
             gather(vertex, points_[vertex]);
-            if (star_.has_center_in_kernel()) continue;
+            if (star_.has_center_in_kernel()) {
+                is_active_[vertex] = 0;
+                continue;
+            }
             is_sound = false;
-            if (!is_pinned_[vertex]) put_into_kernel(vertex, points_[vertex]);
+            if (!is_pinned_[vertex] && put_into_kernel(vertex, points_[vertex])) activate_star(vertex);
         }
         if (is_sound) return true;
     }

@@ -56,7 +56,8 @@ class Relaxation {
     void sweep(int sweeps, ProgressMeter& meter);
 
     /// Moves vertices that lie outside the kernels of their stars into these kernels, in at most \p sweeps
-    /// sweeps. Pinned vertices stay; their neighbors have to make room. Counts one step of \p meter per vertex and sweep.
+    /// sweeps. Pinned vertices stay; their neighbors have to make room. Counts one step of \p meter per vertex that is
+    /// examined.
     /// \return whether no such vertex is left
     bool untangle(int sweeps, ProgressMeter& meter);
 

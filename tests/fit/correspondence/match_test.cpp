@@ -231,6 +231,26 @@ TEST_CASE("a match whose key is no good is relaxed further, and given up in the 
     CHECK(given_up.report.after.energy == given_up.report.before.energy);
 }
 
+TEST_CASE("bodies that are too unlike are given up after the first passes, without the judging of a key") {
+    MappedMesh along_x = body_on_mesh(4, glm::dmat3(1), 0);
+    MappedMesh along_y = along_x;
+    for (std::size_t v = 0; v < along_x.points.size(); ++v) {
+        along_x.mesh.positions[v] = glm::dvec3(12, 1, 1) * along_x.points[v];
+        along_y.mesh.positions[v] = glm::dvec3(1, 12, 1) * along_y.points[v];
+    }
+    const auto model = model_of(along_x.mesh, along_x.points, glm::dmat3(1), {}, quick, {});
+    int judged = 0;
+    const MatchedMap matched = match(*model, along_y.mesh, along_y.points, glm::dmat3(1), {}, quick, {},
+                                     [&](const MatchedMap&, const Progress&) {
+                                         ++judged;
+                                         return std::string();
+                                     });
+    CHECK(matched.report.fault == "the bodies are too unlike");
+    CHECK(judged == 0);
+    CHECK(matched.points.empty());
+    CHECK(matched.report.after.energy == matched.report.before.energy);
+}
+
 TEST_CASE("undoing all collapses of a coarsening restores the mesh") {
     const MappedMesh body = body_on_mesh(3, glm::dmat3(1), 0.2);
     const SphereMesh whole = normalized(body.mesh, body.points, glm::dmat3(1));
