@@ -121,7 +121,7 @@ void KeyViews::draw_marks(const Camera& camera, const std::optional<NodePath>& n
     if (more_ > 0 && !views_.empty()) {
         const Rect& last = views_.back()->place;
         ImGui::GetBackgroundDrawList()->AddText(
-            {last.x + scaled(8), last.bottom() - ImGui::GetTextLineHeight() - scaled(6)}, colors::dim_text,
+            {last.x + scaled(8), last.bottom() - ImGui::GetTextLineHeight() - scaled(6)}, colors::text,
             fmt::format("and {} more", more_).c_str());
     }
     ImGui::PopFont();

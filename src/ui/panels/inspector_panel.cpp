@@ -10,6 +10,7 @@
 #include <imgui.h>
 
 #include "hierarchy/level_map.h"
+#include "ui/panels/axes_widget.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 
@@ -267,12 +268,13 @@ InspectorResult inspector_panel(const InspectedNode& shown, std::span<const std:
                                 const Rect& view) {
     const float margin = margin_of_inspector();
     const float width = inspector_width(view);
-    const float top = margin + brush_bar_height();
+    float top = view.y + margin + brush_bar_height();
+    if (const auto axes = axes_place(view); shown.is_at_left && axes) top = axes->bottom() + margin;
     if (shown.is_at_left)
         ImGui::SetNextWindowPos({view.right() - margin, view.bottom() - margin}, ImGuiCond_Always, {1, 1});
     else
-        ImGui::SetNextWindowPos({view.x + margin, view.y + top});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(view.height - top - margin, 1.0F)});
+        ImGui::SetNextWindowPos({view.x + margin, top});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(view.bottom() - top - margin, 1.0F)});
     ImGui::SetNextWindowBgAlpha(0.92F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(6));
     ImGui::PushStyleColor(ImGuiCol_Border, ImGui::GetStyleColorVec4(ImGuiCol_Separator));
