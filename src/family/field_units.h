@@ -14,6 +14,8 @@ namespace interleaf {
 struct NamedUnit {
     std::string field;
     std::string unit;  ///< empty for none
+
+    bool operator==(const NamedUnit&) const = default;
 };
 
 /// With \p unit as the unit of \p field; without one if \p unit is empty.

@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "fit/aligned_map.h"
+#include "fit/correspondence/continued_map.h"
 #include "fit/landmark_fitting.h"
 #include "fit/landmarks/pinned_map.h"
 #include "fit/map_choice.h"
@@ -41,6 +42,10 @@ constexpr double judged_at = 0.87;
 
 /// The same of the map before it is matched to a model's.
 constexpr double mapped_at = 0.3;
+
+/// Where a map is continued, shapes on the sphere are restored where their distortion is larger than the first of these;
+/// where that gives no good key, than the next. The more is restored, the further points slide.
+constexpr std::array<double, 3> continued_shapes = {4, 2, 1.3};
 
 void check_options(const FitOptions& options) {
     if (options.leaves && options.tolerance)
@@ -204,6 +209,14 @@ FittedKey fit_clean(const SurfaceMesh& mesh, const LandmarkPins* pins, Keeps kee
     return key;
 }
 
+/// \throw InputError  naming the changes of the clean-up that the options do not allow
+void require_wanted(const CleanUpReport& report, const FitOptions& options) {
+    std::string unwanted;
+    for (const std::string& change : unwanted_changes(report, options.keep_largest, options.fill_holes))
+        unwanted += (unwanted.empty() ? "" : "; ") + change;
+    if (!unwanted.empty()) throw InputError(unwanted);
+}
+
 /// See FitReport::hausdorff_as_brought.
 /// \param key  made from \p clean
 double distance_as_brought(const CleanMesh& clean, const FittedKey& key, const Progress& progress) {
@@ -222,6 +235,16 @@ double distance_as_brought(const CleanMesh& clean, const FittedKey& key, const P
     return hausdorff_distance({leaves.triangles, leaves.positions}, {brought.triangles, brought.positions},
                               progress) /
            box_diagonal(brought);
+}
+
+/// \p key with the mesh that it was made from, and what the report says about it.
+FittedKey of_clean_mesh(FittedKey key, CleanMesh clean) {
+    key.report.mesh_vertices = clean.mesh.positions.size();
+    key.report.mesh_triangles = clean.mesh.triangles.size();
+    key.report.hausdorff_as_brought = distance_as_brought(clean, key, {});
+    key.report.clean_up = std::move(clean.report);
+    key.mesh = std::move(clean.mesh);
+    return key;
 }
 
 }  // namespace
@@ -256,11 +279,7 @@ FittedKey fit(SurfaceMesh mesh, const FitOptions& options, const Progress& progr
 
 FittedKey fit(CleanMesh clean, const FitOptions& options, const Progress& progress) {
     check_options(options);
-    std::string unwanted;
-    for (const std::string& change : unwanted_changes(clean.report, options.keep_largest, options.fill_holes))
-        unwanted += (unwanted.empty() ? "" : "; ") + change;
-    if (!unwanted.empty()) throw InputError(unwanted);
-
+    require_wanted(clean.report, options);
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
     const std::optional<PinnedMesh> pinned = pinned_mesh(clean.mesh, options.landmarks, options.symmetric);
@@ -275,13 +294,35 @@ FittedKey fit(CleanMesh clean, const FitOptions& options, const Progress& progre
         stopwatch.lap("first attempt");
         key = fit_clean(mesh, pins, Keeps::areas, options, part_of(progress, second_map_begins, 1));
     }
-    key.report.mesh_vertices = clean.mesh.positions.size();
-    key.report.mesh_triangles = clean.mesh.triangles.size();
-    key.report.hausdorff_as_brought = distance_as_brought(clean, key, {});
-    key.report.clean_up = std::move(clean.report);
-    key.mesh = std::move(clean.mesh);
     key.report.times.insert(key.report.times.begin(), times.begin(), times.end());
-    return key;
+    return of_clean_mesh(std::move(key), std::move(clean));
+}
+
+std::optional<FittedKey> fit_continued(const CleanMesh& clean, const FittedKey& before,
+                                       const FitQuality& wanted, const FitOptions& options,
+                                       const Progress& progress) {
+    check_options(options);
+    require_wanted(clean.report, options);
+    std::vector<StageTime> times;
+    Stopwatch stopwatch(times);
+    double part = 0;
+    for (const double worst_shape : continued_shapes) {
+        const double end = part + judged_at / double(continued_shapes.size());
+        ContinuedMap map = continued_map(before.mapped_mesh(), before.points, clean.mesh,
+                                         {.vertices = options.matching.vertices, .worst_shape = worst_shape},
+                                         part_of(progress, part, part));
+        stopwatch.lap("continuing the map");
+        if (map.points.empty()) break;
+        JudgedMap judged =
+            judge(std::make_unique<AlignedMap>(clean.mesh, std::move(map.mesh), std::move(map.points), false),
+                  options.roots, stopwatch, part_of(progress, part, end));
+        part = end;
+        if (!fault_of_match(judged, wanted, options.limits).empty()) continue;
+        FittedKey key =
+            key_of(std::move(judged), options, nullptr, std::move(times), part_of(progress, judged_at, 1));
+        return of_clean_mesh(std::move(key), clean);
+    }
+    return std::nullopt;
 }
 
 }  // namespace interleaf

@@ -104,6 +104,16 @@ FittedKey fit(SurfaceMesh mesh, const FitOptions& options, const Progress& progr
 /// The part of fit() after the clean-up.
 FittedKey fit(CleanMesh clean, const FitOptions& options, const Progress& progress = {});
 
+/// As fit(), but the map continues that of a key before (continued_map.h), for a surface that has moved a little and is
+/// meshed anew. Neither \a rotation nor \a model of the options counts.
+/// \param before  a key of the surface before
+/// \param wanted  the quality of a key with a map of its own, than which this key is hardly worse
+/// \return none if the map cannot be continued, or gives no good key
+/// \throw InputError, UsageError, Cancelled  as fit()
+std::optional<FittedKey> fit_continued(const CleanMesh& clean, const FittedKey& before,
+                                       const FitQuality& wanted, const FitOptions& options,
+                                       const Progress& progress = {});
+
 /// The part of fit() after the map to the sphere: aligns \p points, samples, and accepts or refuses the key.
 /// \param mesh    clean
 /// \param points  the map of \p mesh to the sphere, one point per vertex

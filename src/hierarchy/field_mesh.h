@@ -18,6 +18,7 @@ struct MeshField {
     std::string name;
     std::size_t components = 1;  ///< per point or triangle, at least 1
     std::vector<double> values;  ///< point after point, with the components of a point together; any doubles
+    std::string unit{};          ///< as the file has it; empty for none
     bool operator==(const MeshField&) const = default;
 };
 

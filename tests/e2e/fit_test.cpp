@@ -245,6 +245,32 @@ TEST_CASE("landmarks are set from proposals by the keyboard, undone, and used by
     viewer.press(XK_Return);
     viewer.wait_for("the new name",
                     [](const State& s) { return s["landmarks"]["points"][0]["name"] == "tip"; });
+
+    // The landmarks of the sphere become a file, and come back from it.
+    viewer.wait_for("the name to rest", [](const State& s) { return s["takes_text"] == false; });
+    viewer.press(XK_s, XK_Control_L);
+    viewer.wait_for("a name for the file", [](const State& s) { return s["takes_text"] == true; });
+    viewer.press(XK_Return);
+    viewer.wait_for("the file", [&](const State& s) {
+        return s["takes_text"] == false && fs::exists(home.path() / "sphere.json");
+    });
+    viewer.press(XK_Delete);
+    wait_for_points("no point", State::array());
+    viewer.press(XK_o, XK_Control_L);
+    viewer.wait_for("the file browser, which is smaller", [](const State& s) {
+        const State& popup = s["rects"]["popup"];
+        return popup.is_array() && popup[0] > 100;
+    });
+    viewer.type_keys("/");
+    viewer.wait_for("the path", [](const State& s) { return s["takes_text"] == true; });
+    viewer.type((home.path() / "sphere.json").string().substr(1));
+    viewer.press(XK_Return);
+    wait_for_points("the point of the file", State::array({State::array({false, true})}));
+    CHECK(viewer.state()["landmarks"]["points"][0]["name"] == "tip");
+    viewer.press(XK_z, XK_Control_L);
+    wait_for_points("no point again", State::array());
+    viewer.press(XK_z, XK_Control_L);
+    wait_for_points("both points again", State::array({State::array({true, true})}));
     viewer.press(XK_Return);
     viewer.wait_for("the offer", [](const State& s) { return s["landmarks"].is_null(); });
     viewer.press(XK_Tab);

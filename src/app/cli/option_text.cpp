@@ -92,12 +92,16 @@ void parse_height(std::string_view text, Display& display) {
 }
 
 void parse_arrows(std::string_view text, Display& display) {
-    std::vector<std::string> parts;
-    for (std::string_view rest = text;; rest.remove_prefix(1)) {
-        const std::size_t end = std::min(rest.find(','), rest.size());
-        parts.emplace_back(rest.substr(0, end));
-        rest.remove_prefix(end);
-        if (rest.empty()) break;
+    std::vector<std::string> parts(1);
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const bool is_escape =
+            text[at] == '\\' && at + 1 < text.size() && (text[at + 1] == ',' || text[at + 1] == '\\');
+        if (is_escape)
+            parts.back() += text[++at];
+        else if (text[at] == ',')
+            parts.emplace_back();
+        else
+            parts.back() += text[at];
     }
     if (parts.size() < 2 || parts.size() > 3 || std::ranges::any_of(parts, &std::string::empty))
         fail_expecting("two or three scalars, X,Y or X,Y,Z", text);

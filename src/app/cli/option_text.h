@@ -105,7 +105,7 @@ void parse_shown_edges(std::string_view text, Display& display);
 /// surface, above 0 and up to 1.
 void parse_height(std::string_view text, Display& display);
 
-/// Shows the arrows of a vector of scalars: "X,Y" or "X,Y,Z".
+/// Shows the arrows of a vector of scalars: "X,Y" or "X,Y,Z". In a name, "\," stands for a comma and "\\" for a backslash.
 void parse_arrows(std::string_view text, Display& display);
 
 /// The names of all lines and points that can be shown: "wireframe, ... or normals".

@@ -39,6 +39,7 @@ void Inspection::follow(ViewerState& state) {
         for (std::size_t corner = 0; corner < 3; ++corner)
             shown.blend.at(corner) += static_cast<float>(weight.value) * shown.keys.back().corners.at(corner);
     }
+    shown.is_at_left = shown_ && shown_->node == node && shown_->is_at_left;
     shown_ = std::move(shown);
     subject_ = std::move(subject);
 }

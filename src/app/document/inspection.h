@@ -22,6 +22,11 @@ class Inspection {
     /// Null if nothing is inspected.
     const InspectedNode* shown() const { return shown_ ? &*shown_ : nullptr; }
 
+    /// Says whether the shown node is at the left of the view. This holds until another node is shown.
+    void set_at_left(bool is_at_left) {
+        if (shown_) shown_->is_at_left = is_at_left;
+    }
+
   private:
     /// The index of a key, made when a node is first inspected.
     struct IndexedKey {

@@ -99,7 +99,17 @@ void record_point(ViewerState& state, double now) {
     recording.points.push_back({time, state.session.point()->at});
 }
 
+void drive_in_this_run(ViewerState& state, TimeSource source, double now) {
+    const Family& family = state.document.family();
+    if (source_of_time(family) == source) return;
+    state.source_to_save = family.time_source;
+    state.document = Document(with_time_source(family, source), state.document.folder());
+    state.session.replace_family(state.document.snapshot(), now);
+    state.session.seek(state.session.time(), now);
+}
+
 void choose_time_source(ViewerState& state, TimeSource source, double now) {
+    state.source_to_save.reset();
     if (source_of_time(state.document.family()) == source) return;
     edit(
         state, source == TimeSource::path ? "Follow the path" : "Follow the keys",

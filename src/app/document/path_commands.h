@@ -17,6 +17,12 @@ void toggle_recording(ViewerState& state, double now);
 void record_point(ViewerState& state, double now);
 
 void choose_time_source(ViewerState& state, TimeSource source, double now);
+
+/// Lets \p source drive as long as the window is open or until the user chooses. That is no edit: the document is not
+/// changed, and is saved with its own choice.
+/// \pre the document has no edits, and has_source()
+void drive_in_this_run(ViewerState& state, TimeSource source, double now);
+
 void toggle_time_source(ViewerState& state, double now);
 bool path_drives(const ViewerState& state);
 

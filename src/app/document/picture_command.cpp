@@ -45,10 +45,14 @@ std::vector<std::string> color_options(const Display& display) {
     return options;
 }
 
-/// Whether the option --arrows can name \p vector: there, commas separate names.
-bool can_be_named(const VectorField& vector) {
-    return std::ranges::none_of(vector.parts,
-                                [](const std::string& part) { return part.find(',') != std::string::npos; });
+/// \p name of a scalar as --arrows takes it: there, commas separate names.
+std::string escaped(const std::string& name) {
+    std::string text;
+    for (const char c : name) {
+        if (c == ',' || c == '\\') text += '\\';
+        text += c;
+    }
+    return text;
 }
 
 std::vector<std::string> shown_edge_names(const Display& display) {
@@ -96,16 +100,12 @@ std::vector<std::string> field_options(const Session& session, const Display& di
     if (display.height > 0)
         if (const auto warp = warp_of(display, fields, extent(family).box))
             options.push_back(fmt::format("--height={},{}", warp->field, display.height));
-    if (const auto vector = shown_vector(display, fields); vector && can_be_named(*vector)) {
+    if (const auto vector = shown_vector(display, fields)) {
         const auto& [x, y, z] = vector->parts;
-        options.push_back(fmt::format("--arrows={},{}{}{}", x, y, z.empty() ? "" : ",", z));
+        options.push_back(
+            fmt::format("--arrows={},{}{}{}", escaped(x), escaped(y), z.empty() ? "" : ",", escaped(z)));
     }
     return options;
-}
-
-bool lacks_arrows(const Session& session, const Display& display) {
-    const auto vector = shown_vector(display, fields_of(session.family()));
-    return vector && !can_be_named(*vector);
 }
 
 std::string blend_option(const Session& session) {

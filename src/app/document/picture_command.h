@@ -22,9 +22,6 @@ std::vector<std::string> display_options(const Display& display);
 /// The options of `render` and `view` for the height and the arrows that \p display gives the family of \p session.
 std::vector<std::string> field_options(const Session& session, const Display& display);
 
-/// Whether field_options() leaves out arrows that \p display shows, as a name of their scalars has a comma.
-bool lacks_arrows(const Session& session, const Display& display);
-
 /// The option that chooses the blend of \p session: --time, --at or --weights.
 std::string blend_option(const Session& session);
 

@@ -76,7 +76,9 @@ struct ViewerState {
     bool domain_has_focus = false;           ///< arrow keys move the point in the domain
     std::optional<DomainBox> shown_domain;   ///< the part of the domain that its panel shows; none for all
     std::optional<std::size_t> selected_path_point;  ///< while the domain is edited
-    bool is_dragging = false;                        ///< the document's present step is a drag in progress
+    /// The family's own choice of what drives over time, while another one drives in this run alone.
+    std::optional<TimeSource> source_to_save;
+    bool is_dragging = false;  ///< the document's present step is a drag in progress
 
     Brush brush;               ///< refines the selected key
     bool plots_blend = false;  ///< area, volume and leaves of the blend below the timeline
@@ -94,6 +96,7 @@ struct ViewerState {
     FileWish file_wish = FileWish::none;
     bool can_set_landmarks = false;  ///< the last fitted meshes can be fitted again with landmarks
     std::optional<std::filesystem::path> film_wish;  ///< a film or picture to make
+    bool makes_film = false;                         ///< a film or picture is in the making
     std::optional<TextQuestion> question;
     bool help_shown = false;
     std::string help_search;
@@ -102,7 +105,8 @@ struct ViewerState {
     bool menu_wanted = false;  ///< the first menu is to open
     int panel_step = 0;        ///< by how many panels the keyboard is to go on
     Appearance appearance{};
-    bool search_wanted = false;  ///< the search for commands is to open
+    bool has_theme_of_run = false;  ///< the theme is that of this run alone, and not remembered
+    bool search_wanted = false;     ///< the search for commands is to open
     CameraChoices camera;
     CameraWishes camera_wishes{};
     ViewTarget view_target = ViewTarget::all_keys;

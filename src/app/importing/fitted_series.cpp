@@ -15,6 +15,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "app/importing/point_motion.h"
+#include "fit/clean_up/clean_up.h"
 #include "fit/correspondence/match.h"
 #include "fit/fit.h"
 #include "fit/mesh/space_triangle.h"
@@ -26,8 +27,9 @@
 namespace interleaf {
 namespace {
 
-/// The part of the work on one step that its fit takes; the rest is the preparation of the next match.
-constexpr double fit_ends = 0.95;
+/// The parts of the work on one step: the clean-up, the continued map, the map of its own.
+constexpr double clean_up_ends = 0.1;
+constexpr double fit_begins = 0.5;
 
 /// The mesh of a step with its scalars.
 SurfaceMesh surface_of_step(FieldMesh step, const SeriesFields& fields) {
@@ -95,7 +97,7 @@ class StepFitting {
         for_steps([this] { read_step(); });
         for (std::size_t s = 0; s < lows_.size(); ++s) ranges_.push_back(highs_[s] - lows_[s]);
         for_steps([this] { fit_step(); });
-        take_key_(series_.step_count - 1, std::move(waiting_));
+        take_key_(series_.step_count - 1, std::move(before_.hierarchy));
         return std::move(report_);
     }
 
@@ -132,8 +134,7 @@ class StepFitting {
         SurfaceMesh surface = surface_of_step(series_.read(step_), fields_);
         StepReport& figures = report_.steps[step_];
         figures.triangles = surface.triangles.size();
-        fit_.model = model_.get();
-        FittedKey fitted = fit(std::move(surface), fit_, part_of_step(0, fit_ends));
+        FittedKey fitted = fitted_to(clean_up(std::move(surface), part_of_step(0, clean_up_ends)));
         note(fitted.report);
         figures.leaves = fitted.hierarchy.leaf_count();
         figures.distance = fitted.report.hausdorff_as_brought;
@@ -144,18 +145,32 @@ class StepFitting {
         for (const MeshField& scalar : fitted.mesh.scalars) step.values.push_back(scalar.values);
         figures.integral_error = integral_error(step, fitted.hierarchy, ranges_);
         figures.largest_difference = largest_difference(fitted.mesh, fitted.hierarchy, ranges_);
-        if (step_ + 1 < series_.step_count)
-            model_ = model_of(fitted.mapped_mesh(), fitted.points, fit_.rotation, {}, fit_.matching,
-                              part_of_step(fit_ends, 1));
         if (step_ > 0) {
             StepReport& before = report_.steps[step_ - 1];
-            before.moved_widths = moved_widths(waiting_, fitted.hierarchy, ranges_);
-            const PointMotion motion = motion_of_points(waiting_, fitted.hierarchy);
+            before.moved_widths = moved_widths(before_.hierarchy, fitted.hierarchy, ranges_);
+            const PointMotion motion = motion_of_points(before_.hierarchy, fitted.hierarchy);
             before.point_motion = motion.points;
             before.surface_motion = motion.surface;
-            take_key_(step_ - 1, std::move(waiting_));
+            take_key_(step_ - 1, std::move(before_.hierarchy));
         }
-        waiting_ = std::move(fitted.hierarchy);
+        before_ = std::move(fitted);
+    }
+
+    /// Continues the map of the step before, or else matches a map of the step's own to it.
+    FittedKey fitted_to(CleanMesh clean) {
+        FitOptions options = fit_;
+        std::unique_ptr<const MatchedBody> model;
+        if (step_ > 0) {
+            if (auto continued =
+                    fit_continued(clean, before_, wanted_, options, part_of_step(clean_up_ends, fit_begins)))
+                return *std::move(continued);
+            model = model_of(before_.mapped_mesh(), before_.points, options.rotation, {}, options.matching,
+                             part_of_step(fit_begins, fit_begins));
+            options.model = model.get();
+        }
+        FittedKey fitted = fit(std::move(clean), options, part_of_step(fit_begins, 1));
+        wanted_ = fitted.report.at_20000_leaves;
+        return fitted;
     }
 
     void extend_ranges(const SurfaceMesh& mesh) {
@@ -192,8 +207,8 @@ class StepFitting {
     std::vector<double> lows_;  ///< per scalar, over all steps
     std::vector<double> highs_;
     std::vector<double> ranges_;
-    std::unique_ptr<const MatchedBody> model_;  ///< the step before
-    Hierarchy waiting_;                         ///< the key of the step before
+    FittedKey before_;   ///< of the step before
+    FitQuality wanted_;  ///< of the last key with a map of its own
     std::size_t step_ = 0;
 };
 

@@ -106,9 +106,17 @@ void require_fields_of_units(const ImportChoices& choices, const FieldMesh& firs
             throw InputError(fmt::format("no key has a scalar field called \"{}\"", field));
 }
 
-/// Gives \p family the units of \p choices.
-/// \throw InputError if there is no such field
-void set_units(Family& family, const ImportChoices& choices) {
+/// Gives \p family the units of the fields of \p first, its first step, and then those of \p choices.
+/// \throw InputError if a choice names no field
+void set_units(Family& family, const FieldMesh& first, const ImportChoices& choices) {
+    const std::vector<Field>& fields = family.keys.front().hierarchy->fields;
+    for (const MeshField& field : first.point_fields) {
+        if (field.unit.empty() || !is_unit(field.unit)) continue;
+        for (std::size_t c = 0; c < field.components; ++c)
+            if (const std::string scalar = component_name(field, c);
+                find_field(fields, {scalar, FieldKind::scalar}) != nullptr)
+                family = with_field_unit(std::move(family), scalar, field.unit);
+    }
     for (const auto& [field, unit] : choices.units) family = with_field_unit(std::move(family), field, unit);
     family = with_time_unit(std::move(family), choices.time_unit);
 }
@@ -201,7 +209,7 @@ ImportedSeries import_series(const SeriesFiles& series, std::string_view name, c
         if (find_field(imported.family.keys.front().hierarchy->fields, {scale.field, FieldKind::scalar}) !=
             nullptr)
             imported.family.field_scales.push_back(scale);
-    set_units(imported.family, choices);
+    set_units(imported.family, first, choices);
     return imported;
 }
 

@@ -21,6 +21,8 @@ namespace interleaf {
 struct ChosenWarp {
     std::string field;
     double factor = 1;
+
+    bool operator==(const ChosenWarp&) const = default;
 };
 
 struct ImportChoices {
@@ -29,11 +31,13 @@ struct ImportChoices {
     std::vector<std::string> fields{};  ///< point fields that the keys get; all if empty
     std::string displacement{};         ///< point field that is added to the points; none if empty
     std::optional<ChosenWarp> warp{};
-    std::vector<NamedUnit> units{};  ///< of scalars of the keys
+    std::vector<NamedUnit> units{};  ///< of scalars of the keys, in place of those in the files
     std::string time_unit{};         ///< of the times; empty if unknown
     std::size_t every =
         1;  ///< takes the steps 0, every, 2 every, ... (every_step(); only import_work() does)
     std::filesystem::path roots{};  ///< a key whose roots are those of all keys; none if empty
+
+    bool operator==(const ImportChoices&) const = default;
 };
 
 struct ImportedSeries {

@@ -39,6 +39,7 @@ void LandmarkEditing::open(Task task) {
     side_ = 0;
     chosen_proposal_.reset();
     done_.reset();
+    files_.clear_fault();
     sides_ = {};
     blend_ = {};
     bodies_ = {};
@@ -55,6 +56,7 @@ bool LandmarkEditing::is_working() const {
 
 void LandmarkEditing::show(const Rect& area) {
     if (!dialog_.is_open()) return;
+    if (files_.is_asking()) return files_.show(area);
     LandmarkDialogResult done = dialog_.show(area, shown());
     if (done.is_any()) done_ = std::move(done);
 }
@@ -63,6 +65,11 @@ std::optional<LandmarkPoints> LandmarkEditing::update(float density) {
     std::erase_if(leaving_, [](const auto& preview) { return preview->is_over(); });
     if (!preview_) return std::nullopt;
     std::optional<bool> closes;
+    if (auto changed = files_.update(points(), task_.sources.size())) {
+        history_.push(*std::move(changed));
+        selected_.reset();
+        select_unpaired();
+    }
     if (const auto done = std::exchange(done_, std::nullopt)) {
         closes = done->closes;
         if (!closes) apply(*done);
@@ -199,7 +206,10 @@ LandmarkDialogShown LandmarkEditing::shown() const {
         .warnings = {},
         .can_undo = history_.can_undo(),
         .can_redo = history_.can_redo(),
-        .can_swap = shown_landmarks(0).size() > 2};
+        .can_swap = shown_landmarks(0).size() > 2,
+        .can_save = {}};
+    for (std::size_t side = 0; side < 2; ++side)
+        shown.can_save[side] = !landmarks_on(points(), mesh_of(side)).empty();
     if (preview_ && preview_->is_working())
         shown.blend.remark = blend ? "remaking" : "working";
     else if (blend)
@@ -215,6 +225,7 @@ LandmarkDialogShown LandmarkEditing::shown() const {
                                                : "on neither";
         shown.rows.push_back(std::move(row));
     }
+    if (!files_.fault().empty()) shown.warnings.push_back(files_.fault());
     if (blend && !blend->fault.empty()) shown.warnings.push_back(blend->fault);
     if (blend) shown.warnings.insert(shown.warnings.end(), blend->warnings.begin(), blend->warnings.end());
     return shown;
@@ -285,6 +296,9 @@ void LandmarkEditing::step_proposal(int by) {
 }
 
 void LandmarkEditing::apply(const LandmarkDialogResult& done) {
+    files_.clear_fault();
+    if (done.loads) return files_.ask_to_load(file_mesh(*done.loads));
+    if (done.saves) return files_.ask_to_save(file_mesh(*done.saves));
     for (std::size_t side = 0; side < 2; ++side) apply_to_side(side, done.sides[side]);
     blend_.camera.orbit(done.blend.orbit);
     blend_.camera.pan(done.blend.pan);

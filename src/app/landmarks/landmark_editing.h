@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/landmarks/landmark_files.h"
 #include "app/landmarks/landmark_points.h"
 #include "app/landmarks/landmark_preview.h"
 #include "app/landmarks/landmark_surface.h"
@@ -50,6 +51,9 @@ class LandmarkEditing {
 
   private:
     std::size_t mesh_of(std::size_t side) const { return side == 0 ? 0 : other_; }
+    LandmarkFiles::Mesh file_mesh(std::size_t side) const {
+        return {mesh_of(side), task_.names[mesh_of(side)], task_.sources[mesh_of(side)].file};
+    }
     glm::dvec3 shown_place(std::size_t mesh, const glm::dvec3& place) const;
     glm::dvec3 file_place(std::size_t mesh, const glm::dvec3& place) const;
     std::vector<Landmark> shown_landmarks(std::size_t mesh) const;
@@ -75,6 +79,7 @@ class LandmarkEditing {
     std::size_t side_ = 0;                       ///< on which the keyboard acts
     std::optional<glm::dvec3> chosen_proposal_;  ///< on that side
     LandmarkDialog dialog_;
+    LandmarkFiles files_;                       ///< in place of the dialog while it asks
     bool has_dragged_ = false;                  ///< the present step of the history is the drag in progress
     std::optional<LandmarkDialogResult> done_;  ///< kept for update()
     std::array<LandmarkSurface, 2> sides_;

@@ -22,6 +22,26 @@ std::vector<Landmark> counting_landmarks(const LandmarkPoints& points, std::size
     return landmarks;
 }
 
+void put_landmarks(LandmarkPoints& points, std::size_t mesh_count, std::size_t mesh,
+                   const std::vector<Landmark>& landmarks) {
+    for (const Landmark& landmark : landmarks) {
+        auto point = std::ranges::find(points, landmark.name, &LandmarkPoint::name);
+        if (point == points.end()) {
+            points.push_back({.name = landmark.name, .places = {}});
+            point = points.end() - 1;
+            point->places.resize(mesh_count);
+        }
+        if (mesh > 0 || !point->direction) point->places[mesh] = landmark.position;
+    }
+}
+
+std::vector<Landmark> landmarks_on(const LandmarkPoints& points, std::size_t mesh) {
+    std::vector<Landmark> landmarks;
+    for (const LandmarkPoint& point : points)
+        if (point.places[mesh]) landmarks.push_back({point.name, *point.places[mesh]});
+    return landmarks;
+}
+
 std::string free_name(const LandmarkPoints& points) {
     for (std::size_t number = 1;; ++number) {
         std::string name = fmt::format("{}", number);

@@ -40,6 +40,15 @@ std::vector<Landmark> counting_landmarks(const LandmarkPoints& points, std::size
 std::size_t add_place(LandmarkPoints& points, std::size_t mesh_count, std::size_t mesh,
                       const glm::dvec3& place, std::optional<std::size_t> selected);
 
+/// Puts \p landmarks on \p mesh: each at the landmark of its name, or as a new one. Landmarks of an existing family do
+/// not move on the first mesh, which stands for it.
+/// \param mesh_count  number of meshes
+void put_landmarks(LandmarkPoints& points, std::size_t mesh_count, std::size_t mesh,
+                   const std::vector<Landmark>& landmarks);
+
+/// The landmarks that \p mesh has, with or without partners.
+std::vector<Landmark> landmarks_on(const LandmarkPoints& points, std::size_t mesh);
+
 /// The smallest number that is no name yet.
 std::string free_name(const LandmarkPoints& points);
 

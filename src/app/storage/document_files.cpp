@@ -10,6 +10,7 @@
 #include "app/document/opening.h"
 #include "app/storage/save_folder.h"
 #include "app/storage/user_folders.h"
+#include "family/family_time.h"
 #include "hierarchy/error.h"
 #include "io/family/family_file.h"
 #include "io/file/file_pattern.h"
@@ -106,12 +107,7 @@ void DocumentFiles::grant(FileWish wish) {
             set_landmarks();
             break;
         case FileWish::quit:
-            opening_.cancel();
-            leave_document([this] {
-                forget_unsaved();
-                exporting_.cancel();
-                state_.quit_wanted = true;
-            });
+            quit();
             break;
     }
 }
@@ -178,7 +174,9 @@ void DocumentFiles::remember_window(glm::ivec2 size, std::vector<std::string> cl
     Settings now = settings_;
     const auto take = [&](Settings& settings) {
         settings.window_size = size;
+        const Theme last = settings.appearance.theme;
         settings.appearance = state_.appearance;
+        if (state_.has_theme_of_run) settings.appearance.theme = last;
         settings.trackball = state_.camera.orbit == OrbitStyle::trackball;
         settings.axes = state_.camera.shows_axes;
         settings.up = state_.camera.up;
@@ -223,6 +221,27 @@ void DocumentFiles::leave_document(const Action& next) {
         });
 }
 
+/// Quits when nothing can be lost: neither changes nor a film in the making.
+void DocumentFiles::quit() {
+    opening_.cancel();
+    const auto leave = [this] {
+        leave_document([this] {
+            forget_unsaved();
+            exporting_.cancel();
+            state_.quit_wanted = true;
+        });
+    };
+    if (!state_.makes_film) return leave();
+    ask({.text = "Stop making the film, and quit?",
+         .detail = "What is made of it is lost.",
+         .buttons = {"Quit", "Cancel"},
+         .entry = {},
+         .fault = {}},
+        [leave](const Answer& answer) {
+            if (answer.button == 0) leave();
+        });
+}
+
 // ---- the document ----
 
 void DocumentFiles::replace_document(Family family, std::vector<fs::path> sources) {
@@ -234,6 +253,7 @@ void DocumentFiles::replace_document(Family family, std::vector<fs::path> source
     opened.plots_blend = state_.plots_blend;
     opened.camera = state_.camera;
     opened.appearance = state_.appearance;
+    opened.has_theme_of_run = state_.has_theme_of_run;
     if (!is_saved) opened.message = std::move(state_.message);
     state_ = std::move(opened);
     set_sources(std::move(sources));
@@ -242,6 +262,7 @@ void DocumentFiles::replace_document(Family family, std::vector<fs::path> source
 void DocumentFiles::set_sources(std::vector<fs::path> sources) {
     stamps_ = FileStamps(watched_files(sources));
     sources_ = std::move(sources);
+    imported_by_ = {};
 }
 
 // ---- saving ----
@@ -276,7 +297,11 @@ void DocumentFiles::save_as(Action next) {
 void DocumentFiles::write(const fs::path& folder, const Action& next) {
     finish_saving();
     const auto family = state_.document.snapshot();
-    auto written = std::async(std::launch::async, [family, folder] { write_family(*family, folder); });
+    Family saved = *family;
+    if (state_.source_to_save && has_source(saved, *state_.source_to_save))
+        saved.time_source = *state_.source_to_save;
+    auto written =
+        std::async(std::launch::async, [saved = std::move(saved), folder] { write_family(saved, folder); });
     saving_.emplace(Saving{family, fs::absolute(folder), std::move(written)});
     if (next && finish_saving()) next();
 }

@@ -43,8 +43,13 @@ class DocumentFiles {
     /// Carries out the request of a command.
     void grant(FileWish wish);
 
-    /// Opens \p files as a new document, or adds their keys to the present document.
+    /// Opens \p files as a new document; a series with the usual options.
     void open(std::vector<std::filesystem::path> files);
+
+    /// Opens recent_files()[\p file]; a series with the options of its last import.
+    void open_recent(std::size_t file);
+
+    /// Adds the keys of \p files to the document.
     void add_keys(const std::vector<std::filesystem::path>& files, double now);
 
     /// The files of the document; empty for the built-in family.
@@ -111,6 +116,7 @@ class DocumentFiles {
     void recover();
     void ask(Question question, std::function<void(const Answer&)> answer);
     void leave_document(const Action& next);
+    void quit();
     void save(const Action& next);
     void save_as(Action next);
     void write(const std::filesystem::path& folder, const Action& next);
@@ -125,15 +131,18 @@ class DocumentFiles {
     void export_as(const std::filesystem::path& file);
     void read(std::vector<std::filesystem::path> paths, std::function<void(Opening&)> receiver);
     void take_opened();
-    void show_files(const std::vector<std::filesystem::path>& paths);
-    bool show_opened(Opening& found, const std::vector<std::filesystem::path>& paths);
+    void show_files(const std::vector<std::filesystem::path>& paths, const ImportChoices& choices);
+    bool show_opened(Opening& found, const std::vector<std::filesystem::path>& paths,
+                     const ImportChoices& choices);
     void add_opened(Opening& found);
     void reopen();
     void offer_to_open(const MeshesToFit& meshes);
     void offer_to_add(const MeshesToFit& meshes);
     void open_fitted(const std::vector<std::filesystem::path>& meshes, const FittedMeshes& fitted);
-    void import(std::vector<std::filesystem::path> files, SeriesImporting::Receiver receiver);
-    void open_imported(const std::vector<std::filesystem::path>& files, ImportedSeries imported);
+    void import(std::vector<std::filesystem::path> files, const ImportChoices& choices,
+                SeriesImporting::Receiver receiver);
+    SeriesImporting::Receiver opener_of(std::vector<std::filesystem::path> files);
+    ImportChoices remembered_choices(const std::filesystem::path& file) const;
     void add_fitted(const FittedMeshes& fitted);
     void set_landmarks();
     void tell_fit(const FittedMeshes& fitted);
@@ -154,6 +163,7 @@ class DocumentFiles {
     ViewerState& state_;
     bool is_alone_;
     std::vector<std::filesystem::path> sources_;
+    ImportChoices imported_by_;  ///< if the sources are a series, the options of its import
     FileStamps stamps_;
     double looked_ = 0;  ///< time of the last comparison of stamps
 

@@ -20,6 +20,7 @@
 #include "family/new_family.h"
 #include "hierarchy/error.h"
 #include "hierarchy/progress.h"
+#include "io/file/file_pattern.h"
 #include "io/formats.h"
 
 namespace interleaf {
@@ -72,12 +73,17 @@ void DocumentFiles::browse_to_import() {
            });
 }
 
-/// Shows the options of an import, which replaces the document.
+/// The options of the last import of \p file, if it is a recent series; else the usual ones.
+ImportChoices DocumentFiles::remembered_choices(const fs::path& file) const {
+    const auto found = settings_.imports.find(file);
+    return found != settings_.imports.end() ? found->second : ImportChoices{};
+}
+
+/// Shows the options of an import, which replaces the document. They begin as those of the last import of the files.
 void DocumentFiles::offer_import(const std::vector<fs::path>& files) {
     try {
-        importing_.offer(files_of(files), [this, files](ImportedSeries imported) {
-            open_imported(files, std::move(imported));
-        });
+        const std::vector<fs::path> steps = files_of(files);
+        importing_.offer(steps, remembered_choices(path_of_all(steps)), opener_of(steps));
     } catch (const std::runtime_error& error) {
         complain(error);
     }
@@ -120,19 +126,24 @@ void DocumentFiles::take_opened() {
 }
 
 void DocumentFiles::open(std::vector<fs::path> files) {
-    leave_document([this, files = std::move(files)] { show_files(files); });
+    leave_document([this, files = std::move(files)] { show_files(files, {}); });
+}
+
+void DocumentFiles::open_recent(std::size_t file) {
+    leave_document([this, path = recent_files()[file]] { show_files({path}, remembered_choices(path)); });
 }
 
 void DocumentFiles::reopen() {
-    leave_document([this] { show_files(sources_); });
+    leave_document([this] { show_files(sources_, ImportChoices(imported_by_)); });
 }
 
 /// Reads \p paths, and replaces the document, unless it has been changed meanwhile and the user keeps it.
-void DocumentFiles::show_files(const std::vector<fs::path>& paths) {
+/// \param choices  by which a series is imported
+void DocumentFiles::show_files(const std::vector<fs::path>& paths, const ImportChoices& choices) {
     const auto present = state_.document.snapshot();
-    read(paths, [this, paths, present](Opening& found) {
-        const Action show = [this, paths, content = std::make_shared<Opening>(std::move(found))] {
-            if (show_opened(*content, paths) && !paths.empty()) remember(paths.front());
+    read(paths, [this, paths, choices, present](Opening& found) {
+        const Action show = [this, paths, choices, content = std::make_shared<Opening>(std::move(found))] {
+            if (show_opened(*content, paths, choices) && !paths.empty()) remember(paths.front());
         };
         if (state_.document.snapshot() == present)
             show();
@@ -143,26 +154,24 @@ void DocumentFiles::show_files(const std::vector<fs::path>& paths) {
 
 /// Replaces the document by the family that was found in \p paths, or offers to fit their meshes.
 /// \return whether the document was replaced
-bool DocumentFiles::show_opened(Opening& found, const std::vector<fs::path>& paths) {
+bool DocumentFiles::show_opened(Opening& found, const std::vector<fs::path>& paths,
+                                const ImportChoices& choices) {
     return std::visit(Cases{[&](OpenedFamily& family) {
-        replace_document(std::move(family.family), paths);
-        return true;
+                                replace_document(std::move(family.family), paths);
+                                return true;
                             },
                             [&](OpenedKeys& keys) {
-        replace_document(std::move(keys.family), paths);
-        return true;
+                                replace_document(std::move(keys.family), paths);
+                                return true;
                             },
                             [&](const MeshesToFit& meshes) {
-        offer_to_open(meshes);
-        return false;
+                                offer_to_open(meshes);
+                                return false;
                             },
                             [&](SeriesToImport& series) {
-                                import(series.files, [this, files = series.files](ImportedSeries imported) {
-                                    open_imported(files, std::move(imported));
-                                });
+                                import(series.files, choices, opener_of(series.files));
                                 return false;
-}
-},
+                            }},
                       found);
 }
 
@@ -193,24 +202,28 @@ void DocumentFiles::add_opened(Opening& found) {
                      [&](const MeshesToFit& meshes) {
         offer_to_add(meshes); },
                      [&](SeriesToImport& series) {
-                         import(std::move(series.files),
-                                [add](ImportedSeries imported) { add(imported.family); });
+                         import(std::move(series.files), {},
+                                [add](ImportedSeries imported, const ImportChoices&) { add(imported.family); });
 }
 },
                found);
 }
 
 /// Imports a series on a worker, and shows the progress.
-void DocumentFiles::import(std::vector<fs::path> files, SeriesImporting::Receiver receiver) {
-    if (!is_asking()) importing_.start(std::move(files), std::move(receiver), now_);
+void DocumentFiles::import(std::vector<fs::path> files, const ImportChoices& choices,
+                           SeriesImporting::Receiver receiver) {
+    if (!is_asking()) importing_.start(std::move(files), choices, std::move(receiver), now_);
 }
 
-/// Opens an imported series as a new document, colored by its field.
-void DocumentFiles::open_imported(const std::vector<fs::path>& files, ImportedSeries imported) {
-    replace_document(std::move(imported.family), files);
-    color_by_field(state_.session.display, fields_of(state_.document.family()));
-    remember(files.front());
-    state_.message = {.text = sentences_of(imported.report), .kind = MessageKind::notice, .seen = now_};
+/// Opens the imported series of \p files as a new document, colored by its field.
+SeriesImporting::Receiver DocumentFiles::opener_of(std::vector<fs::path> files) {
+    return [this, files = std::move(files)](ImportedSeries imported, const ImportChoices& choices) {
+        replace_document(std::move(imported.family), files);
+        imported_by_ = choices;
+        color_by_field(state_.session.display, fields_of(state_.document.family()));
+        change_settings([&](Settings& settings) { remember_series(settings, path_of_all(files), choices); });
+        state_.message = {.text = sentences_of(imported.report), .kind = MessageKind::notice, .seen = now_};
+    };
 }
 
 /// Offers to fit keys for the document over its roots.

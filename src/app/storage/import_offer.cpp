@@ -46,10 +46,25 @@ ImportDialogShown import_offer(const std::vector<std::filesystem::path>& files) 
     return offer;
 }
 
-ImportDialogChoices usual_choices(const ImportDialogShown& offer) {
-    ImportDialogChoices choices;
-    choices.are_wanted.assign(offer.fields.size(), true);
-    return choices;
+ImportDialogChoices dialog_choices(const ImportChoices& choices, const ImportDialogShown& offer) {
+    const auto offered = [](const std::vector<std::string>& names, const std::string& name) {
+        return std::ranges::find(names, name) != names.end() ? name : std::string();
+    };
+    ImportDialogChoices typed;
+    if (choices.tolerance) typed.tolerance = fmt::format("{:g}", 100 * *choices.tolerance);
+    typed.every = fmt::format("{}", choices.every);
+    typed.roots = choices.roots.string();
+    if (choices.newest) typed.newest = *choices.newest + 1;
+    if (choices.warp) {
+        typed.warp = offered(offer.scalars, choices.warp->field);
+        typed.factor = choices.warp->factor;
+    }
+    typed.displacement = offered(offer.vectors, choices.displacement);
+    for (const std::string& field : offer.fields)
+        typed.are_wanted.push_back(!offered(choices.fields, field).empty());
+    if (std::ranges::find(typed.are_wanted, true) == typed.are_wanted.end())
+        typed.are_wanted.assign(offer.fields.size(), true);
+    return typed;
 }
 
 std::string fault_of(const ImportDialogChoices& choices, const ImportDialogShown& offer) {
@@ -73,7 +88,8 @@ ImportChoices import_choices(const ImportDialogChoices& choices, const ImportDia
     wanted.every = count_in(choices.every).value_or(1);
     if (!choices.tolerance.empty()) wanted.tolerance = part_in(choices.tolerance);
     if (choices.newest > 0) wanted.newest = static_cast<unsigned>(choices.newest - 1);
-    wanted.roots = choices.roots;
+    std::error_code ignored;
+    if (!choices.roots.empty()) wanted.roots = std::filesystem::absolute(choices.roots, ignored);
     wanted.displacement = choices.displacement;
     if (!choices.warp.empty()) wanted.warp = ChosenWarp{choices.warp, choices.factor};
     if (std::ranges::find(choices.are_wanted, false) != choices.are_wanted.end())

@@ -15,8 +15,8 @@ namespace interleaf {
 /// \throw InputError, MachineError  as series_files() and read_field_mesh()
 ImportDialogShown import_offer(const std::vector<std::filesystem::path>& files);
 
-/// The choices that the dialog begins with: all fields of \p offer, and everything else by default.
-ImportDialogChoices usual_choices(const ImportDialogShown& offer);
+/// What the dialog shows for \p choices. Fields that \p offer has not are dropped, and all are wanted if none is left.
+ImportDialogChoices dialog_choices(const ImportChoices& choices, const ImportDialogShown& offer);
 
 /// What is wrong with \p choices; "" if nothing is.
 std::string fault_of(const ImportDialogChoices& choices, const ImportDialogShown& offer);

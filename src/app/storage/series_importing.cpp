@@ -16,6 +16,9 @@
 namespace interleaf {
 namespace {
 
+/// An import that takes less shows no progress: a dialog would only flicker.
+constexpr double hidden_import = 0.3;  // seconds
+
 /// The tolerance that \p entry, in percent, stands for; none if it is out of range.
 std::optional<double> tolerance_in(const std::string& entry) {
     std::string_view rest = entry;
@@ -33,23 +36,25 @@ std::string sentences_of(const SeriesReport& report) {
     return text;
 }
 
-void SeriesImporting::start(std::vector<std::filesystem::path> files, Receiver receiver, double now) {
+void SeriesImporting::start(std::vector<std::filesystem::path> files, ImportChoices choices,
+                            Receiver receiver, double now) {
     files_ = std::move(files);
     receiver_ = std::move(receiver);
-    choices_ = {};
+    choices_ = std::move(choices);
     begin(now);
 }
 
-void SeriesImporting::offer(std::vector<std::filesystem::path> files, Receiver receiver) {
+void SeriesImporting::offer(std::vector<std::filesystem::path> files, const ImportChoices& choices,
+                            Receiver receiver) {
     offered_ = import_offer(files);
     files_ = std::move(files);
     receiver_ = std::move(receiver);
-    options_.open(usual_choices(offered_));
+    options_.open(dialog_choices(choices, offered_));
 }
 
 void SeriesImporting::begin(double now) {
     job_.start(fmt::format("Importing {}", shown_name(files_.front().filename().string())),
-               import_work(files_, choices_), now);
+               import_work(files_, choices_), now, hidden_import);
 }
 
 void SeriesImporting::show(const Rect& area, double now) {
@@ -97,7 +102,7 @@ std::optional<std::string> SeriesImporting::hand_on_keys() {
         receiver_ = nullptr;
         return cause_of(error);
     }
-    std::exchange(receiver_, nullptr)(std::move(imported));
+    std::exchange(receiver_, nullptr)(std::move(imported), choices_);
     return std::nullopt;
 }
 

@@ -21,18 +21,20 @@ std::string sentences_of(const SeriesReport& report);
 
 class SeriesImporting {
   public:
-    using Receiver = std::function<void(ImportedSeries)>;
+    /// Receives the result of an import, and the choices by which the series was imported in the end.
+    using Receiver = std::function<void(ImportedSeries, const ImportChoices&)>;
 
-    /// Begins to import \p files. \p receiver receives the result.
+    /// Begins to import \p files by \p choices. \p receiver receives the result.
     /// \param now  seconds
     /// \pre is_open() is false
-    void start(std::vector<std::filesystem::path> files, Receiver receiver, double now);
+    void start(std::vector<std::filesystem::path> files, ImportChoices choices, Receiver receiver,
+               double now);
 
-    /// Shows the options of an import of \p files, which begins when the user says so.
+    /// Shows the options of an import of \p files, at first \p choices. The import begins when the user says so.
     /// \param receiver  receives the result
     /// \throw InputError, MachineError  if the first step cannot be read
     /// \pre is_open() is false
-    void offer(std::vector<std::filesystem::path> files, Receiver receiver);
+    void offer(std::vector<std::filesystem::path> files, const ImportChoices& choices, Receiver receiver);
 
     /// Whether the options, the progress or the question for a tolerance is in front of the window.
     bool is_open() const { return job_.is_working() || dialog_.is_open() || options_.is_open(); }

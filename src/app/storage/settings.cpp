@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "app/storage/import_settings.h"
 #include "app/storage/user_folders.h"
 #include "hierarchy/error.h"
 #include "io/family/family_format.h"
@@ -112,6 +113,11 @@ std::string settings_text(const Settings& settings) {
     ordered_json document = ordered_json::object();
     document["recent files"] = array_of(settings.recent_files);
     document["recent folders"] = array_of(settings.recent_folders);
+    for (const auto& [series, choices] : settings.imports) {
+        const std::string text = family_format::utf8_of(series);
+        if (is_utf8(text) && std::ranges::find(settings.recent_files, series) != settings.recent_files.end())
+            document["imports"][text] = import_json(choices);
+    }
     const std::string last = family_format::utf8_of(settings.last_folder);
     if (!last.empty() && is_utf8(last)) document["last folder"] = last;
     if (settings.window_size)
@@ -171,6 +177,16 @@ void remember_document(std::vector<fs::path>& recent, const fs::path& path) {
     remember(recent, document);
 }
 
+void remember_series(Settings& settings, const fs::path& path, ImportChoices choices) {
+    remember_document(settings.recent_files, path);
+    if (settings.recent_files.empty()) return;
+    const fs::path& series = settings.recent_files.front();
+    if (choices == ImportChoices{})
+        settings.imports.erase(series);
+    else
+        settings.imports.insert_or_assign(series, std::move(choices));
+}
+
 Settings parse_settings(std::string_view json, std::string_view name) {
     if (json.size() > max_file_size)
         throw InputError(
@@ -181,6 +197,10 @@ Settings parse_settings(std::string_view json, std::string_view name) {
     if (const auto files = root.optional_member("recent files")) settings.recent_files = paths_at(*files);
     if (const auto folders = root.optional_member("recent folders"))
         settings.recent_folders = paths_at(*folders);
+    if (const auto imports = root.optional_member("imports"))
+        for (const std::string& series : imports->member_names())
+            settings.imports.emplace(family_format::path_of(series),
+                                     import_choices_at(imports->member(series)));
     if (const auto folder = root.optional_member("last folder")) settings.last_folder = path_at(*folder);
     if (const auto window = root.optional_member("window"))
         settings.window_size = {length_at(window->member("width")), length_at(window->member("height"))};

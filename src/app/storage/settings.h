@@ -12,6 +12,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/importing/series_import.h"
 #include "hierarchy/up_axis.h"
 #include "ui/widgets/appearance.h"
 
@@ -21,8 +22,10 @@ namespace interleaf {
 struct Settings {
     std::vector<std::filesystem::path> recent_files;    ///< most recent first, without duplicates
     std::vector<std::filesystem::path> recent_folders;  ///< as recent_files
-    std::filesystem::path last_folder;                  ///< where the file browser starts; may be empty
-    std::optional<glm::ivec2> window_size;              ///< screen coordinates
+    /// By recent files that are series, the options of their last import, where those are not the usual ones.
+    std::map<std::filesystem::path, ImportChoices> imports;
+    std::filesystem::path last_folder;      ///< where the file browser starts; may be empty
+    std::optional<glm::ivec2> window_size;  ///< screen coordinates
     Appearance appearance{};
     bool trackball = false;  ///< whether drags turn the camera as a trackball
     bool axes = true;        ///< whether the view shows its axes
@@ -43,6 +46,9 @@ void remember(std::vector<std::filesystem::path>& recent, const std::filesystem:
 /// As remember(), for a document. A family.json is remembered as its folder. Of several paths to the same
 /// place, for instance through a link, only the latest stays.
 void remember_document(std::vector<std::filesystem::path>& recent, const std::filesystem::path& path);
+
+/// As remember_document(), for the series that was imported by \p choices.
+void remember_series(Settings& settings, const std::filesystem::path& path, ImportChoices choices);
 
 /// The settings in \p json. \p name stands for the file in messages. Unknown members are ignored.
 /// \throw InputError naming the place and what was expected

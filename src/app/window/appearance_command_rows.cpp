@@ -15,6 +15,7 @@ namespace {
 void toggle_theme(ViewerState& state, double) {
     Theme& theme = state.appearance.theme;
     theme = theme == Theme::dark ? Theme::light : Theme::dark;
+    state.has_theme_of_run = false;
 }
 
 void scale_text(ViewerState& state, float step) {

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "app/document/shown_field.h"
+#include "app/window/camera_control.h"
 #include "family/family_time.h"
 #include "ui/dialogs/message_panel.h"
 #include "ui/timeline/timeline_panel.h"
@@ -85,6 +86,15 @@ void DocumentViews::follow_inspection(ViewerState& state, const Rect& view) {
     if (std::exchange(state.inspects_middle, false))
         state.inspected = surface_.leaf_at({view.x + view.width / 2, view.y + view.height / 2}, view);
     inspection_.follow(state);
+    const InspectedNode* const shown = inspection_.shown();
+    const std::optional<NodePath> node = shown != nullptr ? std::optional(shown->node) : std::nullopt;
+    if (std::exchange(placed_node_, node) == node || !node) return;
+    const Camera& camera = surface_.camera();
+    const glm::mat4 to_clip = camera.projection(aspect_of(view)) * camera.view();
+    inspection_.set_at_left(std::ranges::any_of(shown->blend, [&](const glm::vec3& corner) {
+        const glm::vec4 clip = to_clip * glm::vec4(corner, 1);
+        return clip.w > 0 && is_at_left({view.x + view.width * (1 + clip.x / clip.w) / 2, view.y}, view);
+    }));
 }
 
 void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const Gui& gui, double now) {

@@ -117,6 +117,7 @@ class DocumentViews {
     BlendHistory blend_history_;
     SurfaceView surface_;
     Inspection inspection_;
+    std::optional<NodePath> placed_node_;  ///< for which the inspector has found its place
     KeyViews key_views_;
     std::optional<NodePath> pointed_at_;  ///< the leaf under the pointer, while the keys are beside the blend
     /// Before the last press, if that was a click.

@@ -22,8 +22,9 @@ void require_for(const ViewerOptions& options, const Family& family) {
 void begin_with(const ViewerOptions& options, ViewerState& state, double now) {
     state.session.display = options.display;
     if (options.theme) state.appearance.theme = *options.theme;
+    state.has_theme_of_run = options.theme.has_value();
     if (options.viewpoint) take_viewpoint(state, *options.viewpoint);
-    if (options.along) choose_time_source(state, *options.along, now);
+    if (options.along) drive_in_this_run(state, *options.along, now);
     if (options.time) state.session.seek(*options.time, now);
     if (options.at) state.session.move_point(*options.at, now);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include "app/pictures/morph_surface.h"
@@ -50,6 +51,7 @@ void KeyViews::follow(const Session& session, std::span<const Rect> places, cons
         view.place = places[n];
     }
     views_ = std::move(views);
+    more_ = session.weights().size() - count;
 }
 
 void KeyViews::take_key(View& view, const Family& family, const Values& values) {
@@ -115,26 +117,34 @@ bool KeyViews::draw(const Display& display, const ColorScale& scale, const Camer
 }
 
 void KeyViews::draw_marks(const Camera& camera, const std::optional<NodePath>& node, const Gui& gui) {
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
     ImGui::PushFont(small_font());
-    for (const auto& view : views_) {
-        const Rect& place = view->place;
-        list.AddLine({place.x, place.y}, {place.x, place.bottom()}, colors::dark);
-        list.AddLine({place.x, place.y}, {place.right(), place.y}, colors::dark);
-        const float swatch = scaled(8);
-        const glm::vec2 corner(place.x + scaled(8), place.y + scaled(6));
-        const float top = corner.y + std::round((ImGui::GetTextLineHeight() - swatch) / 2);
-        list.AddRectFilled({corner.x, top}, {corner.x + swatch, top + swatch}, to_color(key_color(view->key)),
-                           scaled(2));
-        list.PushClipRect({place.x, place.y}, {place.right() - scaled(6), place.bottom()}, true);
-        list.AddText({corner.x + swatch + scaled(6), corner.y}, colors::text, view->name.c_str());
-        list.PopClipRect();
+    for (const auto& view : views_) draw_name(*view);
+    if (more_ > 0 && !views_.empty()) {
+        const Rect& last = views_.back()->place;
+        ImGui::GetBackgroundDrawList()->AddText(
+            {last.x + scaled(8), last.bottom() - ImGui::GetTextLineHeight() - scaled(6)}, colors::text,
+            fmt::format("and {} more", more_).c_str());
     }
     ImGui::PopFont();
     if (!node) return;
     for (const auto& view : views_)
         if (view->picture.target() != nullptr && node->root < view->mesh.roots.triangle_count())
             draw_outline(*view, camera, *node, gui);
+}
+
+void KeyViews::draw_name(const View& view) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const Rect& place = view.place;
+    list.AddLine({place.x, place.y}, {place.x, place.bottom()}, colors::dark);
+    list.AddLine({place.x, place.y}, {place.right(), place.y}, colors::dark);
+    const float swatch = scaled(8);
+    const glm::vec2 corner(place.x + scaled(8), place.y + scaled(6));
+    const float top = corner.y + std::round((ImGui::GetTextLineHeight() - swatch) / 2);
+    list.AddRectFilled({corner.x, top}, {corner.x + swatch, top + swatch}, to_color(key_color(view.key)),
+                       scaled(2));
+    list.PushClipRect({place.x, place.y}, {place.right() - scaled(6), place.bottom()}, true);
+    list.AddText({corner.x + swatch + scaled(6), corner.y}, colors::text, view.name.c_str());
+    list.PopClipRect();
 }
 
 void KeyViews::draw_outline(View& view, const Camera& camera, const NodePath& node, const Gui& gui) {

@@ -71,11 +71,13 @@ class KeyViews {
         NodeOutline outline{};
     };
     void take_key(View& view, const Family& family, const Values& values);
+    static void draw_name(const View& view);
     void draw_outline(View& view, const Camera& camera, const NodePath& node, const Gui& gui);
 
     std::vector<std::unique_ptr<View>> views_;
     std::size_t next_ = 0;    ///< the view that is drawn first in the next frame
     std::size_t number_ = 0;  ///< the last number of a mesh
+    std::size_t more_ = 0;    ///< active keys without a picture
 };
 
 }  // namespace interleaf

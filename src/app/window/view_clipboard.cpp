@@ -45,8 +45,6 @@ std::string remark_on_command(const ViewerState& state) {
     const Display& display = state.session.display;
     if (state.document.is_changed()) return "It draws the saved family, without your unsaved changes.";
     if (display.detail < 1 || display.follows_camera) return "It draws all details.";
-    if (lacks_arrows(state.session, display))
-        return "It draws no arrows, as the name of a field has a comma.";
     return "";
 }
 

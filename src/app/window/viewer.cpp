@@ -250,7 +250,7 @@ void Viewer::update(const FrameInput& input, double now) {
     for (const Shortcut shortcut : input.pressed)
         if (!belongs_to_domain(shortcut, state_) && !belongs_to_brush(shortcut, state_))
             run_command(*input_.shortcuts.find(shortcut), state_, now);
-    if (const auto file = search_.act(state_, now)) files_.open({files_.recent_files()[*file]});
+    if (const auto file = search_.act(state_, now)) files_.open_recent(*file);
     if (gui_.panel_keys().step(std::exchange(state_.panel_step, 0))) redraw_.settle();
     update_files(input, now);
     update_clipboard(now);
@@ -263,7 +263,7 @@ void Viewer::apply_actions(const WindowActions& actions, double now) {
     views_.brush(actions, state_, layout(), now);
     apply_to_state(actions, state_, holds_, now);
     if (!gui_.is_button_down()) end_drag(state_);
-    if (actions.menu.chosen_item) files_.open({files_.recent_files()[*actions.menu.chosen_item]});
+    if (actions.menu.chosen_item) files_.open_recent(*actions.menu.chosen_item);
 }
 
 void Viewer::update_files(const FrameInput& input, double now) {
@@ -281,6 +281,7 @@ void Viewer::update_film(double now) {
         film_.offer(*file, state_.document.snapshot(), state_.session, views_.camera(),
                     pixels_of(layout().panels.view, gui_.density()));
     if (auto message = film_.update(gui_.density(), now)) state_.message = *std::move(message);
+    state_.makes_film = film_.is_working();
 }
 
 void Viewer::update_clipboard(double now) {
@@ -352,7 +353,7 @@ ShownWindow Viewer::show_panels() {
                                      .comparison = views_.comparison(),
                                      .has_keyboard = has_keyboard() && !gui_.panel_keys().has_keyboard()});
     files_.show(frame.content, now_);
-    film_.show(frame.content, now_);
+    if (!files_.is_asking()) film_.show(frame.content, now_);  // there is room for one dialog
     search_.show(frame.content, state_, input_.shortcuts, files_.recent_files());
     return shown;
 }
@@ -391,8 +392,7 @@ void Viewer::save_picture() {
 void run_viewer(Family family, std::vector<std::filesystem::path> sources,
                 std::vector<std::filesystem::path> meshes, const ViewerOptions& options) {
     require_for(options, family);
-    // Otherwise a software renderer allocates and returns its memory in every frame, which costs most of its
-    // speed.
+    // A software renderer would otherwise return its memory in every frame, which costs most of its speed.
     mallopt(M_TRIM_THRESHOLD, 256 << 20);
     Viewer(std::move(family), std::move(sources), std::move(meshes), options).run();
 }

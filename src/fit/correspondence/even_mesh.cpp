@@ -101,6 +101,15 @@ std::vector<std::array<Index, 2>> split_long_edges(SphereMesh& mesh, std::size_t
     return halved;
 }
 
+SurfaceMesh with_middles(const SurfaceMesh& mesh, std::span<const std::array<Index, 2>> halved,
+                         const std::vector<Triangle>& triangles) {
+    SurfaceMesh fine{.positions = mesh.positions, .triangles = triangles, .colors = {}};
+    fine.positions.reserve(mesh.positions.size() + halved.size());
+    for (const auto& [a, b] : halved)
+        fine.positions.push_back(fine.positions[a] / 2.0 + fine.positions[b] / 2.0);
+    return fine;
+}
+
 CoarsenedMesh coarsened(const SphereMesh& mesh, std::size_t vertices, ProgressMeter& meter) {
     HalfEdgeMesh half_edges(static_cast<Index>(mesh.positions.size()), mesh.triangles);
     std::vector<char> are_held(mesh.positions.size(), 0);

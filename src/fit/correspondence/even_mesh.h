@@ -6,11 +6,13 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "fit/correspondence/sphere_mesh.h"
 #include "fit/mesh/half_edge_mesh.h"
 #include "fit/mesh/progress_meter.h"
+#include "fit/mesh/surface_mesh.h"
 #include "hierarchy/triangle.h"
 
 namespace interleaf {
@@ -28,6 +30,12 @@ std::vector<Triangle> triangles_in(const HalfEdgeMesh& mesh);
 /// \throw Cancelled
 std::vector<std::array<Index, 2>> split_long_edges(SphereMesh& mesh, std::size_t vertices,
                                                    ProgressMeter& meter);
+
+/// \p mesh with the middles of the halved edges, without colors and scalars.
+/// \param halved     as split_long_edges() returns them for a body of this mesh
+/// \param triangles  of that body
+SurfaceMesh with_middles(const SurfaceMesh& mesh, std::span<const std::array<Index, 2>> halved,
+                         const std::vector<Triangle>& triangles);
 
 /// A mapped surface on fewer of its vertices, and the way back to all of them.
 struct CoarsenedMesh {

@@ -63,16 +63,6 @@ CoarsenedMesh compared_part(const SphereMesh& body, std::size_t vertices, const 
     return coarsened(body, vertices, meter);
 }
 
-/// \p mesh with the middles of the halved edges.
-SurfaceMesh with_middles(const SurfaceMesh& mesh, std::span<const std::array<Index, 2>> halved,
-                         const std::vector<Triangle>& triangles) {
-    SurfaceMesh fine{.positions = mesh.positions, .triangles = triangles, .colors = {}};
-    fine.positions.reserve(mesh.positions.size() + halved.size());
-    for (const auto& [a, b] : halved)
-        fine.positions.push_back(fine.positions[a] / 2.0 + fine.positions[b] / 2.0);
-    return fine;
-}
-
 /// Turns \p body so that its landmarks come nearest to those of \p model, if they determine a rotation.
 void turn_to_landmarks(SphereMesh& body, const MatchedBody& model) {
     constexpr std::size_t fewest = 3;

@@ -12,6 +12,9 @@
 namespace interleaf {
 namespace {
 
+/// Rest shapes are blended by this towards equilateral.
+constexpr double rest_blend = 0.1;
+
 /// Per vertex, a third of the area of its triangles on the sphere.
 std::vector<double> solid_angles(const SphereMesh& mesh, std::span<const glm::dvec3> points) {
     constexpr double least = 1e-12;
@@ -50,8 +53,8 @@ void average(const SphereMesh& mesh, const std::vector<char>& are_marked, std::v
 }
 
 /// Untangles, and where that fails averages the surroundings and tries again.
-void untangle_map(const SphereMesh& mesh, Relaxation& relaxation, std::vector<glm::dvec3>& points,
-                  ProgressMeter& meter) {
+void untangle_with(const SphereMesh& mesh, Relaxation& relaxation, std::vector<glm::dvec3>& points,
+                   ProgressMeter& meter) {
     constexpr int first_sweeps = 200;
     constexpr int further_sweeps = 100;
     constexpr int max_tries = 10;
@@ -70,7 +73,6 @@ void untangle_map(const SphereMesh& mesh, Relaxation& relaxation, std::vector<gl
 
 std::vector<glm::dvec3> pull_back(const SphereMesh& body, const SphereMesh& model,
                                   std::span<const glm::dvec3> on_sphere, ProgressMeter& meter) {
-    constexpr double blend = 0.1;
     constexpr int last_sweeps = 10;
     const SphereLocation in_model(model.triangles, on_sphere);
     std::vector<glm::dvec3> points;
@@ -86,11 +88,20 @@ std::vector<glm::dvec3> pull_back(const SphereMesh& body, const SphereMesh& mode
     const HalfEdgeMesh half_edges(static_cast<Index>(points.size()), body.triangles);
     const std::vector<double> areas = solid_angles(body, points);
     Relaxation relaxation(half_edges, body.positions, areas, points, Keeps::shapes);
-    relaxation.update_shapes(blend);
+    relaxation.update_shapes(rest_blend);
     for (const SphereLandmark& landmark : body.landmarks) relaxation.pin(landmark.vertex);
-    untangle_map(body, relaxation, points, meter);
+    untangle_with(body, relaxation, points, meter);
     relaxation.sweep(last_sweeps, meter);
     return points;
+}
+
+void untangle(const SphereMesh& mesh, std::vector<glm::dvec3>& points, ProgressMeter& meter) {
+    const HalfEdgeMesh half_edges(static_cast<Index>(points.size()), mesh.triangles);
+    const std::vector<double> areas = solid_angles(mesh, points);
+    Relaxation relaxation(half_edges, mesh.positions, areas, points, Keeps::shapes);
+    relaxation.update_shapes(rest_blend);
+    for (const SphereLandmark& landmark : mesh.landmarks) relaxation.pin(landmark.vertex);
+    untangle_with(mesh, relaxation, points, meter);
 }
 
 }  // namespace interleaf

@@ -21,4 +21,10 @@ namespace interleaf {
 std::vector<glm::dvec3> pull_back(const SphereMesh& body, const SphereMesh& model,
                                   std::span<const glm::dvec3> on_sphere, ProgressMeter& meter);
 
+/// Moves points of triangles of \p mesh that are turned over on the sphere, and their surroundings. Landmarks stay.
+/// Triangles may still be turned over then.
+/// \param points  of the unit sphere, one per vertex
+/// \throw Cancelled
+void untangle(const SphereMesh& mesh, std::vector<glm::dvec3>& points, ProgressMeter& meter);
+
 }  // namespace interleaf

@@ -1,6 +1,7 @@
 #include "io/file/file_pattern.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -78,6 +79,29 @@ std::vector<fs::path> matching_files(const fs::path& path) {
     if (files.empty()) throw InputError(fmt::format("{}: no file matches", whole));
     sort_naturally(files);
     return files;
+}
+
+fs::path path_of_all(const std::vector<fs::path>& files) {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const std::string first = files.front().filename().string();
+    std::size_t begin = first.size(), end = first.size();  // lengths of what all names begin and end with
+    for (const fs::path& file : files) {
+        const std::string name = file.filename().string();
+        begin =
+            std::min(begin, static_cast<std::size_t>(std::ranges::mismatch(first, name).in1 - first.begin()));
+        const auto backward = std::mismatch(first.rbegin(), first.rend(), name.rbegin(), name.rend());
+        end = std::min(end, static_cast<std::size_t>(backward.first - first.rbegin()));
+    }
+    while (begin > 0 && is_digit(first[begin - 1])) --begin;
+    while (end > 0 && is_digit(first[first.size() - end])) --end;
+    if (files.size() == 1 || begin + end > first.size()) return files.front();
+    const fs::path pattern =
+        files.front().parent_path() / (first.substr(0, begin) + "*" + first.substr(first.size() - end));
+    try {
+        return matching_files(pattern) == files ? pattern : files.front();
+    } catch (const std::runtime_error&) {
+        return files.front();  // another folder has an asterisk
+    }
 }
 
 std::string lower_case_extension(const std::filesystem::path& file) {

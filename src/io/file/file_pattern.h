@@ -21,6 +21,11 @@ void sort_naturally(std::vector<std::filesystem::path>& files);
 /// \throw MachineError if the folder cannot be read
 std::vector<std::filesystem::path> matching_files(const std::filesystem::path& path);
 
+/// The one path that stands for \p files as matching_files() does: a pattern that matches them and no others, in this
+/// order; the first of them if there is no such pattern, or if it is the only one.
+/// \pre there is a file
+std::filesystem::path path_of_all(const std::vector<std::filesystem::path>& files);
+
 /// The extension of \p file in lower case: ".ILH" becomes ".ilh".
 std::string lower_case_extension(const std::filesystem::path& file);
 

@@ -27,6 +27,11 @@ bool is_xml_field(const pugi::xml_node& array) {
     return type != "String" && !std::string_view(array.attribute("Name").value()).starts_with("vtk");
 }
 
+/// The unit that VTK keeps with an array.
+std::string unit_of(const pugi::xml_node& array) {
+    return array.find_child_by_attribute("InformationKey", "name", "UNITS_LABEL").child_value();
+}
+
 /// Reads one element "Piece".
 class XmlPieceReader {
   public:
@@ -113,7 +118,7 @@ class XmlPieceReader {
                 std::max<std::size_t>(document_.count(array, "NumberOfComponents", 1), 1);
             const ArrayPlace where =
                 place(fmt::format("{} field {}", element, in_quotes(name)), element, tuples, width);
-            fields.push_back({name, width, doubles_of(numbers(array, where))});
+            fields.push_back({name, width, doubles_of(numbers(array, where)), unit_of(array)});
         }
         return fields;
     }

@@ -25,6 +25,7 @@ constexpr const char* keys_help =
     "Up, Down: select    F2: rename    Delete: remove    Ctrl+Z, Ctrl+Y: undo, redo\n"
     "Left, Right: choose a mesh    N: next proposal    Space: accept it\n"
     "S: swap sides    C: checker    T: turn together    -, +: move the blend\n"
+    "Ctrl+O, Ctrl+S: load or save landmarks of the mesh\n"
     "Enter: use the landmarks    Esc: leave them as they were";
 
 float column_width(float window_width) {
@@ -44,7 +45,8 @@ bool small_button(const char* label, float width, bool is_enabled, const char* t
 
 bool LandmarkDialogResult::is_any() const {
     return sides[0].is_any() || sides[1].is_any() || blend.is_any() || selected || other || name || closes ||
-           side || steps_proposal != 0 || accepts_proposal || removes || swaps || undoes || redoes;
+           side || steps_proposal != 0 || accepts_proposal || removes || swaps || undoes || redoes || loads ||
+           saves;
 }
 
 void LandmarkDialog::open() {
@@ -100,6 +102,8 @@ void LandmarkDialog::read_keys(const LandmarkDialogShown& shown, LandmarkDialogR
     if (has_control && is_key_pressed(GLFW_KEY_Z, KeyRepeat::yes))
         (ImGui::GetIO().KeyShift ? result.redoes : result.undoes) = true;
     if (has_control && is_key_pressed(GLFW_KEY_Y, KeyRepeat::yes)) result.redoes = true;
+    if (has_control && is_key_pressed(GLFW_KEY_O)) result.loads = side_;
+    if (has_control && is_key_pressed(GLFW_KEY_S) && shown.can_save[side_]) result.saves = side_;
     if (has_control) return;
     if (is_key_pressed(GLFW_KEY_DELETE) || is_key_pressed(GLFW_KEY_BACKSPACE)) result.removes = true;
     if (is_key_pressed(GLFW_KEY_F2)) edits_name_ = shown.selected.has_value();
@@ -144,7 +148,7 @@ void LandmarkDialog::show_column(const LandmarkDialogShown& shown, LandmarkDialo
         }
     }
     blend_size_ = {width, std::round(std::min(width, 0.36F * room))};
-    const float below = 4 * line + blend_size_.y + spacing;
+    const float below = 5 * line + blend_size_.y + spacing;
     show_rows(shown, result, std::max(ImGui::GetContentRegionAvail().y - below, 2 * line));
     show_name(shown, result);
     show_edits(shown, result);
@@ -223,6 +227,14 @@ void LandmarkDialog::show_edits(const LandmarkDialogShown& shown, LandmarkDialog
     ImGui::SameLine();
     if (small_button("Accept next", half, true, "Sets a point at the marked proposal (N, Space)"))
         result.accepts_proposal = true;
+    const std::string mesh = shown.sides[side_].title;
+    if (small_button("Load...", half, true,
+                     fmt::format("Landmarks of {} from a file (Ctrl+O)", mesh).c_str()))
+        result.loads = side_;
+    ImGui::SameLine();
+    if (small_button("Save...", half, shown.can_save[side_],
+                     fmt::format("Landmarks of {} to a file (Ctrl+S)", mesh).c_str()))
+        result.saves = side_;
 }
 
 void LandmarkDialog::show_blend(const LandmarkDialogShown& shown, LandmarkDialogResult& result) {

@@ -34,6 +34,7 @@ struct LandmarkDialogShown {
     bool can_undo = false;
     bool can_redo = false;
     bool can_swap = false;
+    std::array<bool, 2> can_save{};  ///< whether the sides have landmarks
 };
 
 /// What the user did.
@@ -51,6 +52,8 @@ struct LandmarkDialogResult {
     bool swaps = false;
     bool undoes = false;
     bool redoes = false;
+    std::optional<std::size_t> loads;  ///< the side that gets the landmarks of a file
+    std::optional<std::size_t> saves;  ///< the side whose landmarks become a file
 
     bool is_any() const;
 };

@@ -10,6 +10,7 @@
 #include <imgui.h>
 
 #include "hierarchy/level_map.h"
+#include "ui/panels/axes_widget.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 
@@ -222,6 +223,15 @@ void level_map_section(const NodePath& node) {
                    {dyadic_text(map[0][row]), dyadic_text(map[1][row]), dyadic_text(map[2][row])}, {});
 }
 
+/// Between the inspector and the borders of the view.
+float margin_of_inspector() {
+    return scaled(12);
+}
+
+float inspector_width(const Rect& view) {
+    return std::min(scaled(300), view.width - 2 * margin_of_inspector());
+}
+
 /// The height of the brush's bar in the same corner, with the gap below it.
 float brush_bar_height() {
     ImGui::PushFont(small_font());
@@ -250,13 +260,21 @@ std::string dyadic_text(double value) {
     return fmt::format("{:.5g}", value);
 }
 
+bool is_at_left(glm::vec2 place, const Rect& view) {
+    return place.x < view.x + inspector_width(view) + 2 * margin_of_inspector();
+}
+
 InspectorResult inspector_panel(const InspectedNode& shown, std::span<const std::string> shortcuts,
                                 const Rect& view) {
-    const float margin = scaled(12);
-    const float width = std::min(scaled(300), view.width - 2 * margin);
-    const float top = margin + brush_bar_height();
-    ImGui::SetNextWindowPos({view.x + margin, view.y + top});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(view.height - top - margin, 1.0F)});
+    const float margin = margin_of_inspector();
+    const float width = inspector_width(view);
+    float top = view.y + margin + brush_bar_height();
+    if (const auto axes = axes_place(view); shown.is_at_left && axes) top = axes->bottom() + margin;
+    if (shown.is_at_left)
+        ImGui::SetNextWindowPos({view.right() - margin, view.bottom() - margin}, ImGuiCond_Always, {1, 1});
+    else
+        ImGui::SetNextWindowPos({view.x + margin, top});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(view.bottom() - top - margin, 1.0F)});
     ImGui::SetNextWindowBgAlpha(0.92F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(6));
     ImGui::PushStyleColor(ImGuiCol_Border, ImGui::GetStyleColorVec4(ImGuiCol_Separator));

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "hierarchy/nodes/node_index.h"
@@ -35,6 +36,7 @@ struct InspectedNode {
     std::array<glm::vec3, 3> blend;  ///< positions of the corners in the blend
     std::vector<InspectedKey> keys;  ///< the active keys
     std::array<std::optional<NodePath>, all_node_steps.size()> steps;  ///< by NodeStep: where it leads
+    bool is_at_left = false;  ///< of the view, where the inspector usually is
 };
 
 struct InspectorResult {
@@ -42,10 +44,13 @@ struct InspectorResult {
     bool is_over = false;
 };
 
-/// Shows the inspector over the upper left corner of \p view.
+/// Shows the inspector over the upper left corner of \p view, or over the lower right one if the node is at the left.
 /// \param shortcuts  by NodeStep: the keys that do the same
 InspectorResult inspector_panel(const InspectedNode& shown, std::span<const std::string> shortcuts,
                                 const Rect& view);
+
+/// Whether \p place, in the window, is in the part of \p view where the inspector usually is.
+bool is_at_left(glm::vec2 place, const Rect& view);
 
 /// The path of \p node as digits, the first bisection first, in groups of four; "–" for a root.
 std::string path_text(const NodePath& node);

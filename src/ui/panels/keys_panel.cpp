@@ -233,6 +233,7 @@ KeysPanelResult keys_panel(const KeysPanel& panel, float height) {
     const std::string count = rows.size() == panel.keys.size()
                                   ? fmt::format("{}", panel.keys.size())
                                   : fmt::format("{} of {}", rows.size(), panel.keys.size());
+    if (panel.takes_focus) open_section("Keys");
     if (!section("Keys", count, keys_meaning)) return result;
     if (has_search(panel)) show_search(panel, rows, result);
     const float wanted = key_row_height() * static_cast<float>(std::max<std::size_t>(rows.size(), 1));

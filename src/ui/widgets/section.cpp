@@ -60,4 +60,8 @@ bool section(std::string_view title, std::string_view remark, const char* meanin
     return is_open;
 }
 
+void open_section(std::string_view title) {
+    if (GuiState* const state = gui_state()) state->closed_sections.erase(std::string(title));
+}
+
 }  // namespace interleaf

@@ -11,4 +11,7 @@ namespace interleaf {
 /// \return whether the section is open, so that its content is to be shown
 bool section(std::string_view title, std::string_view remark = {}, const char* meaning = nullptr);
 
+/// Opens the section \p title if it is closed, for a command that leads into it.
+void open_section(std::string_view title);
+
 }  // namespace interleaf

@@ -257,3 +257,21 @@ TEST_CASE("the place of the point is typed") {
     CHECK(state.session.point()->at == glm::dvec2(0.5, 0.25));
     CHECK(state.session.driver() == Driver::point);
 }
+
+TEST_CASE("what drives in one run alone changes no document; a choice is an edit, and is what is saved") {
+    Family family = sample_family();
+    family.path = DomainPath({{0, {-1, -1}}, {4, {1, 1}}});
+    family.time_source = TimeSource::keys;
+    ViewerState state(std::move(family));
+    drive_in_this_run(state, TimeSource::path, 0);
+    CHECK(path_drives(state));
+    CHECK(state.session.playback().end() == 4);
+    CHECK_FALSE(state.document.is_changed());
+    CHECK(state.document.undo_step() == nullptr);
+    CHECK(state.source_to_save == TimeSource::keys);
+    drive_in_this_run(state, TimeSource::path, 0);
+    CHECK(state.source_to_save == TimeSource::keys);
+    choose_time_source(state, TimeSource::keys, 0);
+    CHECK(state.document.is_changed());
+    CHECK_FALSE(state.source_to_save);
+}

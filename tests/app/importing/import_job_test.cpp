@@ -74,8 +74,8 @@ TEST_CASE("the window asks for a tolerance where a series needs one") {
         if (const auto failed = importing.update(0)) error = failed;
     };
     importing.start(
-        {folder / "a.vtk", folder / "b.vtk"},
-        [&](const ImportedSeries& imported) { keys = imported.family.keys.size(); }, 0);
+        {folder / "a.vtk", folder / "b.vtk"}, {},
+        [&](const ImportedSeries& imported, const ImportChoices&) { keys = imported.family.keys.size(); }, 0);
     wait_for([&] {
         frame();
         return !importing.is_working();

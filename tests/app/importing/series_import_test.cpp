@@ -160,3 +160,34 @@ TEST_CASE("a unit of a field that is missing is told before any step is recovere
                    }),
                    "no key has a scalar field called \"u\""));
 }
+
+TEST_CASE("fields have the units that the files have, unless others are chosen") {
+    const ScratchFolder folder;
+    const auto array = [](const char* name, int components, const char* values, const char* unit) {
+        return fmt::format(
+            R"(<DataArray type="Float64" Name="{}" NumberOfComponents="{}" format="ascii">
+<InformationKey name="UNITS_LABEL" location="vtkDataArray">{}</InformationKey>
+{}
+</DataArray>)",
+            name, components, unit, values);
+    };
+    for (const char* const file : {"a-0.vtp", "a-1.vtp"})
+        put(folder / file,
+            R"(<VTKFile type="PolyData" version="0.1"><PolyData><Piece NumberOfPoints="3" NumberOfPolys="1">
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0</DataArray></Points>
+<Polys><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">3</DataArray></Polys><PointData>)" +
+                array("T", 1, "0 1 2", "K") + array("v", 2, "0 1 2 3 4 5", "m/s") +
+                array("p", 1, "0 1 2", std::string(65, 'p').c_str()) +
+                "</PointData></Piece></PolyData></VTKFile>");
+    const std::filesystem::path pattern = folder / "a-*.vtp";
+    const auto unit_of = [&](const ImportChoices& choices, const char* field) {
+        const Family family = import_series(series_files(std::span(&pattern, 1)), "a", choices, {}).family;
+        return scale_of(family.field_scales, field).unit;
+    };
+    CHECK(unit_of({}, "T") == "K");
+    CHECK(unit_of({}, "v y") == "m/s");
+    CHECK(unit_of({}, "p").empty());  // too long for a unit
+    CHECK(unit_of({.units = {{"T", "mK"}}}, "T") == "mK");
+    CHECK(unit_of({.fields = {"T"}}, "T") == "K");
+}

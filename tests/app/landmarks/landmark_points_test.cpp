@@ -85,8 +85,31 @@ TEST_CASE("pairs that mirror each other are found, and swapping sides exchanges 
     CHECK(points[1].places[1] == before[2].places[1]);
     CHECK(points[1].places[0] == before[1].places[0]);
     CHECK(points[0].places[1] == before[0].places[1]);
+    // The fit gets the exchanged places under the same names.
+    CHECK(counting_landmarks(points, 1)[1].name == before[1].name);
+    CHECK(counting_landmarks(points, 1)[1].position == *before[2].places[1]);
     CHECK(swap_sides(points, 1));
     CHECK(points == before);
+}
+
+TEST_CASE("landmarks of a file come to those of their names, or are new; those of a family stay") {
+    LandmarkPoints points = pairs_of(animal(), animal());
+    points[0].name = "nose";
+    points[1].direction = glm::dvec3(0, 0, 1);
+    points[1].name = "ear";
+    const LandmarkPoints before = points;
+    const std::vector<Landmark> file = {{"nose", {9, 0, 0}}, {"ear", {8, 0, 0}}, {"tail", {7, 0, 0}}};
+    put_landmarks(points, meshes, 0, file);
+    CHECK(points.size() == before.size() + 1);
+    CHECK(points[0].places[0] == glm::dvec3(9, 0, 0));
+    CHECK(points[0].places[1] == before[0].places[1]);
+    CHECK(points[1] == before[1]);
+    CHECK(points.back().name == "tail");
+    CHECK_FALSE(points.back().places[1]);
+    put_landmarks(points, meshes, 1, file);
+    CHECK(points[1].places[1] == glm::dvec3(8, 0, 0));
+    CHECK(is_paired(points.back(), 1));
+    CHECK(landmarks_on(points, 1).size() == points.size());
 }
 
 TEST_CASE("every change of landmarks can be undone and redone; a drag is one step") {

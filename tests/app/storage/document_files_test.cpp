@@ -12,6 +12,7 @@
 #include <doctest/doctest.h>
 
 #include "app/document/edit_commands.h"
+#include "app/document/path_commands.h"
 #include "app/environment.h"
 #include "app/sample_family.h"
 #include "hierarchy/adaptive_mesh.h"
@@ -20,6 +21,7 @@
 #include "io/file/folder_lock.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "ui/browser/folder_listing.h"
+#include "ui/headless_gui.h"
 
 using namespace interleaf;
 
@@ -63,6 +65,13 @@ void open_in_window(DocumentFiles& files, const fs::path& path) {
         files.act(1, 0);
         return !files.is_asking();
     }));
+}
+
+/// A step of a series: a square of two triangles with a field.
+std::string square_step() {
+    return "# vtk DataFile Version 3.0\nsquare\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n"
+           "0 0 0 1 0 0 1 1 0 0 1 0\nPOLYGONS 2 8\n3 0 1 2\n3 0 2 3\nPOINT_DATA 4\nSCALARS u double\n"
+           "LOOKUP_TABLE default\n0 1 2 1\n";
 }
 
 void change(ViewerState& state) {
@@ -419,4 +428,91 @@ TEST_CASE(
     CHECK(state.document.family().name == "other");
     CHECK(state.document.folder() == folder / "first");
     CHECK_FALSE(state.document.is_changed());
+}
+
+TEST_CASE("a series is opened again with the options of its import, also by a later program") {
+    const ScratchFolder folder;
+    const EnvironmentChange config("XDG_CONFIG_HOME", (folder / "config").string());
+    const EnvironmentChange own("XDG_STATE_HOME", (folder / "state").string());
+    for (int n = 0; n < 4; ++n) put(folder / ("step-" + std::to_string(n) + ".vtk"), square_step());
+    const fs::path pattern = folder / "step-*.vtk";
+    HeadlessGui gui({800, 600});
+    const auto arrive = [&](DocumentFiles& files) {
+        REQUIRE(comes_true([&] {
+            gui.begin_frame({0, 0}, false);
+            files.show({0, 0, 800, 600}, 0);
+            gui.end_frame();
+            files.act(1, 0);
+            return !files.is_asking();
+        }));
+    };
+    ViewerState state(named("first"));
+    {
+        DocumentFiles files(state, {}, false);
+        files.open({pattern});
+        arrive(files);
+        CHECK(state.document.family().keys.size() == 4);
+        CHECK(files.recent_files().front() == pattern);  // not one of the steps
+        change_settings(*settings_file(),
+                        [&](Settings& settings) { remember_series(settings, pattern, {.every = 2}); });
+    }
+    DocumentFiles files(state, {}, false);
+    files.open_recent(0);
+    arrive(files);
+    CHECK(state.document.family().keys.size() == 2);
+    const auto opened = state.document.snapshot();
+    files.grant(FileWish::reopen);
+    arrive(files);
+    CHECK(state.document.snapshot() != opened);
+    CHECK(state.document.family().keys.size() == 2);
+    files.open({pattern});  // as new
+    arrive(files);
+    CHECK(state.document.family().keys.size() == 4);
+    CHECK(files.settings().imports.empty());
+}
+
+TEST_CASE("a theme of one run is not remembered, a chosen one is, and everything else of the window") {
+    const ScratchFolder folder;
+    const EnvironmentChange config("XDG_CONFIG_HOME", (folder / "config").string());
+    const EnvironmentChange own("XDG_STATE_HOME", (folder / "state").string());
+    write_family(named("second"), folder / "second");
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, false);
+    state.appearance.theme = Theme::light;
+    state.has_theme_of_run = true;
+    state.appearance.text_scale = 1.5F;
+    open_in_window(files, folder / "second");  // another document is still of this run
+    files.remember_window({640, 480}, {});
+    Appearance kept = load_settings(*settings_file()).settings.appearance;
+    CHECK(kept.theme == Theme::dark);
+    CHECK(kept.text_scale == 1.5F);
+    state.has_theme_of_run = false;
+    files.remember_window({640, 480}, {});
+    CHECK(load_settings(*settings_file()).settings.appearance.theme == Theme::light);
+}
+
+TEST_CASE("a family is saved with its own choice of what drives, not with that of one run") {
+    const ScratchFolder folder;
+    Family family = named("first");
+    family.path = DomainPath({{0, {-1, -1}}, {4, {1, 1}}});
+    family.time_source = TimeSource::keys;
+    ViewerState state(std::move(family), folder / "first");
+    DocumentFiles files(state, {}, true);
+    drive_in_this_run(state, TimeSource::path, 0);
+    save(files);
+    CHECK(read_family(folder / "first").time_source == TimeSource::keys);
+    CHECK(path_drives(state));
+    choose_time_source(state, TimeSource::keys, 0);
+    choose_time_source(state, TimeSource::path, 0);
+    save(files);
+    CHECK(read_family(folder / "first").time_source == TimeSource::path);
+}
+
+TEST_CASE("quitting asks while a film is in the making") {
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, true);
+    state.makes_film = true;
+    files.grant(FileWish::quit);
+    CHECK(files.is_asking());
+    CHECK_FALSE(state.quit_wanted);
 }

@@ -19,7 +19,7 @@ const ImportDialogShown offer_of_two{.title = "Import a.pvd",
                                      .fault = ""};
 
 ImportDialogChoices choices_with(auto change) {
-    ImportDialogChoices choices = usual_choices(offer_of_two);
+    ImportDialogChoices choices = dialog_choices({}, offer_of_two);
     change(choices);
     return choices;
 }
@@ -31,7 +31,7 @@ std::string fault_with(auto change) {
 }  // namespace
 
 TEST_CASE("the usual choices have no fault and mean the defaults") {
-    const ImportDialogChoices usual = usual_choices(offer_of_two);
+    const ImportDialogChoices usual = dialog_choices({}, offer_of_two);
     CHECK(fault_of(usual, offer_of_two).empty());
     const ImportChoices wanted = import_choices(usual, offer_of_two);
     CHECK(wanted.every == 1);
@@ -61,7 +61,7 @@ TEST_CASE("choices with a fault name the row") {
     for (const double factor : {std::numeric_limits<double>::quiet_NaN(), 1e39})
         CHECK(contains(fault_with([&](Choices& c) { c.factor = factor; }), "Warp: "));
     CHECK(contains(fault_with([](Choices& c) { c.are_wanted = {false, false}; }), "Fields: "));
-    CHECK(fault_of(usual_choices({}), {}).empty());
+    CHECK(fault_of(dialog_choices({}, {}), {}).empty());
 }
 
 TEST_CASE("choices become those of the import: percent as parts, corners from 0, fields by name") {
@@ -84,4 +84,18 @@ TEST_CASE("choices become those of the import: percent as parts, corners from 0,
     CHECK(wanted.warp->factor == -2);
     CHECK(wanted.displacement == "u");
     CHECK(wanted.fields == std::vector<std::string>{"p"});
+}
+
+TEST_CASE("the dialog shows the choices of the last import again, as far as the series has their fields") {
+    const ImportChoices last{.tolerance = 0.025,
+                             .newest = 2U,
+                             .fields = {"p"},
+                             .displacement = "u",
+                             .warp = ChosenWarp{"p", -2},
+                             .every = 3,
+                             .roots = "/a/roots.ilh"};
+    CHECK(import_choices(dialog_choices(last, offer_of_two), offer_of_two) == last);
+    const ImportDialogChoices without =
+        dialog_choices({.fields = {"q"}, .displacement = "v", .warp = ChosenWarp{"q", 1}}, offer_of_two);
+    CHECK(import_choices(without, offer_of_two) == ImportChoices{});
 }

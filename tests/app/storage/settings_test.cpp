@@ -20,6 +20,14 @@ namespace {
 Settings sample_settings() {
     return {.recent_files = {"/a/five keys/family.json", "/b/sphere.ilh"},
             .recent_folders = {"/a/five keys", "/b"},
+            .imports = {{"/b/sphere.ilh",
+                         {.tolerance = 0.01,
+                          .newest = 2U,
+                          .fields = {"u", "p"},
+                          .displacement = "v",
+                          .warp = ChosenWarp{"u", -0.5},
+                          .every = 3,
+                          .roots = "/b/roots.ilh"}}},
             .last_folder = "/b/ä",
             .window_size = glm::ivec2(1280, 800),
             .appearance = {.theme = Theme::light,
@@ -221,4 +229,32 @@ TEST_CASE("the folders follow the XDG specification, and are none where nothing 
     const EnvironmentChange no_home("HOME", std::nullopt);
     CHECK_FALSE(settings_file());
     CHECK_FALSE(state_folder());
+}
+
+TEST_CASE(
+    "the options of a series are kept as long as the series is recent and they are not the usual ones") {
+    const ScratchFolder folder;
+    const fs::path file = folder / "settings.json";
+    const auto remember_now = [&](const char* series, const ImportChoices& choices) {
+        change_settings(file, [&](Settings& settings) { remember_series(settings, series, choices); });
+        return load_settings(file).settings;
+    };
+    CHECK(remember_now("/run.pvd", {.every = 2}).imports.at("/run.pvd").every == 2);
+    CHECK(remember_now("/run.pvd", {}).imports.empty());
+    CHECK(remember_now("/run.pvd", {.every = 3}).imports.size() == 1);
+    change_settings(file, [](Settings& settings) {
+        for (std::size_t n = 0; n < max_recent_paths; ++n)
+            remember(settings.recent_files, "/other" + std::to_string(n));
+    });
+    CHECK(load_settings(file).settings.imports.empty());
+}
+
+TEST_CASE("options of a series that no import has are refused by their place") {
+    const auto error_with = [](const std::string& choices) {
+        return error_of(R"({"imports": {"/run.pvd": )" + choices + "}}");
+    };
+    CHECK(error_with(R"({"every": 0})").starts_with("FILE: imports./run.pvd.every: "));
+    CHECK(error_with(R"({"newest": 3})").starts_with("FILE: imports./run.pvd.newest: "));
+    CHECK(error_with(R"({"tolerance": 2})").starts_with("FILE: imports./run.pvd.tolerance: "));
+    CHECK(error_with(R"({"warp": "u"})").starts_with("FILE: imports./run.pvd.warp"));
 }

@@ -102,4 +102,22 @@ TEST_CASE("a pattern with many asterisks takes little time") {
     CHECK_FALSE(input_error_of([&] { matching_files(folder / (pattern + "b")); }).empty());
 }
 
+TEST_CASE("the path of all files is a pattern that matches them alone, or the first file") {
+    const ScratchFolder folder;
+    for (const char* const name :
+         {"step-08.vtk", "step-09.vtk", "step-10.vtk", "a1b.obj", "a2b.obj", "a12b.obj"})
+        put(folder / name, "");
+    const auto path_of = [&](const std::vector<std::string>& names) {
+        std::vector<fs::path> files;
+        for (const std::string& name : names) files.push_back(folder / name);
+        return path_of_all(files).filename().string();
+    };
+    CHECK(path_of({"step-08.vtk", "step-09.vtk", "step-10.vtk"}) == "step-*.vtk");
+    CHECK(path_of({"a1b.obj", "a2b.obj", "a12b.obj"}) == "a*b.obj");
+    CHECK(path_of({"step-08.vtk"}) == "step-08.vtk");
+    CHECK(path_of({"step-08.vtk", "step-09.vtk"}) == "step-08.vtk");                 // not all that match
+    CHECK(path_of({"step-10.vtk", "step-09.vtk", "step-08.vtk"}) == "step-10.vtk");  // another order
+    CHECK(path_of({"step-08.vtk", "a1b.obj"}) == "step-08.vtk");
+}
+
 }  // namespace interleaf

@@ -77,3 +77,17 @@ TEST_CASE("the buttons of the inspector ask for every step that leads somewhere,
     CHECK(std::ranges::find(steps, NodeStep::sibling) == steps.end());
     CHECK(is_over);
 }
+
+TEST_CASE("the inspector leaves its corner to a node that is there") {
+    {
+        const HeadlessGui gui({800, 600});
+        CHECK(is_at_left({100, 0}, inspected_area));
+        CHECK_FALSE(is_at_left({400, 0}, inspected_area));
+    }
+    CHECK_FALSE(click_everywhere(node_without_parent()).first.empty());
+    InspectedNode at_left = node_without_parent();
+    at_left.is_at_left = true;
+    const auto [steps, is_over] = click_everywhere(at_left);
+    CHECK(steps.empty());
+    CHECK_FALSE(is_over);
+}

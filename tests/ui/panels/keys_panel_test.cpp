@@ -114,3 +114,15 @@ TEST_CASE("a short list has a search only where it is wanted") {
     hand.search.is_shown = true;
     CHECK(hand.rest().visible == std::vector<std::size_t>{3});
 }
+
+TEST_CASE("a search in a closed list opens it") {
+    ListHand hand(20);
+    CHECK_FALSE(hand.rest().visible.empty());
+    GuiState& gui = *gui_state();
+    gui.closed_sections.emplace("Keys");
+    CHECK(hand.rest().visible.empty());
+    hand.search.is_shown = true;
+    hand.takes_focus = true;
+    CHECK_FALSE(hand.rest().visible.empty());
+    CHECK(gui.closed_sections.empty());
+}
