@@ -181,7 +181,9 @@ void DocumentFiles::add_opened(Opening& found) {
         const auto before = state_.document.snapshot();
         family.landmarks.clear();
         interleaf::add_keys(state_, family, now_);
-        return state_.document.snapshot() != before;
+        if (state_.document.snapshot() == before) return false;
+        tell_added(before->keys.size());
+        return true;
     };
     std::visit(Cases{[&](OpenedFamily& family) {
         add(family.family); },
@@ -232,6 +234,22 @@ void DocumentFiles::offer_to_add(const MeshesToFit& meshes) {
     }
 }
 
+/// Shows the keys from \p first on, which have been added, and says where they are.
+void DocumentFiles::tell_added(std::size_t first) {
+    const Family& family = state_.document.family();
+    const std::size_t count = family.keys.size() - first;
+    select_key(state_, first, now_);
+    const std::string what = count == 1
+                                 ? fmt::format("{} has been added as the last key", family.keys[first].name)
+                                 : fmt::format("{} keys have been added to the end of the list", count);
+    state_.message = {
+        .text = fmt::format("{}. Drag {} to the timeline{}, or use the Key menu.", what,
+                            count == 1 ? "it" : "them", family.domain ? " or into the domain" : ""),
+        .kind = MessageKind::notice,
+        .offer = count == 1 ? MessageOffer::timeline : MessageOffer::none,
+        .seen = now_};
+}
+
 /// Adds fitted keys, and the landmarks that the family lacks, to the document.
 void DocumentFiles::add_fitted(const FittedMeshes& fitted) {
     // A family knows its sphere only if its roots have a name.
@@ -240,7 +258,12 @@ void DocumentFiles::add_fitted(const FittedMeshes& fitted) {
     added.origin = fitted.origin;
     if (keeps_landmarks) added.landmarks = fitted.landmarks;
     interleaf::add_keys(state_, added, now_);
+    const std::size_t first = state_.document.family().keys.size() - added.keys.size();
     tell_fit(fitted);
+    if (state_.message.offer == MessageOffer::none && added.keys.size() == 1) {
+        select_key(state_, first, now_);
+        state_.message.offer = MessageOffer::timeline;
+    }
     was_fit_added_ = true;
 }
 
@@ -307,7 +330,7 @@ void DocumentFiles::tell_fit(const FittedMeshes& fitted) {
                             100 * fitted.stretched);
     state_.message = {.text = std::move(text),
                       .kind = MessageKind::notice,
-                      .offers_landmarks = offers_landmarks,
+                      .offer = offers_landmarks ? MessageOffer::landmarks : MessageOffer::none,
                       .seen = now_};
     last_fitted_ = state_.document.snapshot();
     was_fit_added_ = false;

@@ -325,4 +325,13 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const DomainP
     return result;
 }
 
+bool domain_offer() {
+    if (!section("Parameter domain", "none",
+                 "A plane with a key at each vertex, whose point blends the keys around it."))
+        return false;
+    const bool is_wanted = ImGui::Button("New domain", {ImGui::GetContentRegionAvail().x, 0});
+    tooltip(with_keys("Place the keys in a plane, and blend them by a point between them", {"New domain"}));
+    return is_wanted;
+}
+
 }  // namespace interleaf
