@@ -258,12 +258,7 @@ void DocumentFiles::add_fitted(const FittedMeshes& fitted) {
     added.origin = fitted.origin;
     if (keeps_landmarks) added.landmarks = fitted.landmarks;
     interleaf::add_keys(state_, added, now_);
-    const std::size_t first = state_.document.family().keys.size() - added.keys.size();
     tell_fit(fitted);
-    if (state_.message.offer == MessageOffer::none && added.keys.size() == 1) {
-        select_key(state_, first, now_);
-        state_.message.offer = MessageOffer::timeline;
-    }
     was_fit_added_ = true;
 }
 
