@@ -262,8 +262,8 @@ void draw_canvas(const Family& family, const DomainPanel& panel, const DomainDra
     list.AddRectFilled(corner, end, colors::well, scaled(4));
     list.PushClipRect(corner, end, true);
     draw_domain(drawing);
-    result.pictured = draw_vertices(drawing);
     draw_path(drawing, panel.path);
+    result.pictured = draw_vertices(drawing);
     if (panel.edits) {
         const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
         const Touched here = is_hovered ? touched(family, panel, drawing.frame, pointer) : Touched{};
