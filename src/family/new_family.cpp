@@ -59,8 +59,12 @@ Family family_of_keys(std::string_view name, std::vector<Key> keys) {
         for (std::size_t key = 0; key < count; ++key) times.push_back({static_cast<double>(key), key});
         family.timeline.emplace(std::move(times));
     }
-    if (count >= 3 && count <= max_domain_keys) family.domain = domain_of(count);
+    if (can_have_new_domain(family)) family.domain = domain_of(count);
     return family;
+}
+
+bool can_have_new_domain(const Family& family) {
+    return family.keys.size() >= 3 && family.keys.size() <= max_domain_keys;
 }
 
 }  // namespace interleaf

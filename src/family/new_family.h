@@ -18,4 +18,7 @@ namespace interleaf {
 /// \pre there is at least one key, and all have the same roots
 Family family_of_keys(std::string_view name, std::vector<Key> keys);
 
+/// Whether that gives a domain for the number of keys of \p family.
+bool can_have_new_domain(const Family& family);
+
 }  // namespace interleaf

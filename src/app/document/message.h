@@ -17,12 +17,19 @@ enum class MessageKind : std::uint8_t {
     notice,  ///< information
 };
 
+/// What a button in a notice leads to.
+enum class MessageOffer : std::uint8_t {
+    none,
+    landmarks,  ///< the landmark window
+    timeline,   ///< a time for the selected key
+};
+
 struct Message {
     std::string text;                                          ///< empty for no message
     std::shared_ptr<const MismatchedKeys> mismatch = nullptr;  ///< keys to show with it; null for none
     MessageKind kind = MessageKind::fault;
-    bool offers_landmarks = false;  ///< a button in the notice leads to the landmark window
-    double seen = 0;                ///< when a notice appeared or was last hovered; seconds
+    MessageOffer offer = MessageOffer::none;  ///< of a notice
+    double seen = 0;                          ///< when a notice appeared or was last hovered; seconds
 
     bool empty() const { return text.empty(); }
     bool is_fault() const { return !empty() && kind == MessageKind::fault; }

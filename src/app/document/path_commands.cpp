@@ -248,6 +248,34 @@ void ask_for_vertex_place(ViewerState& state, Index vertex) {
                      }};
 }
 
+std::optional<Index> vertex_of_selected_key(const ViewerState& state) {
+    const auto& domain = state.document.family().domain;
+    if (!domain || !state.selected_key) return std::nullopt;
+    const auto& vertices = domain->vertices();
+    const auto found = std::ranges::find(vertices, *state.selected_key, &DomainVertex::key);
+    if (found == vertices.end()) return std::nullopt;
+    return static_cast<Index>(found - vertices.begin());
+}
+
+void ask_for_key_place(ViewerState& state) {
+    const Family& family = state.document.family();
+    if (!family.domain || !state.selected_key) return;
+    if (const auto vertex = vertex_of_selected_key(state)) return ask_for_vertex_place(state, *vertex);
+    const DomainBox box = box_of(family.domain->vertices());
+    const glm::dvec2 size = box.high - box.low;
+    const glm::dvec2 beside(box.high.x + size.x / 4, (box.low.y + box.high.y) / 2);
+    const double snap = 1e-6 * glm::length(size);
+    state.question = TextQuestion{
+        .text = fmt::format("Place of {} in the domain, U, V", family.keys[*state.selected_key].name),
+        .entry = place_text(beside),
+        .button = "Put there",
+        .fault = fault_of_place,
+        .answer = [key = *state.selected_key, snap](ViewerState& changed, const std::string& typed,
+                                                    double now) {
+            if (const auto at = place_in(typed)) add_domain_vertex(changed, *at, key, snap, now);
+        }};
+}
+
 void go_to_key(ViewerState& state, int direction, double now) {
     state.session.seek_key(direction, now);
     if (!state.edits_domain || !path_drives(state)) return;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "app/document/viewer_state.h"
 
@@ -50,6 +51,12 @@ void ask_for_place(ViewerState& state);
 
 /// Asks for the place of \p vertex of the domain. A place where a triangle would turn over is refused.
 void ask_for_vertex_place(ViewerState& state, Index vertex);
+
+/// The first vertex of the domain that has the selected key; none without one.
+std::optional<Index> vertex_of_selected_key(const ViewerState& state);
+
+/// Asks for the place of the selected key in the domain: that of its vertex, or of a new one.
+void ask_for_key_place(ViewerState& state);
 
 /// Goes to the next key or point of the path (\p direction 1) or to the previous one (-1), as
 /// Session::seek_key(). While the domain is edited, this selects the point.

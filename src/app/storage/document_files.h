@@ -146,6 +146,7 @@ class DocumentFiles {
     void add_fitted(const FittedMeshes& fitted);
     void set_landmarks();
     void tell_fit(const FittedMeshes& fitted);
+    void tell_added(std::size_t first);
     void replace_document(Family family, std::vector<std::filesystem::path> sources);
     void set_sources(std::vector<std::filesystem::path> sources);
     void forget_unsaved();

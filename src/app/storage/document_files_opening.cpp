@@ -190,7 +190,9 @@ void DocumentFiles::add_opened(Opening& found) {
         const auto before = state_.document.snapshot();
         family.landmarks.clear();
         interleaf::add_keys(state_, family, now_);
-        return state_.document.snapshot() != before;
+        if (state_.document.snapshot() == before) return false;
+        tell_added(before->keys.size());
+        return true;
     };
     std::visit(Cases{[&](OpenedFamily& family) {
         add(family.family); },
@@ -243,6 +245,22 @@ void DocumentFiles::offer_to_add(const MeshesToFit& meshes) {
     } catch (const InputError& error) {
         complain(error);
     }
+}
+
+/// Shows the keys from \p first on, which have been added, and says where they are.
+void DocumentFiles::tell_added(std::size_t first) {
+    const Family& family = state_.document.family();
+    const std::size_t count = family.keys.size() - first;
+    select_key(state_, first, now_);
+    const std::string what = count == 1
+                                 ? fmt::format("{} has been added as the last key", family.keys[first].name)
+                                 : fmt::format("{} keys have been added to the end of the list", count);
+    state_.message = {
+        .text = fmt::format("{}. Drag {} to the timeline{}, or use the Key menu.", what,
+                            count == 1 ? "it" : "them", family.domain ? " or into the domain" : ""),
+        .kind = MessageKind::notice,
+        .offer = count == 1 ? MessageOffer::timeline : MessageOffer::none,
+        .seen = now_};
 }
 
 /// Adds fitted keys, and the landmarks that the family lacks, to the document.
@@ -320,7 +338,7 @@ void DocumentFiles::tell_fit(const FittedMeshes& fitted) {
                             100 * fitted.stretched);
     state_.message = {.text = std::move(text),
                       .kind = MessageKind::notice,
-                      .offers_landmarks = offers_landmarks,
+                      .offer = offers_landmarks ? MessageOffer::landmarks : MessageOffer::none,
                       .seen = now_};
     last_fitted_ = state_.document.snapshot();
     was_fit_added_ = false;

@@ -13,11 +13,14 @@ std::string_view obstacle_of_document(CommandId id, const ViewerState& state) {
         case redo:
             return "nothing to redo";
         case edit_domain:
+        case put_in_domain:
         case record_path:
         case go_to_place:
         case use_arrows_in_domain:
         case drive_by_domain:
             return "the family has no parameter domain";
+        case take_out_of_domain:
+            return "the domain does not have the key";
         case set_field_unit:
             return "color by a scalar field first";
         case set_time_unit:

@@ -44,6 +44,8 @@ enum class CommandId : std::uint8_t {
     duplicate_key,
     put_on_timeline,
     add_present_time,
+    put_in_domain,
+    take_out_of_domain,
     move_key_up,
     move_key_down,
     remove_key,

@@ -9,6 +9,7 @@
 
 #include "app/brushing/brush_stroke.h"
 #include "app/document/edit_commands.h"
+#include "app/document/path_commands.h"
 #include "app/document/playback_commands.h"
 #include "app/document/unit_commands.h"
 
@@ -197,6 +198,25 @@ constexpr Command document_table[] = {
      .shortcuts = {{{GLFW_KEY_T, GLFW_MOD_SHIFT}}},
      .description = "Put the selected key on the timeline at the present time",
      .run = add_present_time},
+    {.id = CommandId::put_in_domain,
+     .scope = CommandScope::selected_key,
+     .menu = "Key",
+     .name = "Put in domain...",
+     .shortcuts = {{{GLFW_KEY_D, GLFW_MOD_ALT}}},
+     .description = "Type the place of the selected key in the domain (or drag it there)",
+     .run = [](ViewerState& state, double) { ask_for_key_place(state); },
+     .is_possible = has_domain},
+    {.id = CommandId::take_out_of_domain,
+     .scope = CommandScope::selected_key,
+     .menu = "Key",
+     .name = "Take out of domain",
+     .shortcuts = {{{GLFW_KEY_D, GLFW_MOD_ALT | GLFW_MOD_SHIFT}}},
+     .description = "Remove the vertex of the selected key from the domain",
+     .run =
+         [](ViewerState& state, double now) {
+             if (const auto vertex = vertex_of_selected_key(state)) remove_domain_vertex(state, *vertex, now);
+         },
+     .is_possible = [](const ViewerState& state) { return vertex_of_selected_key(state).has_value(); }},
     {.id = CommandId::move_key_up,
      .scope = CommandScope::selected_key,
      .menu = "Key",

@@ -176,6 +176,11 @@ void apply_to_keys(const KeysPanelResult& done, ViewerState& state, double now) 
     if (done.keep_blend) run_command(CommandId::keep_blend, state, now);
 }
 
+void take_offer(MessageOffer offer, ViewerState& state, double now) {
+    if (offer == MessageOffer::landmarks) run_command(CommandId::set_landmarks, state, now);
+    if (offer == MessageOffer::timeline) run_command(CommandId::put_on_timeline, state, now);
+}
+
 }  // namespace
 
 void apply_to_state(const WindowActions& actions, ViewerState& state, MouseHolds& holds, double now) {
@@ -184,8 +189,10 @@ void apply_to_state(const WindowActions& actions, ViewerState& state, MouseHolds
     if (actions.panel_sizes) state.appearance.panels = *actions.panel_sizes;
     if (actions.view && actions.view->view_all) state.view_target = ViewTarget::surface;
     if (actions.points_at_notice) state.message.seen = now;
+    const MessageOffer offer = state.message.offer;
     if (actions.dismisses_message) state.message.clear();
-    if (actions.wants_landmarks) run_command(CommandId::set_landmarks, state, now);
+    if (actions.takes_offer) take_offer(offer, state, now);
+    if (actions.wants_domain) run_command(CommandId::new_domain, state, now);
     if (actions.inspector) {
         if (actions.inspector->step) state.node_step = actions.inspector->step;
         if (actions.inspector->is_over) state.inspected.reset();

@@ -10,6 +10,7 @@
 #include "app/document/shown_shading.h"
 #include "app/pictures/view_surface.h"
 #include "family/family_time.h"
+#include "family/new_family.h"
 #include "ui/panels/detail_panel.h"
 #include "ui/panels/display_panel.h"
 #include "ui/panels/status_line.h"
@@ -218,6 +219,9 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
     if (family.domain) {
         show_domain(shown, result);
         section_gap();
+    } else if (can_have_new_domain(family)) {
+        result.actions.wants_domain = domain_offer();
+        section_gap();
     }
     show_detail(shown, result);
     section_gap();
@@ -248,9 +252,11 @@ void show_message(const WindowShown& shown, const Rect& view, WindowActions& act
         actions.dismisses_message = message_panel(message.text, shown.pictures, view);
         return;
     }
-    const NoticeResult notice =
-        notice_panel(message.text, message.offers_landmarks ? "Set landmarks..." : nullptr, view);
-    actions.wants_landmarks = notice.pressed;
+    const char* const offer = message.offer == MessageOffer::landmarks  ? "Set landmarks..."
+                              : message.offer == MessageOffer::timeline ? "Put on timeline..."
+                                                                        : nullptr;
+    const NoticeResult notice = notice_panel(message.text, offer, view);
+    actions.takes_offer = notice.pressed;
     actions.points_at_notice = notice.pointed_at;
     actions.dismisses_message = notice.dismissed;
 }

@@ -90,7 +90,8 @@ struct WindowActions {
     std::optional<InspectorResult> inspector;
     std::optional<HelpResult> help;
     bool dismisses_message = false;
-    bool wants_landmarks = false;  ///< the button of a notice was pressed
+    bool takes_offer = false;   ///< the button of a notice was pressed
+    bool wants_domain = false;  ///< the family has none yet
     bool points_at_notice = false;
 };
 

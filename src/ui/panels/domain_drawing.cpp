@@ -46,10 +46,11 @@ void draw_triangles(ImDrawList& list, const ParameterDomain& domain, const PlotF
     }
 }
 
-void draw_line(ImDrawList& list, std::span<const glm::dvec2> path, const PlotFrame& frame) {
+void draw_line(ImDrawList& list, std::span<const glm::dvec2> path, const PlotFrame& frame, ImU32 color,
+               float width) {
     // Dear ImGui's indices have 16 bits, so one line has a limited number of points.
     constexpr int max_points = 4096;
-    const auto stroke = [&] { list.PathStroke(IM_COL32(255, 255, 255, 150), ImDrawFlags_None, scaled(2)); };
+    const auto stroke = [&] { list.PathStroke(color, ImDrawFlags_None, scaled(width)); };
     std::optional<glm::vec2> last;
     for (const glm::dvec2 at : path) {
         const glm::vec2 pixel = frame.pixel(at);
@@ -128,7 +129,10 @@ void draw_domain(const DomainDrawing& drawing) {
 }
 
 void draw_path(const DomainDrawing& drawing, std::span<const glm::dvec2> path) {
-    draw_line(*ImGui::GetWindowDrawList(), path, drawing.frame);
+    // A dark rim, so that the line is also seen along the border of the domain in the light theme.
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_line(list, path, drawing.frame, colors::path_rim, 4.5F);
+    draw_line(list, path, drawing.frame, colors::path_line, 2);
 }
 
 std::vector<std::size_t> draw_vertices(const DomainDrawing& drawing) {

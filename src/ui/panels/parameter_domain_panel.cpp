@@ -262,8 +262,8 @@ void draw_canvas(const Family& family, const DomainPanel& panel, const DomainDra
     list.AddRectFilled(corner, end, colors::well, scaled(4));
     list.PushClipRect(corner, end, true);
     draw_domain(drawing);
-    result.pictured = draw_vertices(drawing);
     draw_path(drawing, panel.path);
+    result.pictured = draw_vertices(drawing);
     if (panel.edits) {
         const glm::vec2 pointer = from_imgui(ImGui::GetIO().MousePos);
         const Touched here = is_hovered ? touched(family, panel, drawing.frame, pointer) : Touched{};
@@ -323,6 +323,15 @@ ParameterDomainResult parameter_domain_panel(const Family& family, const DomainP
 
     show_buttons(panel, whole, width, result);
     return result;
+}
+
+bool domain_offer() {
+    if (!section("Parameter domain", "none",
+                 "A plane with a key at each vertex, whose point blends the keys around it."))
+        return false;
+    const bool is_wanted = ImGui::Button("New domain", {ImGui::GetContentRegionAvail().x, 0});
+    tooltip(with_keys("Place the keys in a plane, and blend them by a point between them", {"New domain"}));
+    return is_wanted;
 }
 
 }  // namespace interleaf

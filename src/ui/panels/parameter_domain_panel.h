@@ -84,4 +84,8 @@ struct ParameterDomainResult {
 /// \pre the family has a domain
 ParameterDomainResult parameter_domain_panel(const Family& family, const DomainPanel& panel);
 
+/// Takes the place of the panel while the family has no domain.
+/// \return whether a new domain is wanted
+bool domain_offer();
+
 }  // namespace interleaf

@@ -67,6 +67,8 @@ inline constexpr ThemeColor frame(&Palette::frame);
 // The same in both themes: over pictures and over colors of keys.
 inline constexpr ImU32 dark = IM_COL32(12, 13, 16, 255);
 inline constexpr ImU32 white = IM_COL32(255, 255, 255, 255);
+inline constexpr ImU32 path_line = IM_COL32(255, 255, 255, 215);
+inline constexpr ImU32 path_rim = IM_COL32(12, 13, 16, 170);
 }  // namespace colors
 
 /// Makes the colors of the present theme those of Dear ImGui's \p style.

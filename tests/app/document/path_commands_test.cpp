@@ -275,3 +275,27 @@ TEST_CASE("what drives in one run alone changes no document; a choice is an edit
     CHECK(state.document.is_changed());
     CHECK_FALSE(state.source_to_save);
 }
+
+TEST_CASE("the place of a key in the domain is typed: that of its vertex, or of a new one") {
+    ViewerState state(sample_family());
+    ask_for_key_place(state);
+    CHECK_FALSE(state.question);  // no key is selected
+    state.selected_key = 4;
+    CHECK(vertex_of_selected_key(state) == 4);
+    ask_for_key_place(state);
+    REQUIRE(state.question);
+    state.question->answer(state, "0.25, 0.5", 0);
+    CHECK(state.document.family().domain->vertices()[4].at == glm::dvec2(0.25, 0.5));
+
+    state.selected_key = 4;
+    duplicate_key(state, 0);
+    state.selected_key = 5;
+    CHECK_FALSE(vertex_of_selected_key(state));
+    ask_for_key_place(state);
+    REQUIRE(state.question);
+    CHECK(state.question->fault(state.question->entry).empty());
+    state.question->answer(state, state.question->entry, 0);
+    REQUIRE(state.document.family().domain->vertices().size() == 6);
+    CHECK(state.document.family().domain->vertices()[5].at == glm::dvec2(1.5, 0));
+    CHECK(vertex_of_selected_key(state) == 5);
+}

@@ -149,6 +149,11 @@ TEST_CASE("files of any name make keys that can be saved") {
     CHECK(state.document.family().name == "a\\xc2\\x9b2J\\x0a\\xff");
     files.add_keys({folder / name}, 0);
     REQUIRE(state.document.family().keys.size() == 2);
+    CHECK(state.selected_key == 1);  // what was added is shown, and has a place offered
+    CHECK(state.session.weights() == Weights{{1, 1.0}});
+    CHECK(state.message.text.find("has been added as the last key") != std::string::npos);
+    CHECK_FALSE(state.message.is_fault());
+    CHECK(state.message.offer == MessageOffer::timeline);
     write_family(state.document.family(), folder / "saved");
     CHECK(read_family(folder / "saved").keys[1].name == state.document.family().keys[1].name);
 }
@@ -166,6 +171,8 @@ TEST_CASE("a folder of keys is opened and added as if they had been chosen toget
     CHECK(files.recent_files().front() == folder / "second");
     files.add_keys({folder / "second"}, 0);
     CHECK(state.document.family().keys.size() == 10);
+    CHECK(state.message.text.find("5 keys have been added") != std::string::npos);
+    CHECK(state.message.offer == MessageOffer::none);
     undo(state, 0);
     files.grant(FileWish::reopen);
     CHECK(state.document.family().keys.size() == 5);
@@ -395,7 +402,7 @@ TEST_CASE("keys of a family are added to the document as a step of it") {
     ViewerState state(named("first"));
     DocumentFiles files(state, {}, true);
     files.add_keys({folder / "second"}, 0);
-    CHECK(state.message.empty());
+    CHECK_FALSE(state.message.is_fault());
     CHECK(state.document.family().keys.size() == 10);
     CHECK(state.document.family().name == "first");
     CHECK(state.document.family().timeline == sample_family().timeline);

@@ -217,3 +217,21 @@ TEST_CASE("tooltips name commands that there are, in every state of the panels")
     panels.frame({0, 0}, false);
     CHECK(with_keys("Play it", {"Play"}) == "Play it (Space)");
 }
+
+TEST_CASE("a family without a domain is offered one where its panel would be") {
+    Panels panels;
+    ViewerState& state = panels.state();
+    state.document.edit("Remove the domain", [&] {
+        Family family = state.document.family();
+        family.domain.reset();
+        return family;
+    }());
+    state.session.replace_family(state.document.snapshot(), 0);
+    const Rect right = panels.frame({0, 0}, false).layout.panels.right;
+    const glm::vec2 button{right.x + right.width / 2, right.y + 42};
+    panels.frame(button, false);
+    panels.frame(button, true);
+    panels.frame(button, false);
+    REQUIRE(state.document.family().domain);
+    CHECK(state.document.family().domain->vertices().size() == 5);
+}

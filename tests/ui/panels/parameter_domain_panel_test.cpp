@@ -42,7 +42,7 @@ class Panel {
         begin_panel("right", {1000, 24, 280, 700});
         const std::optional<DomainPoint> point;
         ParameterDomainResult result = parameter_domain_panel(
-            family_, {.point = point, .path = {}, .edits = edits_, .drag = drag_, .menu = menu_});
+            family_, {.point = point, .path = path, .edits = edits_, .drag = drag_, .menu = menu_});
         end_panel();
         gui_.end_frame();
         drag_ = result.drag;
@@ -51,6 +51,10 @@ class Panel {
     }
 
     Family& family() { return family_; }
+
+    bool has_color(ImU32 color, const Rect& area) const { return gui_.has_color(color, area); }
+
+    std::vector<glm::dvec2> path;
 
   private:
     HeadlessGui gui_{{1280, 800}};
@@ -67,6 +71,15 @@ glm::vec2 pixel(const Rect& plot, glm::dvec2 offset) {
 }
 
 }  // namespace
+
+TEST_CASE("the path is a bright line with a dark rim, so that it is seen over any color") {
+    Panel panel(distant_family(), false);
+    panel.path = {low, low + glm::dvec2(2, 0)};
+    for (int frame = 0; frame < 3; ++frame) panel.show({0, 0}, false);
+    const Rect whole{1000, 24, 280, 700};
+    CHECK(panel.has_color(colors::path_line, whole));
+    CHECK(panel.has_color(colors::path_rim, whole));
+}
 
 TEST_CASE("a drag moves the point to the place under the pointer, however far the domain is from 0") {
     Panel panel(distant_family(), false);
