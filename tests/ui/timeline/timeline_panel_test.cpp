@@ -128,3 +128,19 @@ TEST_CASE("a key among hundreds stays between its neighbors while it is dragged"
     CHECK(moved->place == 0);
     CHECK(moved->to < times[1].time);
 }
+
+TEST_CASE("the list of interpolations also lets parts turn") {
+    HeadlessGui gui({1280, 800});
+    const Family family = late_family();
+    std::optional<BlendKind> chosen;
+    const auto click = [&](glm::vec2 at) {
+        for (const bool is_down : {false, true, false})
+            if (const auto blend = show(gui, family, {}, at, is_down).transport.blend) chosen = blend;
+        show(gui, family, {}, at, false);
+    };
+    for (float y = 480; y < 796 && !chosen; y += 12) {
+        click({540, 662});  // opens the list
+        click({540, y});
+    }
+    CHECK(chosen == BlendKind::turning);
+}
