@@ -35,6 +35,9 @@ constexpr std::size_t finest_part = 3;
 /// The model's mesh also moves over the body, unless the distortion is below this without that.
 constexpr double good_distortion = 1.15;
 
+/// Maps of a small distortion agree already if the rest of the energy, differences of places and normals, is below this.
+constexpr double max_disagreement = 0.01;
+
 /// Bodies whose distortion stays above this have no parts that correspond, and no good key of a match. With landmarks,
 /// a person knows better.
 constexpr double hopeless_distortion = 3.5;
@@ -272,8 +275,9 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
 
     MatchReport report;
     report.before = both.figures_of(body.points);
-    // A round body that is turned keeps its shapes. So places must agree, too.
-    if (report.before.energy < MatchWeights().distortion * options.enough)
+    // A round body that is turned keeps its shapes. So places and normals must agree, too.
+    const double disagreement = report.before.energy - MatchWeights().distortion * report.before.distortion;
+    if (report.before.distortion < options.enough && disagreement < max_disagreement)
         return unmatched(std::move(report), "the maps agree already");
     std::vector<Candidate> candidates;
     if (auto own = both.move_own_mesh()) candidates.push_back(std::move(*own));
