@@ -238,7 +238,7 @@ Basis parse_basis(std::string_view text) {
 
 BlendKind parse_blend_kind(std::string_view text) {
     if (const std::optional<BlendKind> kind = blend_kind_named(text)) return *kind;
-    expected("straight or turning", text);
+    fail_expecting("straight or turning", text);
 }
 
 TimeSource parse_time_source(std::string_view text) {

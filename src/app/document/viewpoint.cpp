@@ -36,7 +36,7 @@ glm::vec3 center_in(std::string_view text) {
 
 UpAxis up_in(std::string_view text) {
     const std::optional<UpAxis> up = up_axis_named(text);
-    if (!up) expected_view("up=X, up=Y or up=Z", text);
+    if (!up) fail_expecting("up=X, up=Y or up=Z", text);
     return *up;
 }
 
