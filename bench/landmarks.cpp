@@ -41,7 +41,7 @@ struct Body {
 
 Body read_body(const std::filesystem::path& mesh) {
     Body body{.name = mesh.stem().string(), .clean = {}, .landmarks = {}};
-    SurfaceFile surface = read_surface(mesh, parse_off);
+    SurfaceFile surface = parse_file(mesh, parse_off);
     std::ifstream file(std::filesystem::path(mesh).replace_extension(".vts"));
     for (std::string line; std::getline(file, line);) {
         std::size_t vertex = surface.positions.size();
