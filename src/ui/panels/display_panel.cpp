@@ -218,7 +218,9 @@ void keep_range(Display& display, const ColorScale& shown) {
     if (!is_kept && was_kept) display.measured_range.reset();
     if (is_kept && !was_kept) display.measured_range = {display.coloring, shown.range};
     if (!is_kept) return;
+    // Right after a click on another coloring, the shown range is still that of the previous coloring.
     ColorScale scale = shown;
+    scale.range = display.measured_range->range;
     edit_range(scale);
     display.measured_range->range = scale.range;
 }

@@ -73,3 +73,29 @@ TEST_CASE("the legend of many origins shows as many as there is room for") {
         CHECK(scroll_of(Coloring::origin, active) == 0);
     }
 }
+
+TEST_CASE("a locked range stays while the legend still shows that of the previous coloring") {
+    HeadlessGui gui(window);
+    const Layout layout = lay_out(window, menu_height, 1, true, 0, {});
+    Display display;
+    display.coloring = Coloring::angle;
+    display.measured_range = {Coloring::angle, {10, 50}};
+    for (const Coloring coloring : {Coloring::angle, Coloring::curvature, Coloring::angle}) {
+        display.coloring = coloring;
+        gui.begin_frame({700, 300}, false);
+        begin_panel("left", *layout.left);
+        display = display_panel(display, {.levels = {0, 12},
+                                          .origins = {},
+                                          .active_keys = {},
+                                          .active_names = {},
+                                          .fields = {},
+                                          .key_without_field = {},
+                                          .measured = {.range = {-3, 7}}})
+                      .display;
+        end_panel();
+        gui.end_frame();
+        REQUIRE(display.measured_range);
+        CHECK(display.measured_range->coloring == Coloring::angle);
+        CHECK(display.measured_range->range == ValueRange{10, 50});
+    }
+}
