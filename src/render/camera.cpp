@@ -33,6 +33,7 @@ float radius_of(const Extent& extent) {
 
 /// The direction from where \p back points.
 Direction direction_towards(glm::vec3 back) {
+    back += 0.0F;  // so that no component is -0, from which atan2 would turn by 180 degrees at a pole
     return {
         .azimuth = glm::degrees(std::atan2(back.x, back.z)),
         .elevation = glm::degrees(std::atan2(back.y, std::hypot(back.x, back.z))),

@@ -328,3 +328,14 @@ TEST_CASE("a look from the end of an axis is along it, whatever axis points up")
                 CHECK(glm::distance(camera.axes()[2], from) < 1e-6F);
             }
 }
+
+TEST_CASE("a look from above or below has no turn of its own, also where zeros have a sign") {
+    for (const float sign : {1.0F, -1.0F})
+        for (const glm::vec3 from : {glm::vec3(0, sign, 0), -glm::vec3(0, -sign, 0)}) {
+            Camera camera;
+            camera.look_from_end(from);
+            Camera expected;
+            expected.look_from(0, sign * 90);
+            CHECK(glm::distance(camera.axes()[1], expected.axes()[1]) < 1e-6F);
+        }
+}
