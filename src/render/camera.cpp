@@ -225,4 +225,11 @@ glm::mat4 Camera::whole_projection(float aspect) const {
     return glm::perspective(glm::radians(vertical_field_degrees), aspect, near, far);
 }
 
+glm::vec3 front_of_plane(unsigned axis, UpAxis up) {
+    const auto place = static_cast<glm::length_t>(axis);
+    glm::vec3 front(0);
+    front[place] = axes_with(up)[2][place] < 0 ? -1.0F : 1.0F;
+    return front;
+}
+
 }  // namespace interleaf

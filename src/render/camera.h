@@ -136,4 +136,8 @@ class Camera {
     float scene_radius_ = 1;
 };
 
+/// The end of \p axis, 0 to 2, from which a plane across it is seen: the end that points to the viewer, or the
+/// positive end of an axis that points up or to the side.
+glm::vec3 front_of_plane(unsigned axis, UpAxis up);
+
 }  // namespace interleaf

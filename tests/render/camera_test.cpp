@@ -302,6 +302,25 @@ TEST_CASE("with Z up the front is the negative end of Y") {
     CHECK(glm::distance(camera.axes()[0], {1, 0, 0}) < 1e-6F);
 }
 
+TEST_CASE("a plane is seen from its front, not mirrored, whatever axis points up") {
+    for (const UpAxis up : {UpAxis::x, UpAxis::y, UpAxis::z})
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            CAPTURE(name_of(up));
+            CAPTURE(axis);
+            const glm::vec3 front = front_of_plane(axis, up);
+            CHECK(glm::length(front) == 1);
+            CHECK(glm::dot(front, axes_with(up)[2]) >= 0);
+        }
+    CHECK(front_of_plane(1, UpAxis::y) == glm::vec3(0, 1, 0));
+    CHECK(front_of_plane(2, UpAxis::y) == glm::vec3(0, 0, 1));
+    CHECK(front_of_plane(2, UpAxis::z) == glm::vec3(0, 0, 1));
+    Camera camera;
+    camera.set_up(UpAxis::z);
+    camera.look_from_end(front_of_plane(1, UpAxis::z));
+    CHECK(glm::distance(camera.axes()[0], {1, 0, 0}) < 1e-6F);
+    CHECK(glm::distance(camera.axes()[1], {0, 0, 1}) < 1e-6F);
+}
+
 TEST_CASE("a trackball turns the same, whatever axis points up") {
     Camera camera;
     camera.look_from({25, -30, 10});

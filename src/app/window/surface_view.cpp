@@ -79,11 +79,11 @@ void SurfaceView::set_extent(const Extent& all_keys) {
         camera_.look_from(usual_direction.x, usual_direction.y);
 }
 
-/// Looks at the plane of the keys from its front, or at their heights from the side.
+/// Looks at the plane of the keys from its front, or at their heights from the side to which they rise.
 void SurfaceView::face_plane() {
-    glm::vec3 front(0);
-    front[static_cast<int>(*axis_)] = 1;
-    camera_.look_from_end(front);
+    glm::vec3 raised(0);
+    raised[static_cast<int>(*axis_)] = 1;
+    camera_.look_from_end(warped_.is_warped() ? raised : front_of_plane(*axis_, camera_.up()));
     if (!warped_.is_warped()) return;
     const auto [azimuth, elevation, roll] = camera_.direction();
     if (elevation < 45)
