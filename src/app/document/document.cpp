@@ -4,16 +4,32 @@
 #include <cassert>
 #include <utility>
 
+#include "family/family_time.h"
+
 namespace interleaf {
 
 Document::Document(Family family, std::optional<std::filesystem::path> folder) : folder_(std::move(folder)) {
-    states_.push_back({"", std::make_shared<const Family>(std::move(family))});
+    states_.push_back({"", std::make_shared<const Family>(std::move(family)), std::nullopt});
+}
+
+std::shared_ptr<const Family> Document::family_to_save() const {
+    const auto& [step, family, source] = states_[current_];
+    if (!source || !has_source(*family, *source)) return family;
+    return std::make_shared<const Family>(with_time_source(*family, *source));
+}
+
+void Document::drive_in_this_run(TimeSource source) {
+    State& state = states_[current_];
+    auto driven = std::make_shared<const Family>(with_time_source(*state.family, source));
+    if (!state.source_to_save) state.source_to_save = state.family->time_source;
+    state.family = std::move(driven);
 }
 
 void Document::edit(std::string step, Family family) {
     if (saved_ && *saved_ > current_) saved_.reset();
     states_.resize(current_ + 1);
-    states_.push_back({std::move(step), std::make_shared<const Family>(std::move(family))});
+    states_.push_back({std::move(step), std::make_shared<const Family>(std::move(family)),
+                       states_[current_].source_to_save});
     ++current_;
 }
 

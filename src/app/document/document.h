@@ -26,6 +26,17 @@ class Document {
 
     const std::optional<std::filesystem::path>& folder() const { return folder_; }
 
+    /// The present state as files hold it: with its own time source, not with that of drive_in_this_run().
+    std::shared_ptr<const Family> family_to_save() const;
+
+    /// Lets \p source drive the present state in place of its own choice, which files keep. That is no edit: the
+    /// state does not count as changed. States that edits make of it inherit both sources.
+    /// \pre has_source(family(), source)
+    void drive_in_this_run(TimeSource source);
+
+    /// Makes the time source that drives the present state its own.
+    void keep_time_source() { states_[current_].source_to_save.reset(); }
+
     /// Makes \p family the present state, and drops all undone states.
     /// \param step  name of the edit, shown after "Undo"
     /// \pre         check(family) finds nothing
@@ -61,6 +72,7 @@ class Document {
     struct State {
         std::string step;  ///< name of the edit that led to this state
         std::shared_ptr<const Family> family;
+        std::optional<TimeSource> source_to_save;  ///< while another source drives in this run alone
     };
 
     std::vector<State> states_;

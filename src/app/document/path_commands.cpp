@@ -74,6 +74,7 @@ void toggle_recording(ViewerState& state, double now) {
     const PathRecording recording = *std::exchange(state.recording, std::nullopt);
     if (recording.points.size() < 2 || !state.document.family().domain) return;
     const DomainBox box = box_of(state.document.family().domain->vertices());
+    const auto before = state.document.snapshot();
     const double tolerance = recording_tolerance * glm::distance(box.low, box.high);
     edit(
         state, "Record a path",
@@ -82,6 +83,7 @@ void toggle_recording(ViewerState& state, double now) {
             return with_time_source(with_path(family, path), TimeSource::path);
         },
         now);
+    if (state.document.snapshot() != before) state.document.keep_time_source();
     state.session.seek(0, now);
 }
 
@@ -100,20 +102,18 @@ void record_point(ViewerState& state, double now) {
 }
 
 void drive_in_this_run(ViewerState& state, TimeSource source, double now) {
-    const Family& family = state.document.family();
-    if (source_of_time(family) == source) return;
-    state.source_to_save = family.time_source;
-    state.document = Document(with_time_source(family, source), state.document.folder());
+    if (source_of_time(state.document.family()) == source) return;
+    state.document.drive_in_this_run(source);
     state.session.replace_family(state.document.snapshot(), now);
     state.session.seek(state.session.time(), now);
 }
 
 void choose_time_source(ViewerState& state, TimeSource source, double now) {
-    state.source_to_save.reset();
     if (source_of_time(state.document.family()) == source) return;
     edit(
         state, source == TimeSource::path ? "Follow the path" : "Follow the keys",
         [&](const Family& family) { return with_time_source(family, source); }, now);
+    if (source_of_time(state.document.family()) == source) state.document.keep_time_source();
     state.session.seek(state.session.time(), now);
 }
 

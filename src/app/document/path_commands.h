@@ -17,11 +17,12 @@ void toggle_recording(ViewerState& state, double now);
 /// Adds the present point of the session to the recording, if one goes on.
 void record_point(ViewerState& state, double now);
 
+/// Lets \p source drive, as an edit. Does nothing if \p source already drives.
 void choose_time_source(ViewerState& state, TimeSource source, double now);
 
-/// Lets \p source drive as long as the window is open or until the user chooses. That is no edit: the document is not
-/// changed, and is saved with its own choice.
-/// \pre the document has no edits, and has_source()
+/// Lets \p source drive as long as the window is open or until the user chooses. That is no edit: the document is
+/// not changed, and is saved with its own choice (Document::drive_in_this_run()).
+/// \pre has_source()
 void drive_in_this_run(ViewerState& state, TimeSource source, double now);
 
 void toggle_time_source(ViewerState& state, double now);

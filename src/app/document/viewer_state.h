@@ -76,9 +76,7 @@ struct ViewerState {
     bool domain_has_focus = false;           ///< arrow keys move the point in the domain
     std::optional<DomainBox> shown_domain;   ///< the part of the domain that its panel shows; none for all
     std::optional<std::size_t> selected_path_point;  ///< while the domain is edited
-    /// The family's own choice of what drives over time, while another one drives in this run alone.
-    std::optional<TimeSource> source_to_save;
-    bool is_dragging = false;  ///< the document's present step is a drag in progress
+    bool is_dragging = false;                        ///< the document's present step is a drag in progress
 
     Brush brush;               ///< refines the selected key
     bool plots_blend = false;  ///< area, volume and leaves of the blend below the timeline

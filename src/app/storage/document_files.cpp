@@ -10,7 +10,6 @@
 #include "app/document/opening.h"
 #include "app/storage/save_folder.h"
 #include "app/storage/user_folders.h"
-#include "family/family_time.h"
 #include "hierarchy/error.h"
 #include "io/family/family_file.h"
 #include "io/file/file_pattern.h"
@@ -297,11 +296,9 @@ void DocumentFiles::save_as(Action next) {
 void DocumentFiles::write(const fs::path& folder, const Action& next) {
     finish_saving();
     const auto family = state_.document.snapshot();
-    Family saved = *family;
-    if (state_.source_to_save && has_source(saved, *state_.source_to_save))
-        saved.time_source = *state_.source_to_save;
-    auto written =
-        std::async(std::launch::async, [saved = std::move(saved), folder] { write_family(saved, folder); });
+    auto written = std::async(std::launch::async, [saved = state_.document.family_to_save(), folder] {
+        write_family(*saved, folder);
+    });
     saving_.emplace(Saving{family, fs::absolute(folder), std::move(written)});
     if (next && finish_saving()) next();
 }

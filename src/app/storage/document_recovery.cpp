@@ -42,7 +42,7 @@ void DocumentRecovery::look_after(const Document& document, bool is_dragging, do
     if (present == autosaved_ || is_dragging || now - seen_since_ < autosave_rest) return;
     autosaved_ = present;
     if (document.is_changed()) {
-        autosave_.write(present, document.folder().value_or(std::filesystem::path()));
+        autosave_.write(document.family_to_save(), document.folder().value_or(std::filesystem::path()));
     } else {
         autosave_.clear();  // undo has returned to the saved state
     }
@@ -51,7 +51,7 @@ void DocumentRecovery::look_after(const Document& document, bool is_dragging, do
 void DocumentRecovery::keep(const Document& document) {
     if (!document.is_changed()) return;
     autosaved_ = document.snapshot();
-    autosave_.write(autosaved_, document.folder().value_or(std::filesystem::path()));
+    autosave_.write(document.family_to_save(), document.folder().value_or(std::filesystem::path()));
 }
 
 void DocumentRecovery::forget(const Document& document) {

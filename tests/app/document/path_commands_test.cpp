@@ -268,12 +268,45 @@ TEST_CASE("what drives in one run alone changes no document; a choice is an edit
     CHECK(state.session.playback().end() == 4);
     CHECK_FALSE(state.document.is_changed());
     CHECK(state.document.undo_step() == nullptr);
-    CHECK(state.source_to_save == TimeSource::keys);
-    drive_in_this_run(state, TimeSource::path, 0);
-    CHECK(state.source_to_save == TimeSource::keys);
+    const auto source_to_save = [&] { return state.document.family_to_save()->time_source; };
+    CHECK(source_to_save() == TimeSource::keys);
+    choose_time_source(state, TimeSource::path, 0);  // it drives already
+    CHECK_FALSE(state.document.is_changed());
+    CHECK(source_to_save() == TimeSource::keys);
     choose_time_source(state, TimeSource::keys, 0);
     CHECK(state.document.is_changed());
-    CHECK_FALSE(state.source_to_save);
+    choose_time_source(state, TimeSource::path, 0);
+    CHECK(source_to_save() == TimeSource::path);
+    undo(state, 0);
+    undo(state, 0);
+    CHECK_FALSE(state.document.is_changed());
+    CHECK(path_drives(state));
+    CHECK(source_to_save() == TimeSource::keys);
+    redo(state, 0);
+    redo(state, 0);
+    CHECK(source_to_save() == TimeSource::path);
+}
+
+TEST_CASE("other edits keep what drives in one run out of the files, but a recorded path drives in them") {
+    Family family = sample_family();
+    family.path = DomainPath({{0, {-1, -1}}, {4, {1, 1}}});
+    family.time_source = TimeSource::keys;
+    ViewerState state(std::move(family));
+    drive_in_this_run(state, TimeSource::path, 0);
+    duplicate_key(state, 0);
+    smooth_path(state, 0);
+    CHECK(state.document.is_changed());
+    CHECK(path_drives(state));
+    CHECK(state.document.family_to_save()->time_source == TimeSource::keys);
+    state.recording.emplace();
+    state.recording->points = {{0, {-1, -1}}, {2, {1, 1}}};
+    toggle_recording(state, 0);
+    CHECK(path_drives(state));
+    CHECK(state.document.family_to_save()->time_source == TimeSource::path);
+    undo(state, 0);
+    remove_path(state, 0);
+    CHECK_FALSE(state.document.family_to_save()->path);
+    CHECK(state.document.family_to_save()->time_source == TimeSource::keys);
 }
 
 TEST_CASE("the place of a key in the domain is typed: that of its vertex, or of a new one") {

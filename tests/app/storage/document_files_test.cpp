@@ -510,6 +510,10 @@ TEST_CASE("a family is saved with its own choice of what drives, not with that o
     CHECK(read_family(folder / "first").time_source == TimeSource::keys);
     CHECK(path_drives(state));
     choose_time_source(state, TimeSource::keys, 0);
+    undo(state, 0);
+    save(files);
+    CHECK(read_family(folder / "first").time_source == TimeSource::keys);
+    choose_time_source(state, TimeSource::keys, 0);
     choose_time_source(state, TimeSource::path, 0);
     save(files);
     CHECK(read_family(folder / "first").time_source == TimeSource::path);

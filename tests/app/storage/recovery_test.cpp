@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "app/sample_family.h"
 #include "app/storage/autosave_writer.h"
 #include "app/storage/document_recovery.h"
 #include "app/storage/running_process.h"
@@ -346,6 +347,30 @@ TEST_CASE("a document is autosaved once it rests, not while it is dragged, and n
         recovery.look_after(document, false, 10);
     }
     CHECK(folders_in(state / "recovery") == 0);
+}
+
+TEST_CASE("an autosave has the family's own time source, not that of one run") {
+    for (const bool is_at_once : {false, true}) {
+        CAPTURE(is_at_once);
+        const ScratchFolder state;
+        Family family = sample_family();
+        family.path = DomainPath({{0, {-1, -1}}, {4, {1, 1}}});
+        Document document(family);
+        document.drive_in_this_run(TimeSource::path);
+        Family renamed = document.family();
+        renamed.name = "renamed";
+        {
+            DocumentRecovery recovery(state.path(), document);
+            document.edit("Rename", renamed);
+            if (is_at_once) recovery.keep(document);
+            recovery.look_after(document, false, 1);
+            recovery.look_after(document, false, 5);
+        }
+        REQUIRE(folders_in(state / "recovery") == 1);
+        const Recovery left{.folder = fs::directory_iterator(state / "recovery")->path(), .note = {}};
+        CHECK(read_family(left.family()).name == "renamed");
+        CHECK(read_family(left.family()).time_source == TimeSource::keys);
+    }
 }
 
 TEST_CASE("recoveries are offered one after the other as they are discarded") {
