@@ -16,8 +16,9 @@ struct CameraChoices {
     OrbitStyle orbit = OrbitStyle::turntable;
     Projection projection = Projection::perspective;
     UpAxis up = UpAxis::y;
-    bool spins = false;      ///< whether it turns slowly by itself
-    bool shows_axes = true;  ///< in a corner of the view
+    UpAxis chosen_up = UpAxis::y;  ///< the user's own choice, which the settings keep; viewpoints only set up
+    bool spins = false;            ///< whether it turns slowly by itself
+    bool shows_axes = true;        ///< in a corner of the view
     bool operator==(const CameraChoices&) const = default;
 };
 

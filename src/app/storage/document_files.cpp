@@ -64,7 +64,7 @@ DocumentFiles::DocumentFiles(ViewerState& state, std::vector<fs::path> sources, 
             settings_ = std::move(loaded.settings);
             if (settings_.trackball) state_.camera.orbit = OrbitStyle::trackball;
             state_.camera.shows_axes = settings_.axes;
-            state_.camera.up = settings_.up;
+            state_.camera.up = state_.camera.chosen_up = settings_.up;
             if (!loaded.message.empty()) complain(loaded.message);
         }
         if (const auto folder = state_folder()) recovery_.emplace(*folder, state_.document);
@@ -178,7 +178,7 @@ void DocumentFiles::remember_window(glm::ivec2 size, std::vector<std::string> cl
         if (state_.has_theme_of_run) settings.appearance.theme = last;
         settings.trackball = state_.camera.orbit == OrbitStyle::trackball;
         settings.axes = state_.camera.shows_axes;
-        settings.up = state_.camera.up;
+        settings.up = state_.camera.chosen_up;
     };
     take(now);
     if (now == settings_) return;

@@ -43,7 +43,7 @@ void toggle_projection(ViewerState& state, double) {
 
 template <UpAxis up>
 void turn_up_axis(ViewerState& state, double) {
-    state.camera.up = up;
+    state.camera.up = state.camera.chosen_up = up;
 }
 
 template <UpAxis up>

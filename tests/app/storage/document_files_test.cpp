@@ -15,6 +15,8 @@
 #include "app/document/path_commands.h"
 #include "app/environment.h"
 #include "app/sample_family.h"
+#include "app/window/commands.h"
+#include "app/window/view_clipboard.h"
 #include "hierarchy/adaptive_mesh.h"
 #include "io/family/family_file.h"
 #include "io/file/file_pattern.h"
@@ -517,6 +519,26 @@ TEST_CASE("a family is saved with its own choice of what drives, not with that o
     choose_time_source(state, TimeSource::path, 0);
     save(files);
     CHECK(read_family(folder / "first").time_source == TimeSource::path);
+}
+
+TEST_CASE("the axis of a view is not remembered as the one that points up, a chosen axis is") {
+    const ScratchFolder folder;
+    const EnvironmentChange config("XDG_CONFIG_HOME", (folder / "config").string());
+    const EnvironmentChange own("XDG_STATE_HOME", (folder / "state").string());
+    const auto remembered = [] { return load_settings(*settings_file()).settings.up; };
+    ViewerState state(named("first"));
+    DocumentFiles files(state, {}, false);
+    command_of(CommandId::z_up).run(state, 0);
+    CHECK(state.camera.up == UpAxis::z);
+    files.remember_window({640, 480}, {});
+    CHECK(remembered() == UpAxis::z);
+    take_viewpoint(state, parse_viewpoint("30,20"));
+    CHECK(state.camera.up == UpAxis::y);
+    files.remember_window({800, 600}, {});
+    CHECK(remembered() == UpAxis::z);
+    ViewerState later(named("first"));
+    const DocumentFiles of_later(later, {}, false);
+    CHECK(later.camera.up == UpAxis::z);
 }
 
 TEST_CASE("quitting asks while a film is in the making") {
