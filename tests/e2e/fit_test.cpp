@@ -68,7 +68,7 @@ State wait_for_fit_told(const RunningViewer& viewer) {
     return viewer.wait_for("how near the keys are", [](const State& s) {
         const auto message = s["message"].get<std::string>();
         return s["asking"] == false && s["notice"] == true &&
-               message.find("been fitted. M compares") != std::string::npos &&
+               message.find("been fitted. Compare") != std::string::npos &&
                message.find("box diagonal from the mesh") != std::string::npos;
     });
 }

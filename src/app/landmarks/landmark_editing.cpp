@@ -311,6 +311,7 @@ void LandmarkEditing::apply(const LandmarkDialogResult& done) {
     if (done.other) {
         other_ = *done.other + 1;
         sides_[1] = {};
+        blend_ = {};  // the next blend is framed anew
         bodies_[1] = nullptr;
         chosen_proposal_.reset();
     }

@@ -1,6 +1,7 @@
 #include "app/landmarks/landmark_files.h"
 
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
@@ -11,6 +12,13 @@
 
 namespace interleaf {
 
+std::filesystem::path folder_of(const LandmarkFiles::Mesh& mesh, const std::filesystem::path& last) {
+    if (mesh.file.empty()) return last;
+    std::error_code error;
+    const std::filesystem::path file = std::filesystem::absolute(mesh.file, error);
+    return error ? last : file.parent_path();
+}
+
 void LandmarkFiles::ask(const Mesh& mesh, bool is_to_save) {
     mesh_ = mesh.index;
     is_to_save_ = is_to_save;
@@ -19,13 +27,16 @@ void LandmarkFiles::ask(const Mesh& mesh, bool is_to_save) {
     request.action = is_to_save ? "Save" : "Load";
     request.purpose = is_to_save ? FilePurpose::save : FilePurpose::open;
     request.types = {{"Landmarks", {".json"}}};
-    request.folder = mesh.file.parent_path();
+    request.folder = folder_of(mesh, last_folder_);
     if (is_to_save) request.name = (mesh.file.empty() ? "landmarks" : mesh.file.stem().string()) + ".json";
     browser_.open(std::move(request));
 }
 
 void LandmarkFiles::show(const Rect& area) {
-    if (auto choice = browser_.show(area)) choice_ = std::move(choice);
+    if (auto choice = browser_.show(area)) {
+        last_folder_ = choice->folder;
+        choice_ = std::move(choice);
+    }
 }
 
 std::optional<LandmarkPoints> LandmarkFiles::update(const LandmarkPoints& points, std::size_t mesh_count) {

@@ -43,10 +43,14 @@ class LandmarkFiles {
     void ask(const Mesh& mesh, bool is_to_save);
 
     FileBrowser browser_;
-    std::optional<FileChoice> choice_;  ///< kept for update()
+    std::optional<FileChoice> choice_;   ///< kept for update()
+    std::filesystem::path last_folder_;  ///< of the last choice; empty before it
     std::size_t mesh_ = 0;
     bool is_to_save_ = false;
     std::string fault_;
 };
+
+/// The folder that the file browser shows first: that of the mesh's file, which may be named relatively, else \p last.
+std::filesystem::path folder_of(const LandmarkFiles::Mesh& mesh, const std::filesystem::path& last);
 
 }  // namespace interleaf

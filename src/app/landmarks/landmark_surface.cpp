@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -70,7 +71,9 @@ void LandmarkSurface::show_keys(const std::vector<std::shared_ptr<const Hierarch
     }
     const UnionMesh united = unite(shown);
     upload(united);
-    if (is_first) extent_to_view_ = extent_of(std::span<const glm::vec3>(united.positions.front()));
+    if (!is_first) return;
+    const std::vector<std::span<const glm::vec3>> parts(united.positions.begin(), united.positions.end());
+    extent_to_view_ = extent_of(parts);
 }
 
 void LandmarkSurface::upload(const UnionMesh& mesh) {

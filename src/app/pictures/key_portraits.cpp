@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "app/document/family_extent.h"
+#include "family/warp.h"
 #include "hierarchy/detail/level_cut.h"
+#include "hierarchy/union_fields.h"
 #include "hierarchy/union_mesh.h"
 #include "hierarchy/vertex_normals.h"
 #include "render/lone_picture.h"
@@ -18,6 +20,13 @@ namespace {
 
 /// A picture of more leaves takes long, and is too small to show them.
 constexpr std::size_t max_drawn_leaves = 60'000;
+
+/// The end of the axis \p axis, 0 to 2.
+glm::vec3 end_of(unsigned axis) {
+    glm::vec3 end(0);
+    end[static_cast<int>(axis)] = 1;
+    return end;
+}
 
 KeyPortrait portrait_of(const SharedHierarchy& hierarchy) {
     const std::vector<Leaf> leaves = leaves_of(*hierarchy);
@@ -53,11 +62,12 @@ void KeyPortraits::update(const Family& family) {
     if (is_changed) extent_ = interleaf::extent(family);
 }
 
-void KeyPortraits::set_look(bool is_light, UpAxis up) {
-    if (is_light == is_light_ && up == up_) return;
-    is_light_ = is_light;
-    up_ = up;
-    for (KeyPortrait& portrait : portraits_) portrait.is_old = true;
+void KeyPortraits::set_look(const PortraitLook& look) {
+    if (look == look_) return;
+    const bool changes_all = look.is_light != look_.is_light || look.up != look_.up;
+    look_ = look;
+    for (KeyPortrait& portrait : portraits_)
+        if (changes_all || flat_axis(portrait.extent.box)) portrait.is_old = true;
 }
 
 /// Gives \p portraits, which replace those of an edited family, the pictures that nothing else has taken.
@@ -83,11 +93,23 @@ bool KeyPortraits::draw_next(std::size_t begin, std::size_t end, int side) {
         coarse = cut_at_level(whole, level_with_at_most(whole, max_drawn_leaves));
     const std::array<const Hierarchy*, 1> key{coarse ? &*coarse : &whole};
     const UnionMesh mesh = unite(key);
+    const auto axis = flat_axis(missing->extent.box);
+    std::optional<UnionField> field;
     LonePicture picture{.size = {side, side}, .camera = {}, .display = {}};
-    picture.display.light_background = is_light_;
+    picture.display.light_background = look_.is_light;
     picture.display.shading = usual_shading(missing->leaves);
-    picture.camera.set_up(up_);
-    picture.camera.look_from(30, 20);
+    picture.camera.set_up(look_.up);
+    if (axis) {
+        picture.camera.look_from_end(end_of(*axis));
+        if (look_.field && std::ranges::count(common_fields(key), *look_.field) > 0) {
+            field = united_field(key, mesh, *look_.field);
+            picture.field = &*field;
+            picture.display.coloring = Coloring::field;
+            picture.display.scale = look_.scale;
+        }
+    } else {
+        picture.camera.look_from(30, 20);
+    }
     picture.camera.view_all(missing->extent, 1);
     missing->is_old = false;
     missing->picture = texture_alone(renderer_, mesh, normal_form(mesh), picture);

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "family/family.h"
+#include "hierarchy/field.h"
 #include "hierarchy/measure.h"
 #include "hierarchy/up_axis.h"
+#include "render/color_map.h"
 #include "render/gl_object.h"
 #include "render/renderer.h"
 
@@ -22,6 +25,14 @@ struct KeyPortrait {
     bool is_old = false;  ///< the picture shows the key in this place before an edit
 };
 
+struct PortraitLook {
+    bool is_light = false;  ///< the background
+    UpAxis up = UpAxis::y;
+    std::optional<FieldName> field{};  ///< shown on flat keys, which look alike without it; none for no field
+    ColorScale scale{};                ///< of a scalar field
+    bool operator==(const PortraitLook&) const = default;
+};
+
 class KeyPortraits {
   public:
     /// \pre a GL context is current
@@ -31,9 +42,8 @@ class KeyPortraits {
     /// pictures that are no longer needed are deleted at once.
     void update(const Family& family);
 
-    /// Chooses the background of the pictures and the axis that points up in them. draw_next() draws all of them
-    /// anew when they change.
-    void set_look(bool is_light, UpAxis up);
+    /// Chooses how the pictures look. draw_next() draws anew those that this changes.
+    void set_look(const PortraitLook& look);
 
     /// Draws the first missing picture among the keys from \p begin to \p end - 1.
     /// \param side  width and height of the picture, in pixels
@@ -51,8 +61,7 @@ class KeyPortraits {
 
     std::vector<KeyPortrait> portraits_;
     Extent extent_;
-    bool is_light_ = false;
-    UpAxis up_ = UpAxis::y;
+    PortraitLook look_;
     Renderer renderer_;
 };
 

@@ -14,6 +14,7 @@
 #include "io/family/family_file.h"
 #include "io/file/file_pattern.h"
 #include "ui/browser/typed_path.h"
+#include "ui/widgets/command_keys.h"
 
 namespace interleaf {
 
@@ -161,7 +162,8 @@ void DocumentFiles::look_after(double now) {
     if (now - looked_ < look_interval || state_.message.is_fault() || saving_) return;
     looked_ = now;
     if (const auto file = stamps_.take_changed())
-        complain(fmt::format("{} has changed on disk: Ctrl+R reads it again", file->string()));
+        complain(with_keys(fmt::format("{} has changed on disk: Reopen reads it again", file->string()),
+                           {"Reopen"}));
 }
 
 void DocumentFiles::keep_unsaved() {
@@ -220,7 +222,7 @@ void DocumentFiles::leave_document(const Action& next) {
         });
 }
 
-/// Quits when nothing can be lost: neither changes nor a film in the making.
+/// Quits when nothing can be lost: neither changes nor a film or picture in the making.
 void DocumentFiles::quit() {
     opening_.cancel();
     const auto leave = [this] {
@@ -231,7 +233,7 @@ void DocumentFiles::quit() {
         });
     };
     if (!state_.makes_film) return leave();
-    ask({.text = "Stop making the film, and quit?",
+    ask({.text = "Stop making the film or picture, and quit?",
          .detail = "What is made of it is lost.",
          .buttons = {"Quit", "Cancel"},
          .entry = {},

@@ -22,6 +22,7 @@
 #include "hierarchy/progress.h"
 #include "io/file/file_pattern.h"
 #include "io/formats.h"
+#include "ui/widgets/command_keys.h"
 
 namespace interleaf {
 
@@ -270,9 +271,14 @@ void DocumentFiles::add_fitted(const FittedMeshes& fitted) {
     Family added{.name = {}, .keys = keys_of(fitted.comparisons), .timeline = {}, .domain = {}};
     added.origin = fitted.origin;
     if (keeps_landmarks) added.landmarks = fitted.landmarks;
+    const std::size_t first = state_.document.family().keys.size();
     interleaf::add_keys(state_, added, now_);
     tell_fit(fitted);
     was_fit_added_ = true;
+    if (state_.document.family().keys.size() != first + 1) return;
+    select_key(state_, first, now_);  // what was added is shown, and has a place offered
+    if (!state_.message.empty() && state_.message.offer == MessageOffer::none)
+        state_.message.offer = MessageOffer::timeline;
 }
 
 /// Offers the last fit once more, with landmarks. Its keys are replaced.
@@ -323,8 +329,11 @@ void DocumentFiles::tell_fit(const FittedMeshes& fitted) {
     constexpr std::size_t max_lines = 6;
     std::string text =
         compared.size() == 1
-            ? "A key has been fitted. M compares it with its mesh."
-            : fmt::format("{} keys have been fitted. M compares them with their meshes.", compared.size());
+            ? with_keys("A key has been fitted. Compare it with its mesh", {"Compare with mesh"}) + "."
+            : with_keys(
+                  fmt::format("{} keys have been fitted. Compare them with their meshes", compared.size()),
+                  {"Compare with mesh"}) +
+                  ".";
     for (const ComparedKey& each : compared | std::views::take(max_lines))
         text += fmt::format("\n{}: {}.", state_.document.family().keys[each.key].name,
                             in_words(each.comparison->quality));

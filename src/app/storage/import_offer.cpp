@@ -10,6 +10,7 @@
 #include "text/shown_text.h"
 #include <fmt/core.h>
 
+#include "app/storage/import_settings.h"
 #include "hierarchy/field_mesh.h"
 #include "io/series_files.h"
 #include "ui/widgets/number_text.h"
@@ -26,7 +27,17 @@ std::optional<double> part_in(const std::string& text) {
 
 std::optional<std::size_t> count_in(const std::string& text) {
     const std::optional<std::size_t> count = parsed_number<std::size_t>(text);
-    return count && *count > 0 ? count : std::nullopt;
+    return count && *count > 0 && *count < every_limit ? count : std::nullopt;
+}
+
+/// A short text that part_in() reads as \p part, or as a neighbor of it if no number of percent stands for it.
+std::string percent_of(double part) {
+    std::string rounded = fmt::format("{:g}", 100 * part);
+    if (part_in(rounded) == part) return rounded;
+    const double percent = 100 * part;
+    for (const double each : {std::nextafter(percent, 0.0), std::nextafter(percent, 100.0)})
+        if (each / 100 == part) return fmt::format("{}", each);
+    return fmt::format("{}", percent);
 }
 
 }  // namespace
@@ -51,7 +62,7 @@ ImportDialogChoices dialog_choices(const ImportChoices& choices, const ImportDia
         return std::ranges::find(names, name) != names.end() ? name : std::string();
     };
     ImportDialogChoices typed;
-    if (choices.tolerance) typed.tolerance = fmt::format("{:g}", 100 * *choices.tolerance);
+    if (choices.tolerance) typed.tolerance = percent_of(*choices.tolerance);
     typed.every = fmt::format("{}", choices.every);
     typed.roots = choices.roots.string();
     if (choices.newest) typed.newest = *choices.newest + 1;
@@ -69,7 +80,8 @@ ImportDialogChoices dialog_choices(const ImportChoices& choices, const ImportDia
 
 std::string fault_of(const ImportDialogChoices& choices, const ImportDialogShown& offer) {
     std::error_code ignored;
-    if (!count_in(choices.every)) return "Every: expected a whole number from 1 on";
+    if (!count_in(choices.every))
+        return fmt::format("Every: expected a whole number from 1 on, below {}", every_limit);
     if (!choices.tolerance.empty() && !part_in(choices.tolerance))
         return "Tolerance: expected a percentage from 0 to 100, or nothing";
     if (!choices.roots.empty() && !std::filesystem::is_regular_file(choices.roots, ignored))

@@ -1,10 +1,10 @@
 #include "app/storage/import_settings.h"
 
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <string>
+#include <utility>
 
+#include "text/characters.h"
 #include <nlohmann/json.hpp>
 
 #include "io/family/family_format.h"
@@ -21,17 +21,21 @@ nlohmann::ordered_json import_json(const ImportChoices& choices) {
     if (choices.every != 1) json["every"] = choices.every;
     if (choices.tolerance) json["tolerance"] = *choices.tolerance;
     if (choices.newest) json["newest"] = *choices.newest;
-    if (!choices.fields.empty()) json["fields"] = choices.fields;
-    if (!choices.displacement.empty()) json["displacement"] = choices.displacement;
-    if (choices.warp) json["warp"] = {{"field", choices.warp->field}, {"factor", choices.warp->factor}};
-    if (!choices.roots.empty()) json["roots"] = family_format::utf8_of(choices.roots);
+    for (const std::string& field : choices.fields)
+        if (is_utf8(field)) json["fields"].push_back(field);
+    if (!choices.displacement.empty() && is_utf8(choices.displacement))
+        json["displacement"] = choices.displacement;
+    if (choices.warp && is_utf8(choices.warp->field))
+        json["warp"] = {{"field", choices.warp->field}, {"factor", choices.warp->factor}};
+    std::string roots = family_format::utf8_of(choices.roots);
+    if (!roots.empty() && is_utf8(roots)) json["roots"] = std::move(roots);
     return json;
 }
 
 ImportChoices import_choices_at(const JsonPlace& place) {
     ImportChoices choices;
     if (const auto every = place.optional_member("every")) {
-        choices.every = every->index_below(std::numeric_limits<std::uint32_t>::max());
+        choices.every = every->index_below(every_limit);
         if (choices.every == 0) every->fail_expecting("a number from 1 on");
     }
     if (const auto tolerance = place.optional_member("tolerance")) {

@@ -1,6 +1,10 @@
 // The options by which recent series were imported, as the settings keep them.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/importing/series_import.h"
@@ -8,7 +12,12 @@
 
 namespace interleaf {
 
-/// Units are not kept: they belong to the family, which has them after the import.
+/// ImportChoices::every is below it in the dialog and in the settings.
+inline constexpr std::size_t every_limit = std::numeric_limits<std::uint32_t>::max();
+
+/// Units are not kept: they belong to the family, which has them after the import. Names and paths that JSON cannot
+/// hold, as they are no UTF-8, are left out.
+/// \pre choices.every is below every_limit
 nlohmann::ordered_json import_json(const ImportChoices& choices);
 
 /// The choices that import_json() has written.

@@ -42,6 +42,19 @@ std::vector<fs::path> paths_at(const JsonPlace& place) {
     return paths;
 }
 
+/// The options of each series. Those that no import has are dropped: the series is then imported by the usual ones.
+std::map<fs::path, ImportChoices> imports_at(const JsonPlace& place) {
+    std::map<fs::path, ImportChoices> imports;
+    for (const std::string& series : place.member_names()) {
+        try {
+            imports.emplace(family_format::path_of(series), import_choices_at(place.member(series)));
+        } catch (const InputError&) {
+            continue;
+        }
+    }
+    return imports;
+}
+
 int length_at(const JsonPlace& place) {
     const std::uint32_t length = place.index_below(max_window_size);
     if (length == 0) place.fail_expecting("a size above 0");
@@ -197,10 +210,7 @@ Settings parse_settings(std::string_view json, std::string_view name) {
     if (const auto files = root.optional_member("recent files")) settings.recent_files = paths_at(*files);
     if (const auto folders = root.optional_member("recent folders"))
         settings.recent_folders = paths_at(*folders);
-    if (const auto imports = root.optional_member("imports"))
-        for (const std::string& series : imports->member_names())
-            settings.imports.emplace(family_format::path_of(series),
-                                     import_choices_at(imports->member(series)));
+    if (const auto imports = root.optional_member("imports")) settings.imports = imports_at(*imports);
     if (const auto folder = root.optional_member("last folder")) settings.last_folder = path_at(*folder);
     if (const auto window = root.optional_member("window"))
         settings.window_size = {length_at(window->member("width")), length_at(window->member("height"))};

@@ -6,6 +6,7 @@
 #include "app/document/blend_commands.h"
 #include "family/family_time.h"
 #include "ui/panels/weights_panel.h"
+#include "ui/widgets/command_keys.h"
 
 namespace interleaf {
 
@@ -15,14 +16,17 @@ DriverButton driver_button(Driver driver, const Family& family) {
     switch (driver) {
         case Driver::timeline:
             return source_of_time(family) == TimeSource::path
-                       ? DriverButton{"Path", "The present time on the path drives (Alt+1)"}
-                       : DriverButton{"Timeline", "The present time drives (Alt+1)"};
+                       ? DriverButton{"Path",
+                                      with_keys("The present time on the path drives", {"Follow timeline"})}
+                       : DriverButton{"Timeline", with_keys("The present time drives", {"Follow timeline"})};
         case Driver::point:
-            return {"Domain", "The point of the parameter domain drives, where it was last (Alt+2)"};
+            return {"Domain", with_keys("The point of the parameter domain drives, where it was last",
+                                        {"Follow point in domain"})};
         case Driver::key:
-            return {"Key", "One key is shown alone, the selected one (Alt+3)"};
+            return {"Key", with_keys("One key is shown alone, the selected one", {"Show one key"})};
         case Driver::weights:
-            return {"Weights", "The sliders drive: each is a weight. Moving one chooses this, too (Alt+4)"};
+            return {"Weights", with_keys("The sliders drive: each is a weight. Moving one chooses this, too",
+                                         {"Hold weights"})};
     }
     return {"", ""};
 }

@@ -108,11 +108,14 @@ void DocumentViews::follow(ViewerState& state, const FrameLayout& layout, const 
         curves_of_.reset();
     }
     state.session.display.light_background = state.appearance.theme == Theme::light;
-    portraits_.set_look(state.session.display.light_background, state.camera.up);
     follow_curves(state, layout.panels.timeline.width);
     Session& session = state.session;
     adapt_display(session.display, fields_);
     const FamilyField* const field = shown_field(session.display, fields_);
+    portraits_.set_look({.is_light = session.display.light_background,
+                         .up = state.camera.up,
+                         .field = field != nullptr ? std::optional(field->label) : std::nullopt,
+                         .scale = field != nullptr ? session.display.scale : ColorScale{}});
     const bool is_scalar = field != nullptr && field->label.kind == FieldKind::scalar;
     history_.follow(family_, is_scalar ? &field->label.name : nullptr);
     // A drag ends with a family of its own; those on the way to it are not measured.

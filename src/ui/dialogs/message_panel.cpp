@@ -92,6 +92,10 @@ NoticeResult notice_panel(const std::string& text, const char* button, const Rec
     NoticeResult result;
     bool is_on_button = false;
     if (button != nullptr) {
+        // At the right, so that a click in the corner of the view, where the eye looks first, only dismisses.
+        const float button_width = text_size(button).x + 2 * ImGui::GetStyle().FramePadding.x;
+        const float room = ImGui::GetContentRegionAvail().x - button_width;
+        if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
         result.pressed = ImGui::Button(button);
         is_on_button = ImGui::IsItemHovered() || ImGui::IsItemActive();
     }

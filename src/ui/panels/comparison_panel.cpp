@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <GLFW/glfw3.h>
@@ -10,6 +11,7 @@
 #include <imgui.h>
 
 #include "ui/widgets/choice.h"
+#include "ui/widgets/command_keys.h"
 #include "ui/widgets/modal.h"
 #include "ui/widgets/scale_legend.h"
 #include "ui/widgets/short_name.h"
@@ -21,8 +23,6 @@ namespace interleaf {
 namespace {
 
 constexpr const char* mesh_colorings[] = {"Distance", "Plain"};
-constexpr const char* mesh_coloring_tips[] = {"Color each surface by its distance to the other one (C)",
-                                              "Show both surfaces in one color (C)"};
 constexpr const char* back = "Back to document";
 
 /// From this width on, the legend stands beside the figures.
@@ -112,12 +112,15 @@ ComparisonResult comparison_panel(const Rect& rect, const ComparisonShown& shown
         choose_pair(shown, std::min(scaled(200), room * 0.34F), result.chosen);
         ImGui::SameLine();
     }
-    result.has_colors =
-        choice("coloring", mesh_colorings, shown.has_colors ? 0 : 1, scaled(170), mesh_coloring_tips) == 0;
+    const std::string colors =
+        with_keys("Color each surface by its distance to the other one", {"Next coloring"});
+    const std::string plain = with_keys("Show both surfaces in one color", {"Next coloring"});
+    const std::array<const char*, 2> tips{colors.c_str(), plain.c_str()};
+    result.has_colors = choice("coloring", mesh_colorings, shown.has_colors ? 0 : 1, scaled(170), tips) == 0;
     const float button = modal_button_width(back);
     ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - button);
     result.is_over = modal_button({.label = back, .width = button, .is_main = true});
-    tooltip("Show the document again (Esc)");
+    tooltip(with_keys("Show the document again", {"Dismiss"}));
     ImGui::Spacing();
     show_figures(shown);
     if (shown.has_colors) {

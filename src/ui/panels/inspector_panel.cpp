@@ -11,6 +11,7 @@
 
 #include "hierarchy/level_map.h"
 #include "ui/panels/axes_widget.h"
+#include "ui/widgets/command_keys.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
 
@@ -80,7 +81,8 @@ bool title_row(const InspectedNode& shown) {
     ImGui::SetCursorScreenPos({corner.x + width - side, corner.y});
     const bool is_over = ImGui::InvisibleButton("close", {side, side});
     const ImU32 ink = ImGui::IsItemHovered() ? colors::text : colors::dim_text;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Close the inspector (Esc)");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", with_keys("Close the inspector", {"Dismiss"}).c_str());
     const float inset = scaled(6);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const glm::vec2 from{corner.x + width - side + inset, corner.y + inset};

@@ -61,7 +61,7 @@ std::optional<std::size_t> driver_buttons(const WeightsPanel& panel) {
         if (ImGui::Button(button.label, {std::floor(text_size(button.label).x + padding), 0})) pressed = i;
         ImGui::PopID();
         if (is_chosen) ImGui::PopStyleColor(2);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", button.tooltip);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", button.tooltip.c_str());
     }
     ImGui::PopStyleVar();
     ImGui::PopFont();

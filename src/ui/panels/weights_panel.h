@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "family/family.h"
 
@@ -12,7 +13,7 @@ namespace interleaf {
 /// A source of weights that the user can choose.
 struct DriverButton {
     const char* label;
-    const char* tooltip;
+    std::string tooltip;
 };
 
 struct WeightsPanel {

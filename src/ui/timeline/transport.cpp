@@ -256,7 +256,7 @@ void show_time(const TransportState& state, float right, float row_end, Transpor
     ImGui::PushStyleColor(ImGuiCol_Button, 0);
     if (ImGui::Button((text + "###time").c_str())) result.pressed = TransportButton::ask_for_time;
     ImGui::PopStyleColor();
-    tooltip_above("Go to a time (G)");
+    tooltip_above(with_keys("Go to a time", {"Go to time"}));
 }
 
 }  // namespace

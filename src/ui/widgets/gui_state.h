@@ -22,9 +22,9 @@ struct GuiState {
     bool lacks_glyphs = false;   ///< whether some of them are not in the typeface yet
 };
 
-/// The state of the present context; null for none, as in a test of one widget.
+/// The state of the present context; null for none, as in a test of one widget or without a window.
 inline GuiState* gui_state() {
-    return static_cast<GuiState*>(ImGui::GetIO().UserData);
+    return ImGui::GetCurrentContext() != nullptr ? static_cast<GuiState*>(ImGui::GetIO().UserData) : nullptr;
 }
 
 }  // namespace interleaf

@@ -45,7 +45,7 @@ TEST_CASE("the usual choices have no fault and mean the defaults") {
 
 TEST_CASE("choices with a fault name the row") {
     using Choices = ImportDialogChoices;
-    for (const char* const every : {"", "0", "-1", "1.5", "x"}) {
+    for (const char* const every : {"", "0", "-1", "1.5", "x", "4294967295"}) {
         CAPTURE(every);
         CHECK(contains(fault_with([&](Choices& c) { c.every = every; }), "Every: "));
     }
@@ -84,6 +84,16 @@ TEST_CASE("choices become those of the import: percent as parts, corners from 0,
     CHECK(wanted.warp->factor == -2);
     CHECK(wanted.displacement == "u");
     CHECK(wanted.fields == std::vector<std::string>{"p"});
+}
+
+TEST_CASE("the dialog keeps every digit of a typed tolerance, and shows no more than it needs") {
+    for (const char* const text : {"7", "33.333333333333336", "0.123456789", "12.3456789012345", "1e-05"}) {
+        CAPTURE(text);
+        const ImportChoices typed =
+            import_choices(choices_with([&](ImportDialogChoices& c) { c.tolerance = text; }), offer_of_two);
+        CHECK(import_choices(dialog_choices(typed, offer_of_two), offer_of_two).tolerance == typed.tolerance);
+    }
+    CHECK(dialog_choices({.tolerance = 0.07}, offer_of_two).tolerance == "7");
 }
 
 TEST_CASE("the dialog shows the choices of the last import again, as far as the series has their fields") {

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 
 #include "app/environment.h"
+#include "app/storage/import_settings.h"
 #include "app/storage/user_folders.h"
 
 using namespace interleaf;
@@ -249,12 +250,30 @@ TEST_CASE(
     CHECK(load_settings(file).settings.imports.empty());
 }
 
-TEST_CASE("options of a series that no import has are refused by their place") {
-    const auto error_with = [](const std::string& choices) {
-        return error_of(R"({"imports": {"/run.pvd": )" + choices + "}}");
-    };
-    CHECK(error_with(R"({"every": 0})").starts_with("FILE: imports./run.pvd.every: "));
-    CHECK(error_with(R"({"newest": 3})").starts_with("FILE: imports./run.pvd.newest: "));
-    CHECK(error_with(R"({"tolerance": 2})").starts_with("FILE: imports./run.pvd.tolerance: "));
-    CHECK(error_with(R"({"warp": "u"})").starts_with("FILE: imports./run.pvd.warp"));
+TEST_CASE("options of a series that no import has are dropped, and all other settings stay") {
+    for (const char* const choices : {R"({"every": 0})", R"({"every": 4294967295})", R"({"newest": 3})",
+                                      R"({"tolerance": 2})", R"({"warp": "u"})", "3"}) {
+        CAPTURE(choices);
+        const Settings settings =
+            parse_settings(R"({"recent files": ["/a.pvd", "/run.pvd"], "imports": {"/run.pvd": )" +
+                               std::string(choices) + R"(, "/a.pvd": {"every": 3}}})",
+                           "FILE");
+        CHECK(settings.recent_files.size() == 2);
+        REQUIRE(settings.imports.size() == 1);
+        CHECK(settings.imports.at("/a.pvd").every == 3);
+    }
+}
+
+TEST_CASE("options of a series that are no UTF-8 are left out, and the others are kept") {
+    const ScratchFolder folder;
+    const fs::path file = folder / "settings.json";
+    const ImportChoices choices{.tolerance = 0.01,
+                                .fields = {"u\xff", "p"},
+                                .displacement = "v\xff",
+                                .warp = ChosenWarp{"u\xff", 2},
+                                .every = every_limit - 1,
+                                .roots = "/b/\xff.ilh"};
+    change_settings(file, [&](Settings& settings) { remember_series(settings, "/run.pvd", choices); });
+    CHECK(load_settings(file).settings.imports.at("/run.pvd") ==
+          ImportChoices{.tolerance = 0.01, .fields = {"p"}, .every = every_limit - 1});
 }

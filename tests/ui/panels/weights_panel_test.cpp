@@ -28,7 +28,7 @@ class WeightsHand {
     }
 
     WeightsPanelResult frame(glm::vec2 pointer, bool is_down) {
-        constexpr DriverButton drivers[] = {{"Timeline", ""}, {"Weights", ""}};
+        const DriverButton drivers[] = {{"Timeline", ""}, {"Weights", ""}};
         gui_.begin_frame(pointer, is_down);
         begin_panel("right", panel_area);
         WeightsPanelResult result = weights_panel(
