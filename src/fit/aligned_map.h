@@ -53,8 +53,8 @@ struct AlignedMap {
     std::span<const glm::dvec3> rotated(const std::optional<glm::dmat3>& rotation);
 };
 
-/// Calls smooth_leaves(). Limits its work on a refined mesh that is not matched, and on a mesh of large triangles
-/// if most of its leaves are faulty.
+/// Calls smooth_leaves(). Limits its work on a refined mesh whose map is not matched. On a mesh of large triangles, and
+/// where the map is matched, limits its work if most of the leaves are faulty.
 void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& surface,
             const Progress& progress);
 

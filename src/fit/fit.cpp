@@ -43,8 +43,8 @@ constexpr double judged_at = 0.87;
 /// The same of the map before it is matched to a model's.
 constexpr double mapped_at = 0.3;
 
-/// Where a map is continued, shapes on the sphere are restored where their distortion is larger than the first of these;
-/// where that gives no good key, than the next. The more is restored, the further points slide.
+/// Where a map is continued, shapes on the sphere are restored where their distortion is larger than the first of
+/// these; where that gives no good key, than the next. The more is restored, the further points slide.
 constexpr std::array<double, 3> continued_shapes = {4, 2, 1.3};
 
 void check_options(const FitOptions& options) {
@@ -305,22 +305,29 @@ std::optional<FittedKey> fit_continued(const CleanMesh& clean, const FittedKey& 
     require_wanted(clean.report, options);
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
+    const ContinuedMap map = continued_map(before.mapped_mesh(), before.points, clean.mesh,
+                                           options.matching.vertices, part_of(progress, 0, 0));
+    stopwatch.lap("continuing the map");
+    if (map.points.empty()) return std::nullopt;
     double part = 0;
     for (const double worst_shape : continued_shapes) {
         const double end = part + judged_at / double(continued_shapes.size());
-        ContinuedMap map = continued_map(before.mapped_mesh(), before.points, clean.mesh,
-                                         {.vertices = options.matching.vertices, .worst_shape = worst_shape},
-                                         part_of(progress, part, part));
+        std::vector<glm::dvec3> points =
+            with_restored_shapes(map, worst_shape, part_of(progress, part, part));
         stopwatch.lap("continuing the map");
-        if (map.points.empty()) break;
-        JudgedMap judged =
-            judge(std::make_unique<AlignedMap>(clean.mesh, std::move(map.mesh), std::move(map.points), false),
-                  options.roots, stopwatch, part_of(progress, part, end));
+        if (points.empty()) break;
+        try {
+            JudgedMap judged =
+                judge(std::make_unique<AlignedMap>(clean.mesh, map.mesh, std::move(points), false),
+                      options.roots, stopwatch, part_of(progress, part, end));
+            if (fault_of_match(judged, wanted, options.limits).empty())
+                return of_clean_mesh(
+                    key_of(std::move(judged), options, nullptr, times, part_of(progress, judged_at, 1)),
+                    clean);
+        } catch (const InputError&) {
+            // No key within the tolerance, for example; more restored shapes may give one.
+        }
         part = end;
-        if (!fault_of_match(judged, wanted, options.limits).empty()) continue;
-        FittedKey key =
-            key_of(std::move(judged), options, nullptr, std::move(times), part_of(progress, judged_at, 1));
-        return of_clean_mesh(std::move(key), clean);
     }
     return std::nullopt;
 }

@@ -5,6 +5,7 @@
 // too; where the surface consists of needles, a mesh that approximates it (surface_approximation.h). The
 // refined map is chosen if no figure of its key is worse. If the key of the original map is poor, or the
 // original map is so bad that smoothing takes seconds, the refined key may be a little farther from the surface.
+// The mesh of needles itself is also mapped if the refined map is bad, or if leaves of its key are needles.
 #pragma once
 
 #include <memory>

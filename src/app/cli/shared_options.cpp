@@ -169,8 +169,10 @@ void add_display(CLI::App& command, Display& display) {
                     "Raise flat keys by a scalar; its range becomes PART of their size, 0.25 by default",
                     [&display](const std::string& text) { parse_height(text, display); })
         ->type_name("FIELD[,PART]");
-    add_text_option(command, "--arrows", "Draw arrows of a vector, whose components are these scalars",
-                    [&display](const std::string& text) { parse_arrows(text, display); })
+    add_text_option(
+        command, "--arrows",
+        "Draw arrows of a vector, whose components are these scalars; a comma in a name is written \\,",
+        [&display](const std::string& text) { parse_arrows(text, display); })
         ->type_name("X,Y[,Z]");
 }
 

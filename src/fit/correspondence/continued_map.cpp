@@ -10,7 +10,6 @@
 #include "fit/correspondence/even_mesh.h"
 #include "fit/correspondence/finished_map.h"
 #include "fit/correspondence/pull_back.h"
-#include "fit/correspondence/sphere_mesh.h"
 #include "fit/mesh/progress_meter.h"
 #include "fit/mesh/space_triangle.h"
 #include "fit/mesh/surface_distance.h"
@@ -83,8 +82,7 @@ std::array<std::vector<glm::dvec3>, 3> candidates_of(const std::vector<glm::dvec
 }  // namespace
 
 ContinuedMap continued_map(const SurfaceMesh& before, std::span<const glm::dvec3> points,
-                           const SurfaceMesh& mesh, const ContinuedMapOptions& options,
-                           const Progress& progress) {
+                           const SurfaceMesh& mesh, std::size_t vertices, const Progress& progress) {
     ProgressMeter meter(progress);
     meter.enter("continuing the map", 0);
     const Spread spread = spread_of(mesh);
@@ -92,21 +90,28 @@ ContinuedMap continued_map(const SurfaceMesh& before, std::span<const glm::dvec3
     const double scale = 1 / std::sqrt(spread.area);
     SphereMesh body{mesh.triangles, {}, std::vector<glm::dvec3>(mesh.positions.size(), {1, 0, 0})};
     for (const glm::dvec3& position : mesh.positions) body.positions.push_back(scale * position);
-    const auto halved = split_long_edges(body, options.vertices, meter);
-    ContinuedMap continued{with_middles(mesh, halved, body.triangles), {}};
+    const auto halved = split_long_edges(body, vertices, meter);
+    SurfaceMesh whole = with_middles(mesh, halved, body.triangles);
 
     NearestPlaces best;
     for (const auto& positions : candidates_of(before.positions, spread_of(before), spread)) {
-        NearestPlaces places =
-            nearest_places(continued.mesh.positions, before.triangles, positions, points, meter);
+        NearestPlaces places = nearest_places(whole.positions, before.triangles, positions, points, meter);
         if (best.points.empty() || places.mean < best.mean) best = std::move(places);
     }
-    if (scale * best.largest > far_away) return continued;
+    if (scale * best.largest > far_away) return {std::move(whole), std::move(body), {}};
     meter.set_part(0.5);
     untangle(body, best.points, meter);
-    restore_shapes(body, options.worst_shape, best.points, meter);
-    if (fault_of_map(continued.mesh, best.points).empty()) continued.points = std::move(best.points);
-    return continued;
+    return {std::move(whole), std::move(body), std::move(best.points)};
+}
+
+std::vector<glm::dvec3> with_restored_shapes(const ContinuedMap& map, double worst_shape,
+                                             const Progress& progress) {
+    ProgressMeter meter(progress);
+    meter.enter("continuing the map", 0);
+    std::vector<glm::dvec3> points = map.points;
+    restore_shapes(map.body, worst_shape, points, meter);
+    if (!fault_of_map(map.mesh, points).empty()) points.clear();
+    return points;
 }
 
 }  // namespace interleaf

@@ -9,33 +9,37 @@
 
 #include <glm/vec3.hpp>
 
+#include "fit/correspondence/sphere_mesh.h"
 #include "fit/mesh/surface_mesh.h"
 #include "hierarchy/progress.h"
 
 namespace interleaf {
 
-struct ContinuedMapOptions {
-    std::size_t vertices = 8000;  ///< at least wanted in the mesh, about evenly
-    double worst_shape =
-        4;  ///< shapes on the sphere are restored where their distortion is larger (finished_map.h)
-};
-
+/// A map before its shapes are restored.
 struct ContinuedMap {
     SurfaceMesh mesh;                ///< the given mesh with long edges halved, without colors and scalars
-    std::vector<glm::dvec3> points;  ///< of the unit sphere, one per vertex of that mesh; one to one
+    SphereMesh body;                 ///< the same mesh, scaled to the area 1; its own points mean nothing
+    std::vector<glm::dvec3> points;  ///< of the unit sphere, one per vertex of that mesh
 };
 
 /// The surface before is compared as it is, or moved to the same center of area, or scaled to the same area, too: as
-/// the two surfaces are nearest to each other. Triangles that turn over are untangled, and shapes on the sphere are
-/// restored where they are bad.
+/// the two surfaces are nearest to each other. Triangles that turn over are untangled.
 /// \param before    clean
 /// \param points    the map of \p before: of the unit sphere, one per vertex, one to one
 /// \param mesh      clean
-/// \return          without points if the surfaces are too far from each other, or if the map is not one to one
+/// \param vertices  at least wanted in the mesh, about evenly
+/// \return          without points if the surfaces are too far from each other
 /// \throw InputError  if a surface has no area
 /// \throw Cancelled
 ContinuedMap continued_map(const SurfaceMesh& before, std::span<const glm::dvec3> points,
-                           const SurfaceMesh& mesh, const ContinuedMapOptions& options,
-                           const Progress& progress);
+                           const SurfaceMesh& mesh, std::size_t vertices, const Progress& progress);
+
+/// The points of \p map with shapes on the sphere restored where they are bad.
+/// \param map          with points
+/// \param worst_shape  shapes are restored where their distortion is larger (finished_map.h)
+/// \return             one to one; none if the map is not
+/// \throw Cancelled
+std::vector<glm::dvec3> with_restored_shapes(const ContinuedMap& map, double worst_shape,
+                                             const Progress& progress);
 
 }  // namespace interleaf

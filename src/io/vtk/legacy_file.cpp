@@ -134,7 +134,7 @@ class LegacyReader {
             association_ = section == "point_data" ? Association::points : Association::cells;
             tuples_ = next_count(section);
         } else if (section == "metadata") {
-            skip_metadata();
+            read_metadata();
         } else {
             read_attributes(section);
         }
@@ -257,7 +257,7 @@ class LegacyReader {
         for (std::size_t n = 0; n < arrays; ++n) {
             std::string_view word = next_word();
             while (is_word(word, "metadata")) {
-                skip_metadata();
+                read_metadata();
                 word = next_word();
             }
             if (word.empty()) fail(fmt::format("FIELD {}: ends after {} of {} arrays", field, n, arrays));
@@ -280,17 +280,23 @@ class LegacyReader {
         if (is_mark && is_of_cells)
             piece_.is_left_out = left_out_cells(small_numbers(array, place), name == "vtkGhostLevels");
         if (name.starts_with("vtk")) return;
-        (is_of_cells ? piece_.cell_fields : piece_.point_fields)
-            .push_back({name, place.components, doubles_of(array)});
+        std::vector<MeshField>& fields = is_of_cells ? piece_.cell_fields : piece_.point_fields;
+        last_field_ = &fields.emplace_back(MeshField{name, place.components, doubles_of(array)});
     }
 
-    /// Names and notes about the last array, up to an empty line. A name may be empty, too.
-    void skip_metadata() {
+    /// Names and notes about the last array, up to an empty line. A name may be empty, too. Of the notes, the unit
+    /// of a field is taken: NAME UNITS_LABEL LOCATION vtkDataArray, and DATA on the next line.
+    void read_metadata() {
         next_line();
+        bool is_unit = false;
         while (!rest_.empty()) {
             std::string_view line = next_line();
             const std::string_view word = take_word(line);
             if (word.empty()) return;
+            if (is_word(word, "data") && is_unit && last_field_ != nullptr)
+                last_field_->unit = decoded_name(take_word(line));
+            is_unit = is_word(word, "name") && take_word(line) == "UNITS_LABEL" &&
+                      is_word(take_word(line), "location") && take_word(line) == "vtkDataArray";
             if (!is_word(word, "component_names")) continue;
             for (std::size_t n = 0; n < last_components_ && !rest_.empty(); ++n) next_line();
         }
@@ -301,6 +307,7 @@ class LegacyReader {
     /// The numbers of \p place: as words, or binary and big endian from the next line on.
     NumberArray numbers(DataType type, const ArrayPlace& place) {
         last_components_ = place.components;
+        last_field_ = nullptr;
         if (!is_binary_) {
             Words words(rest_);
             NumberArray array = read_words(words, type, place);
@@ -348,6 +355,7 @@ class LegacyReader {
     Association association_ = Association::none;
     std::size_t tuples_ = 0;           ///< of the association
     std::size_t last_components_ = 0;  ///< of the last array
+    MeshField* last_field_ = nullptr;  ///< if the last array is a field
     VtkPiece piece_;
     /// In the order in which VTK numbers the cells.
     std::array<LegacyCells, 4> polygons_ = {{{"vertices", vertex_cells},

@@ -164,9 +164,12 @@ TEST_CASE("a unit of a field that is missing is told before any step is recovere
 TEST_CASE("fields have the units that the files have, unless others are chosen") {
     const ScratchFolder folder;
     const auto array = [](const char* name, int components, const char* values, const char* unit) {
+        // As VTK writes it: the text of a key is on a line of its own.
         return fmt::format(
             R"(<DataArray type="Float64" Name="{}" NumberOfComponents="{}" format="ascii">
-<InformationKey name="UNITS_LABEL" location="vtkDataArray">{}</InformationKey>
+<InformationKey name="UNITS_LABEL" location="vtkDataArray">
+          {}
+        </InformationKey>
 {}
 </DataArray>)",
             name, components, unit, values);

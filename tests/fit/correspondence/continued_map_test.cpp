@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -10,13 +13,15 @@
 #include "fit/fit.h"
 #include "fit/sphere_map/spherical_map.h"
 #include "fit/star_shapes.h"
+#include "hierarchy/error.h"
+#include "hierarchy/progress.h"
 
 using namespace interleaf;
 using interleaf::testing::MappedMesh;
 
 namespace {
 
-constexpr ContinuedMapOptions coarse{.vertices = 3000};
+constexpr std::size_t few_vertices = 3000;
 
 /// A body with a bump on one side, whose height is \p height; its points on the sphere are its directions.
 MappedMesh bumped(unsigned divisions, double pull, double height) {
@@ -31,11 +36,12 @@ MappedMesh bumped(unsigned divisions, double pull, double height) {
 
 /// The largest distance of a point of \p map from the direction of its vertex in \p body.
 double largest_error(const ContinuedMap& map, const MappedMesh& body) {
-    REQUIRE(map.points.size() == map.mesh.positions.size());
-    CHECK(fault_of_map(map.mesh, map.points) == "");
+    const std::vector<glm::dvec3> points = with_restored_shapes(map, 4, {});
+    REQUIRE(points.size() == map.mesh.positions.size());
+    CHECK(fault_of_map(map.mesh, points) == "");
     double largest = 0;
     for (std::size_t v = 0; v < body.points.size(); ++v)
-        largest = std::max(largest, glm::distance(map.points[v], body.points[v]));
+        largest = std::max(largest, glm::distance(points[v], body.points[v]));
     return largest;
 }
 
@@ -44,7 +50,7 @@ double largest_error(const ContinuedMap& map, const MappedMesh& body) {
 TEST_CASE("a map is continued where a body moves, grows or changes a little, on another mesh") {
     const MappedMesh before = bumped(4, 0, 0.3);
     const auto continued_to = [&](const MappedMesh& body) {
-        return largest_error(continued_map(before.mesh, before.points, body.mesh, coarse, {}), body);
+        return largest_error(continued_map(before.mesh, before.points, body.mesh, few_vertices, {}), body);
     };
     const MappedMesh same = bumped(3, 0.2, 0.3);
     CHECK(continued_to(same) < 0.02);
@@ -61,7 +67,7 @@ TEST_CASE("no map is continued to a body that is far from the one before") {
     const MappedMesh before = bumped(3, 0, 0);
     MappedMesh flat = bumped(3, 0.2, 0);
     for (glm::dvec3& position : flat.mesh.positions) position.z *= 0.3;
-    CHECK(continued_map(before.mesh, before.points, flat.mesh, coarse, {}).points.empty());
+    CHECK(continued_map(before.mesh, before.points, flat.mesh, few_vertices, {}).points.empty());
 }
 
 TEST_CASE("a key that continues another one is as good as one with a map of its own") {
@@ -78,4 +84,21 @@ TEST_CASE("a key that continues another one is as good as one with a map of its 
     CHECK(continued->mesh.positions == second.mesh.positions);
     const FitOptions strict{.leaves = 2000, .limits = {.hausdorff = 1e-9}};
     CHECK_FALSE(fit_continued(clean_up(second.mesh, {}), before, alone.report.at_20000_leaves, strict));
+}
+
+TEST_CASE("a map is not continued if no key can be made with it, as where a tolerance is out of reach") {
+    const MappedMesh first = bumped(3, 0, 0.3);
+    const FitOptions options{.leaves = 2000};
+    const FittedKey before = fit(first.mesh, options);
+    const CleanMesh clean = clean_up(bumped(3, 0.2, 0.33).mesh, {});
+    int faults = 0;
+    const Progress faulty = [&](std::string_view, double part) {
+        if (part < 0.9) return true;  // the map is judged before
+        ++faults;
+        throw InputError("no key");
+    };
+    CHECK_FALSE(fit_continued(clean, before, before.report.at_20000_leaves, options, faulty));
+    CHECK(faults > 0);
+    const Progress cancel = [](std::string_view, double part) { return part < 0.9; };
+    CHECK_THROWS_AS(fit_continued(clean, before, before.report.at_20000_leaves, options, cancel), Cancelled);
 }

@@ -70,6 +70,25 @@ TEST_CASE("polygons, strips, vertices and lines are numbered in the order of VTK
     CHECK(mesh.triangle_fields[1].values == std::vector<double>{0, 0, 2, 0, 0, 2, 0, 0, 3, 0, 0, 3});
 }
 
+TEST_CASE("fields of a legacy file have the units that VTK writes behind them") {
+    const auto noted = [](std::string_view key, std::string_view location, std::string_view data) {
+        return fmt::format("METADATA\nINFORMATION 1\nNAME {} LOCATION {}\nDATA {}\n\n", key, location, data);
+    };
+    const auto unit = [&](std::string_view text) { return noted("UNITS_LABEL", "vtkDataArray", text); };
+    const FieldMesh mesh = square_with(
+        unit("m") + "POLYGONS 1 5\n4 0 1 2 3\nPOINT_DATA 4\nSCALARS T int\nLOOKUP_TABLE default\n0 1 2 3\n" +
+        unit("%C2%B0C") + "FIELD FieldData 3\nu 1 4 int\n0 1 2 3\n" +
+        "METADATA\nCOMPONENT_NAMES\nDATA\nINFORMATION 2\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 0 "
+        "3\n"
+        "NAME UNITS_LABEL LOCATION vtkDataArray\nDATA m%20/%20s\n\n" +
+        "v 1 4 int\n0 1 2 3\nw 1 4 int\n0 1 2 3\n" + noted("UNITS_LABEL", "other", "K"));
+    REQUIRE(mesh.point_fields.size() == 4);
+    CHECK(mesh.point_fields[0].unit == "°C");
+    CHECK(mesh.point_fields[1].unit == "m / s");
+    CHECK(mesh.point_fields[2].unit.empty());
+    CHECK(mesh.point_fields[3].unit.empty());
+}
+
 TEST_CASE("marked cells of a legacy file are left out") {
     const FieldMesh mesh = square_with(
         "POLYGONS 2 8\n3 0 1 2\n3 0 2 3\nCELL_DATA 2\n"

@@ -116,6 +116,25 @@ TEST_CASE("copies and hidden cells are left out, and so are arrays of VTK") {
     CHECK(with_marks("vtkOriginalCellIds", "7 8 9").triangle_fields.size() == 1);
 }
 
+TEST_CASE("a unit is the text of its key without the spaces and lines around it") {
+    const auto unit_of = [](std::string_view text) {
+        return parse_vtk_xml(
+                   grid_of_type(5, 3,
+                                fmt::format("<PointData><DataArray type='Int8' Name='T' format='ascii'>"
+                                            "<InformationKey name='UNITS_LABEL' location='vtkDataArray'>{}"
+                                            "</InformationKey>0 1 2 3 4 5</DataArray></PointData>",
+                                            text)),
+                   "grid.vtu")
+            .point_fields.at(0)
+            .unit;
+    };
+    CHECK(unit_of("m/s") == "m/s");
+    CHECK(unit_of("\n          m / s\n        ") == "m / s");
+    CHECK(unit_of("\r\n\tK\r\n") == "K");
+    CHECK(unit_of("\n  \n").empty());
+    CHECK(unit_of("").empty());
+}
+
 TEST_CASE("cells of other kinds are refused by name") {
     CHECK(xml_error(grid_of_type(22, 6)) ==
           "grid.vtu: cell 0 (counted from 0): quadratic triangles, expected triangles or quadrilaterals");
