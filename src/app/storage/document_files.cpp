@@ -13,6 +13,7 @@
 #include "hierarchy/error.h"
 #include "io/family/family_file.h"
 #include "io/file/file_pattern.h"
+#include "io/formats.h"
 #include "ui/browser/typed_path.h"
 #include "ui/widgets/command_keys.h"
 
@@ -21,6 +22,13 @@ namespace interleaf {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Whether \p sources are steps of a series, which the command line has imported with the usual choices.
+bool are_steps(const std::vector<fs::path>& sources) {
+    return !sources.empty() && std::ranges::all_of(sources, [](const fs::path& source) {
+        return is_called(source, &Format::holds_series);
+    });
+}
 
 /// The interval between checks of the files on disk; seconds.
 constexpr double look_interval = 2;
@@ -70,7 +78,10 @@ DocumentFiles::DocumentFiles(ViewerState& state, std::vector<fs::path> sources, 
         }
         if (const auto folder = state_folder()) recovery_.emplace(*folder, state_.document);
     }
-    if (!sources.empty()) remember(sources.front());
+    if (are_steps(sources))
+        change_settings([&](Settings& settings) { remember_series(settings, path_of_all(sources), {}); });
+    else if (!sources.empty())
+        remember(sources.front());
     set_sources(std::move(sources));
     offer_recovery();
 }

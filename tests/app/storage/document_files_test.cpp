@@ -480,6 +480,21 @@ TEST_CASE("a series is opened again with the options of its import, also by a la
     CHECK(files.settings().imports.empty());
 }
 
+TEST_CASE("a series that the command line has imported is remembered as a whole, keys as the first of them") {
+    const ScratchFolder folder;
+    const EnvironmentChange config("XDG_CONFIG_HOME", (folder / "config").string());
+    const EnvironmentChange own("XDG_STATE_HOME", (folder / "state").string());
+    std::vector<fs::path> steps, keys;
+    for (int n = 0; n < 3; ++n) {
+        put(steps.emplace_back(folder / ("step-" + std::to_string(n) + ".vtk")), square_step());
+        put(keys.emplace_back(folder / ("key-" + std::to_string(n) + ".ilh")), "");
+    }
+    ViewerState state(named("first"));
+    CHECK(DocumentFiles(state, steps, false).recent_files().front() == folder / "step-*.vtk");
+    CHECK(DocumentFiles(state, {steps[1]}, false).recent_files().front() == steps[1]);
+    CHECK(DocumentFiles(state, keys, false).recent_files().front() == keys[0]);
+}
+
 TEST_CASE("a theme of one run is not remembered, a chosen one is, and everything else of the window") {
     const ScratchFolder folder;
     const EnvironmentChange config("XDG_CONFIG_HOME", (folder / "config").string());
