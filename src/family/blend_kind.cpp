@@ -1,5 +1,7 @@
 #include "family/blend_kind.h"
 
+#include <fmt/core.h>
+
 namespace interleaf {
 
 std::string_view name_of(BlendKind kind) {
@@ -12,10 +14,15 @@ std::optional<BlendKind> blend_kind_named(std::string_view name) {
     return std::nullopt;
 }
 
-void set_blend(UnionMesh& mesh, BlendKind kind) {
+std::optional<std::string> remark_on_straight(BlendKind kind, std::size_t key_count) {
+    if (kind == BlendKind::straight || key_count <= Turning::max_keys) return std::nullopt;
+    return fmt::format("Parts turn in blends of at most {} keys; this one has {} and is straight.",
+                       Turning::max_keys, key_count);
+}
+
+void set_blend(UnionMesh& mesh, BlendKind kind, std::size_t first) {
     mesh.turning.reset();
-    if (kind == BlendKind::turning && mesh.key_count() > 1 && mesh.key_count() <= Turning::max_keys)
-        mesh.turning.emplace(mesh);
+    if (turns(kind, mesh.key_count() - first)) mesh.turning.emplace(mesh, first);
 }
 
 }  // namespace interleaf

@@ -1,6 +1,5 @@
 #include "hierarchy/turning.h"
 
-#include <array>
 #include <cassert>
 #include <vector>
 
@@ -53,6 +52,7 @@ constexpr std::size_t pair_index(std::size_t i, std::size_t j) {
 }  // namespace
 
 struct Turning::Parts {
+    std::size_t first = 0;  ///< key that blends; pairs and weights count from it
     std::size_t pair_count = 0;
     std::vector<glm::quat>
         rotations;  ///< rotations[vertex * pair_count + pair_index(i, j)]: from key i to key j
@@ -61,22 +61,25 @@ struct Turning::Parts {
     std::vector<double> shares;     ///< of each vertex
     SurfaceFactors factors;
 
-    std::array<glm::dmat3, max_keys> turns(Index vertex, std::span<const float> weights) const;
+    void turns(Index vertex, std::span<const float> weights, std::span<glm::dmat3> result) const;
 };
 
-Turning::Turning(const UnionMesh& mesh) {
-    assert(mesh.key_count() <= max_keys);
+Turning::Turning(const UnionMesh& mesh, std::size_t first) {
+    assert(first < mesh.key_count());
+    const std::size_t key_count = mesh.key_count() - first;
+    assert(key_count <= max_keys);
     const auto parts = std::make_shared<Parts>();
     SurfaceMatrix stiffness = leaf_stiffness(mesh);
     parts->edges = stiff_edges(stiffness);
     parts->components = components_of(mesh);
     parts->shares = vertex_shares(mesh);
-    parts->pair_count = mesh.key_count() * (mesh.key_count() - 1) / 2;
+    parts->first = first;
+    parts->pair_count = key_count * (key_count - 1) / 2;
     parts->rotations.resize(mesh.vertex_count() * parts->pair_count);
     TurningRotations rotations(mesh, stiffness, parts->shares);
-    for (std::size_t j = 1; j < mesh.key_count(); ++j)
+    for (std::size_t j = 1; j < key_count; ++j)
         for (std::size_t i = 0; i < j; ++i) {
-            const std::vector<glm::quat> between = rotations.between(i, j);
+            const std::vector<glm::quat> between = rotations.between(first + i, first + j);
             for (std::size_t v = 0; v < between.size(); ++v)
                 parts->rotations[v * parts->pair_count + pair_index(i, j)] = between[v];
         }
@@ -93,13 +96,11 @@ Turning::Turning(const UnionMesh& mesh) {
 }
 
 /// The rotation from each key to the weighted mean of the keys, times the weight of the key.
-std::array<glm::dmat3, Turning::max_keys> Turning::Parts::turns(Index vertex,
-                                                                std::span<const float> weights) const {
+void Turning::Parts::turns(Index vertex, std::span<const float> weights, std::span<glm::dmat3> result) const {
     const glm::quat* const between = rotations.data() + vertex * pair_count;
-    std::array<glm::dmat3, max_keys> turns;
     for (std::size_t k = 0; k < weights.size(); ++k) {
         if (weights[k] == 0) {
-            turns[k] = glm::dmat3(0);
+            result[k] = glm::dmat3(0);
             continue;
         }
         glm::dquat sum(weights[k], 0, 0, 0);
@@ -107,24 +108,26 @@ std::array<glm::dmat3, Turning::max_keys> Turning::Parts::turns(Index vertex,
             sum += static_cast<double>(weights[j]) * glm::dquat(glm::conjugate(between[pair_index(j, k)]));
         for (std::size_t j = k + 1; j < weights.size(); ++j)
             sum += static_cast<double>(weights[j]) * glm::dquat(between[pair_index(k, j)]);
-        turns[k] = static_cast<double>(weights[k]) * glm::mat3_cast(glm::normalize(sum));
+        result[k] = static_cast<double>(weights[k]) * glm::mat3_cast(glm::normalize(sum));
     }
-    return turns;
 }
 
 void Turning::blend(const UnionMesh& mesh, std::span<const float> weights,
                     Buffer<glm::vec3>& positions) const {
     const Parts& parts = *parts_;
-    std::vector<std::array<glm::dmat3, max_keys>> turns;
-    turns.reserve(mesh.vertex_count());
-    for (Index v = 0; v < mesh.vertex_count(); ++v) turns.push_back(parts.turns(v, weights));
+    const std::span<const float> blended = weights.subspan(parts.first);
+    const std::size_t count = blended.size();
+    std::vector<glm::dmat3> turns(mesh.vertex_count() * count);  // turns[vertex * count + k]
+    for (Index v = 0; v < mesh.vertex_count(); ++v)
+        parts.turns(v, blended, std::span(turns).subspan(v * count, count));
 
     Coordinates right = Coordinates::Zero(static_cast<Eigen::Index>(mesh.vertex_count()), 3);
     for (const StiffEdge& edge : parts.edges) {
         glm::dvec3 wanted(0);
-        for (std::size_t k = 0; k < weights.size(); ++k) {
-            const Buffer<glm::vec3>& key = mesh.positions[k];
-            wanted += (turns[edge.from][k] + turns[edge.to][k]) *
+        for (std::size_t k = 0; k < count; ++k) {
+            if (blended[k] == 0) continue;
+            const Buffer<glm::vec3>& key = mesh.positions[parts.first + k];
+            wanted += (turns[edge.from * count + k] + turns[edge.to * count + k]) *
                       (glm::dvec3(key[edge.to]) - glm::dvec3(key[edge.from]));
         }
         wanted *= edge.stiffness / 2;

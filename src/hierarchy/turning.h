@@ -30,12 +30,14 @@ class Turning {
     /// The rotations are those of pairs of keys, so their number grows with the square of the number of keys.
     static constexpr std::size_t max_keys = 8;
 
-    /// \pre  \p mesh has at most max_keys keys
-    explicit Turning(const UnionMesh& mesh);
+    /// \param first  the first key that blends: the keys before it only refine the leaves
+    /// \pre  at most max_keys keys blend
+    explicit Turning(const UnionMesh& mesh, std::size_t first = 0);
 
     /// Writes one position per union vertex.
     /// \param mesh     the union that this was made of
     /// \param weights  one per key, used as given; each component of the roots keeps the center of its weighted sum
+    /// \pre  keys that do not blend have the weight 0
     void blend(const UnionMesh& mesh, std::span<const float> weights, Buffer<glm::vec3>& positions) const;
 
     /// Memory of the large arrays, in bytes.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -37,26 +39,37 @@ void report_progress(const Export& exported, std::string_view stage, double part
 
 Blend blend_of(const Export& exported) {
     if (!exported.weights) throw UsageError(no_default_blend);
-    return blend_over(exported.family, *exported.weights, nullptr);
+    remark_on_straight(exported, exported.weights->size());
+    return std::move(BlendSeries(exported.family, nullptr).at(*exported.weights));
 }
 
-Blend blend_over(const Family& family, const Weights& weights, const Hierarchy* finest) {
-    std::vector<const Hierarchy*> keys;
-    Blend blend;
-    if (finest != nullptr) {
-        keys.push_back(finest);
-        blend.weights.push_back(0);
+void remark_on_straight(const Export& exported, std::size_t key_count) {
+    std::optional<std::string> sentence = remark_on_straight(exported.family.blend, key_count);
+    if (sentence && exported.remarks != nullptr) exported.remarks->push_back(std::move(*sentence));
+}
+
+Blend& BlendSeries::at(const Weights& weights) {
+    const std::size_t first = finest_ != nullptr ? 1 : 0;  // key that blends
+    if (std::vector<std::size_t> active = active_keys(weights); active != active_) {
+        std::vector<const Hierarchy*> keys(first, finest_);
+        for (const std::size_t key : active) keys.push_back(&*family_.keys[key].hierarchy);
+        unite(keys, blend_.mesh);
+        unite_fields(keys, blend_.mesh);
+        active_ = std::move(active);
     }
-    for (const std::size_t key : active_keys(weights)) keys.push_back(&*family.keys[key].hierarchy);
-    for (const float weight : weight_values(weights)) blend.weights.push_back(weight);
-    blend.mesh = unite(keys);
-    unite_fields(keys, blend.mesh);
-    set_blend(blend.mesh, family.blend);
-    blend.positions = morph(blend.mesh, blend.weights);
-    if (!std::ranges::all_of(blend.positions, is_finite))
+    blend_.weights.assign(first, 0);
+    for (const float weight : weight_values(weights)) blend_.weights.push_back(weight);
+    // One key alone is itself, so that a series of keys needs no rotations.
+    if (std::ranges::count(blend_.weights, 0.0F) + 1 >= std::ssize(blend_.weights)) {
+        weighted_sum(blend_.mesh.positions, blend_.weights, blend_.positions);
+    } else {
+        if (!blend_.mesh.turning) set_blend(blend_.mesh, family_.blend, first);
+        morph(blend_.mesh, blend_.weights, blend_.positions);
+    }
+    if (!std::ranges::all_of(blend_.positions, is_finite))
         throw UsageError("--weights: too large for float positions");
-    blend.fields = morphed_fields(blend.mesh, blend.weights);
-    return blend;
+    blend_.fields = morphed_fields(blend_.mesh, blend_.weights);
+    return blend_;
 }
 
 Hierarchy finest_of(const Family& family, std::span<const std::size_t> keys, std::size_t max_leaves) {

@@ -71,13 +71,30 @@ struct Blend {
 /// The error message where a blend is needed, none is chosen, and the family has no default blend.
 inline constexpr const char* no_default_blend = "the family has no timeline; say --at or --weights";
 
-/// The blend of \p exported.
+/// The blend of \p exported. Remarks if it has too many keys to turn.
 /// \throw UsageError if the export has no weights, or a blended value is outside the range of floats
 Blend blend_of(const Export& exported);
 
-/// The blend of \p family with \p weights. It takes the leaves of \p finest, too, if that is given.
-/// \throw UsageError as blend_of()
-Blend blend_over(const Family& family, const Weights& weights, const Hierarchy* finest);
+/// Blends of a family, one after the other. Their union is made only where the active keys change.
+class BlendSeries {
+  public:
+    /// \param family  must outlive this object
+    /// \param finest  all blends take its leaves, too; null for none; must outlive this object
+    BlendSeries(const Family& family, const Hierarchy* finest) : family_(family), finest_(finest) {}
+
+    /// The blend with \p weights, until the next call.
+    /// \throw UsageError as blend_of()
+    Blend& at(const Weights& weights);
+
+  private:
+    const Family& family_;
+    const Hierarchy* finest_;
+    std::vector<std::size_t> active_;  ///< the united keys
+    Blend blend_;
+};
+
+/// Remarks if \p exported is of a family whose parts turn, and \p key_count keys are too many for that.
+void remark_on_straight(const Export& exported, std::size_t key_count);
 
 /// The union of \p keys of \p family as one hierarchy, with the fields that all of them have. Its positions and
 /// values are those of one key. Stops when it has more than \p max_leaves leaves.

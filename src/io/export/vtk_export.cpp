@@ -132,15 +132,15 @@ void export_blend(const Export& exported, const OutputTarget& target, VtkDataSet
     write_output(target, blend_bytes(exported, blend, origins, std::nullopt, data_set));
 }
 
-std::string frame_bytes(const Export& exported, const FrameMesh& shared, const Frame& frame) {
-    const Hierarchy* const finest = shared.finest ? &*shared.finest : nullptr;
-    Blend blend = blend_over(exported.family, frame.weights, finest);
+std::string frame_bytes(const Export& exported, const FrameMesh& shared, BlendSeries& blends,
+                        const Frame& frame) {
+    Blend& blend = blends.at(frame.weights);
     std::erase_if(blend.fields, [&](const Field& field) {
         return std::ranges::find(shared.fields, field.label()) == shared.fields.end();
     });
     const std::vector<KeySet> own =
-        finest == nullptr ? family_origins(blend.mesh, active_keys(frame.weights)) : std::vector<KeySet>();
-    return blend_bytes(exported, blend, finest == nullptr ? own : shared.origins, frame.time,
+        !shared.finest ? family_origins(blend.mesh, active_keys(frame.weights)) : std::vector<KeySet>();
+    return blend_bytes(exported, blend, !shared.finest ? own : shared.origins, frame.time,
                        VtkDataSet::polygons);
 }
 
@@ -148,6 +148,10 @@ std::string frame_bytes(const Export& exported, const FrameMesh& shared, const F
 void remark_interpolation(const Export& exported) {
     const std::optional<Timeline>& timeline = exported.family.timeline;
     if (exported.remarks == nullptr || exported.series.has_times() || !timeline) return;
+    if (exported.family.blend == BlendKind::turning)
+        exported.remarks->emplace_back(
+            "Parts of this family turn, and ParaView's time between two keys is straight; --fps or --every "
+            "writes more times.");
     const Basis basis = timeline->interpolation().basis;
     if (basis == Basis::linear) return;
     exported.remarks->push_back(
@@ -195,7 +199,11 @@ void export_pvd(const Export& exported, const OutputTarget& target) {
         frames = frames_of(exported, false);
     }
     remark_interpolation(exported);
+    std::size_t most_keys = 0;
+    for (const Frame& frame : frames) most_keys = std::max(most_keys, frame.weights.size());
+    remark_on_straight(exported, most_keys);
 
+    BlendSeries blends(exported.family, shared.finest ? &*shared.finest : nullptr);
     const std::string stem = target.file.stem().string();
     std::string list;
     UnfinishedSeries written;
@@ -203,7 +211,7 @@ void export_pvd(const Export& exported, const OutputTarget& target) {
         report_progress(exported, fmt::format("file {} of {}", n + 1, frames.size()),
                         0.1 + 0.9 * static_cast<double>(n) / static_cast<double>(frames.size()));
         const std::string name = fmt::format("{}.{:04}.vtp", stem, n);
-        written.write(target.file.parent_path() / name, frame_bytes(exported, shared, frames[n]));
+        written.write(target.file.parent_path() / name, frame_bytes(exported, shared, blends, frames[n]));
         list += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frames[n].time,
                             xml_escaped(name));
     }

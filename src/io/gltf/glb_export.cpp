@@ -270,10 +270,10 @@ void export_glb(const Export& exported, const OutputTarget& target) {
     const Family& family = exported.family;
     if (exported.segments && !has_segments(family))
         throw UsageError("--segments: expected a family with a linear timeline of at least two keys");
-    if (exported.segments) return write_segments(exported, target);
-
     if (family.blend != BlendKind::straight)
         remark(exported, "morph targets blend straight; parts of this family turn");
+    if (exported.segments) return write_segments(exported, target);
+
     std::vector<std::size_t> all(family.keys.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     report_progress(exported, "uniting keys", 0);

@@ -92,7 +92,8 @@ Written written_series(const Family& family, const SeriesExportOptions& options)
 /// The largest distance between \p mesh and the blend at \p time, at the corners of triangles that are in both.
 double distance_from_timeline(const Family& family, double time, const FieldMesh& mesh,
                               const Hierarchy* finest) {
-    const Blend blend = blend_over(family, family.timeline->at(time), finest);
+    BlendSeries blends(family, finest);
+    const Blend& blend = blends.at(family.timeline->at(time));
     REQUIRE(mesh.points.size() == blend.positions.size());
     double most = 0;
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
