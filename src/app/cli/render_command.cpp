@@ -1,5 +1,8 @@
 #include "app/cli/render_command.h"
 
+#include <fmt/core.h>
+
+#include "app/cli/error_message.h"
 #include "app/cli/render_film.h"
 #include "app/document/opening.h"
 #include "app/pictures/blend_painter.h"
@@ -13,6 +16,8 @@ namespace {
 
 void render_picture(const RenderOptions& options, const Family& family) {
     const Weights weights = selected_weights(options.morph, family);
+    if (const auto remark = remark_on_straight(family.blend, weights.size()))
+        print_error(fmt::format("{}: {}", options.output.target, *remark));
     const auto [width, height] = options.size;
     const EglContext context;
     BlendPainter painter(family, width, height, options.display);

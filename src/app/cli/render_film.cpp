@@ -1,5 +1,6 @@
 #include "app/cli/render_film.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -10,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include "app/cli/error_message.h"
 #include "app/cli/held_interrupts.h"
 #include "app/cli/progress_line.h"
 #include "app/pictures/blend_painter.h"
@@ -70,6 +72,17 @@ FrameRange wanted_frames(const FilmOptions& options, const Film& film) {
     return wanted;
 }
 
+/// Says if a frame has too many active keys to turn.
+void remark_on_keys(const Film& film, const Family& family, const FrameRange& wanted,
+                    const std::string& target) {
+    if (family.blend == BlendKind::straight) return;
+    std::size_t most_keys = 0;
+    for (std::size_t number = wanted.first; number <= wanted.last; ++number)
+        most_keys = std::max(most_keys, weights_of_frame(film, family, number).size());
+    if (const auto remark = remark_on_straight(family.blend, most_keys))
+        print_error(fmt::format("{}: {}", target, *remark));
+}
+
 using FrameReceiver = std::function<void(std::size_t number, std::vector<std::uint8_t> rgba)>;
 
 /// \return whether all frames were painted, without an interrupt
@@ -124,6 +137,7 @@ void render_film(const RenderOptions& options, const std::string& format, const 
     const FilmFormat* const film_format = film_format_with_extension("." + format);
     if (film_format != nullptr) require_encodable(*film_format, picture);
 
+    remark_on_keys(film, family, wanted, target);
     const HeldInterrupts interrupts;
     const EglContext context;
     BlendPainter painter(family, width, height, options.display);

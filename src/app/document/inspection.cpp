@@ -9,7 +9,7 @@
 
 namespace interleaf {
 
-void Inspection::follow(ViewerState& state) {
+void Inspection::follow(ViewerState& state, const TurnedCorners& turned) {
     const std::optional<NodeStep> step = std::exchange(state.node_step, std::nullopt);
     const RootComplex& roots = state.document.family().keys.front().hierarchy->roots;
     if (roots_ && roots_ != roots) state.inspected.reset();
@@ -26,7 +26,8 @@ void Inspection::follow(ViewerState& state) {
     const std::vector<const NodeIndex*> indices = indices_of(session);
     if (step)
         if (const auto node = stepped(indices, *state.inspected, *step)) state.inspected = node;
-    Subject subject{*state.inspected, session.weights(), state.document.snapshot()};
+    const bool is_turning = turned && turns(session.family().blend, session.weights().size());
+    Subject subject{*state.inspected, session.weights(), state.document.snapshot(), is_turning};
     if (subject_ == subject) return;
 
     const NodePath& node = subject.node;
@@ -39,9 +40,17 @@ void Inspection::follow(ViewerState& state) {
         for (std::size_t corner = 0; corner < 3; ++corner)
             shown.blend.at(corner) += static_cast<float>(weight.value) * shown.keys.back().corners.at(corner);
     }
+    const auto corners = is_turning ? turned(node) : std::nullopt;
+    if (corners)
+        shown.blend = *corners;
+    else if (is_turning && shown_ && shown_->node == node)
+        shown.blend = shown_->blend;
     shown.is_at_left = shown_ && shown_->node == node && shown_->is_at_left;
     shown_ = std::move(shown);
-    subject_ = std::move(subject);
+    if (is_turning && !corners)
+        subject_.reset();  // asks again in the next frame
+    else
+        subject_ = std::move(subject);
 }
 
 /// Keeps the indices of the active keys, makes those that are missing, and drops all others.

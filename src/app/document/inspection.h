@@ -1,8 +1,12 @@
 // The inspected node: the facts that the inspector shows about it, and steps to other nodes.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <optional>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "app/document/viewer_state.h"
 #include "family/shared_hierarchy.h"
@@ -15,9 +19,14 @@ namespace interleaf {
 
 class Inspection {
   public:
+    /// The corners of a node on the shown surface; none if it is late.
+    using TurnedCorners = std::function<std::optional<std::array<glm::vec3, 3>>(const NodePath& node)>;
+
     /// Takes the step that \p state asks for, and updates the facts to its node and its active keys. Ends the
     /// inspection where the document has other roots than before.
-    void follow(ViewerState& state);
+    /// \param turned  gives the corners where parts turn; until it knows them, they stay as they were. Null for
+    ///     weighted sums of the keys' corners.
+    void follow(ViewerState& state, const TurnedCorners& turned = nullptr);
 
     /// Null if nothing is inspected.
     const InspectedNode* shown() const { return shown_ ? &*shown_ : nullptr; }
@@ -38,6 +47,7 @@ class Inspection {
         NodePath node;
         Weights weights;
         std::shared_ptr<const Family> family;
+        bool is_turning;
         bool operator==(const Subject&) const = default;
     };
     void index_active_keys(const Session& session);

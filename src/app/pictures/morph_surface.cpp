@@ -27,25 +27,20 @@ constexpr std::chrono::milliseconds longest_wait{8};
 /// What a frame sends to the GPU at most, in bytes: about 4 ms where the processor is the GPU.
 constexpr std::size_t slice_bytes = std::size_t{4} << 20;
 
-bool are_same(const std::vector<SharedHierarchy>& a, const std::vector<SharedHierarchy>& b) {
-    return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return x.is_same(y); });
-}
-
 }  // namespace
 
 void MorphSurface::update(const Family& family, const Weights& weights, const FieldName* field,
                           std::span<const std::size_t> sources) {
-    follow_blend(family.blend);
     const std::vector<std::size_t> active = active_keys(weights);
-    std::vector<SharedHierarchy> hierarchies;
+    UnionCache::Keys wanted({}, family.blend);
     std::vector<std::size_t> keys;
-    hierarchies.reserve(active.size());
+    wanted.hierarchies.reserve(active.size());
     keys.reserve(active.size());
     for (const std::size_t key : active) {
-        hierarchies.push_back(family.keys[key].hierarchy);
+        wanted.hierarchies.push_back(family.keys[key].hierarchy);
         keys.push_back(sources.empty() ? key : sources[key]);
     }
-    if (keys == figures_.keys && are_same(hierarchies, hierarchies_)) {
+    if (keys == figures_.keys && UnionCache::are_same(wanted, united_)) {
         needed_since_.reset();
         has_waited_ = false;
         figures_.is_late = false;
@@ -56,7 +51,7 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
 
     if (!needed_since_) needed_since_ = std::chrono::steady_clock::now();
     const bool is_kept = sources.empty();
-    UnionCache::Result result = needed_union(hierarchies, is_kept);
+    UnionCache::Result result = needed_union(wanted, is_kept);
     has_waited_ = has_waited_ || !result.is_ready;
     // A union that is not kept could not be sent in later frames.
     const std::size_t max_bytes =
@@ -69,7 +64,7 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
     const std::chrono::duration<double, std::milli> taken =
         std::chrono::steady_clock::now() - *std::exchange(needed_since_, std::nullopt);
 
-    hierarchies_ = std::move(hierarchies);
+    united_ = std::move(wanted);
     std::vector<std::string> names = names_of(family, active);
     figures_ = {.keys = std::move(keys),
                 .key_names = std::move(names),
@@ -87,18 +82,10 @@ void MorphSurface::update(const Family& family, const Weights& weights, const Fi
     update_field(family, weights, field);
 }
 
-/// Forgets all unions where they blend in another way; the shown one stays until update() has the next.
-void MorphSurface::follow_blend(BlendKind blend) {
-    if (blend == blend_) return;
-    blend_ = blend;
-    unions_ = std::make_unique<UnionCache>(UnionCache::usual_bytes, UnionCache::maker_of(blend));
-    hierarchies_.clear();
-}
-
 /// \param is_kept  whether the keys come again; levels of detail are other hierarchies whenever they are cut
-UnionCache::Result MorphSurface::needed_union(const UnionCache::Keys& hierarchies, bool is_kept) {
-    if (!is_kept) return {unions_->make(hierarchies), false};
-    return union_ == nullptr ? unions_->get(hierarchies) : unions_->get_within(hierarchies, longest_wait);
+UnionCache::Result MorphSurface::needed_union(const UnionCache::Keys& keys, bool is_kept) {
+    if (!is_kept) return {unions_.make(keys), false};
+    return union_ == nullptr ? unions_.get(keys) : unions_.get_within(keys, longest_wait);
 }
 
 /// Sends at most about \p max_bytes more of \p united to the GPU.
@@ -128,22 +115,22 @@ void MorphSurface::update_field(const Family& family, const Weights& weights, co
 }
 
 void MorphSurface::expect(const Family& family, std::span<const std::vector<std::size_t>> key_sets) {
-    follow_blend(family.blend);
     std::vector<UnionCache::Keys> wanted;
     wanted.reserve(key_sets.size());
     for (const std::vector<std::size_t>& keys : key_sets) {
-        UnionCache::Keys& hierarchies = wanted.emplace_back();
+        std::vector<SharedHierarchy>& hierarchies =
+            wanted.emplace_back(std::vector<SharedHierarchy>(), family.blend).hierarchies;
         hierarchies.reserve(keys.size());
         for (const std::size_t key : keys) hierarchies.push_back(family.keys[key].hierarchy);
     }
     if (!figures_.is_late) send_ahead(wanted);
-    unions_->prepare(std::move(wanted));
+    unions_.prepare(std::move(wanted));
 }
 
 /// Sends a slice of the first union of \p wanted that is not shown, if it is made.
 void MorphSurface::send_ahead(std::span<const UnionCache::Keys> wanted) {
     for (const UnionCache::Keys& keys : wanted) {
-        const UnionCache::Prepared united = unions_->peek(keys);
+        const UnionCache::Prepared united = unions_.peek(keys);
         if (united != nullptr && united == union_) continue;
         if (united != nullptr) has_sent(united, slice_bytes);
         return;
@@ -151,14 +138,13 @@ void MorphSurface::send_ahead(std::span<const UnionCache::Keys> wanted) {
 }
 
 bool MorphSurface::prepares(const Family& family, const Weights& weights) {
-    follow_blend(family.blend);
-    std::vector<SharedHierarchy> hierarchies;
-    hierarchies.reserve(weights.size());
-    for (const Weight& weight : weights) hierarchies.push_back(family.keys[weight.key].hierarchy);
-    if (union_ != nullptr && are_same(hierarchies, hierarchies_)) return false;
-    unions_->prepare({hierarchies});
-    if (const UnionCache::Prepared united = unions_->peek(hierarchies)) return !has_sent(united, slice_bytes);
-    return unions_->is_coming(hierarchies);
+    UnionCache::Keys wanted({}, family.blend);
+    wanted.hierarchies.reserve(weights.size());
+    for (const Weight& weight : weights) wanted.hierarchies.push_back(family.keys[weight.key].hierarchy);
+    if (union_ != nullptr && UnionCache::are_same(wanted, united_)) return false;
+    unions_.prepare({wanted});
+    if (const UnionCache::Prepared united = unions_.peek(wanted)) return !has_sent(united, slice_bytes);
+    return unions_.is_coming(wanted);
 }
 
 Extent MorphSurface::extent() const {

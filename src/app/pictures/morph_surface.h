@@ -40,14 +40,14 @@ struct SurfaceFigures {
 
 class MorphSurface {
   public:
-    /// \param maker  makes the unions of straight blends; null for the usual one
+    /// \param maker  makes the unions; null for the usual one
     /// \pre a GL context is current
-    explicit MorphSurface(UnionCache::Maker maker = nullptr)
-        : unions_(std::make_unique<UnionCache>(UnionCache::usual_bytes, maker)) {}
+    explicit MorphSurface(UnionCache::Maker maker = nullptr) : unions_(UnionCache::usual_bytes, maker) {}
 
-    /// Rebuilds the union if \p weights have other active keys than before, or \p family blends in another way. Unites \p field if it has changed
-    /// or the union is new. Waits for a union no longer than a part of a frame, but for the first one: until it
-    /// is there, all of the surface stays as it was, and figures() are late. Then call this function again.
+    /// Rebuilds the union if \p weights have other active keys than before, or \p family blends in another way.
+    /// Unites \p field if it has changed or the union is new. Waits for a union no longer than a part of a frame,
+    /// but for the first one: until it is there, all of the surface stays as it was, and figures() are late. Then
+    /// call this function again.
     /// \param field   the field to show; null for none
     /// \param sources  the index by which the figures and the colors by origin refer to each key of \p family;
     ///     its own index if empty
@@ -83,21 +83,19 @@ class MorphSurface {
     Renderer& renderer() { return renderer_; }
 
   private:
-    void follow_blend(BlendKind blend);
     bool has_sent(const UnionCache::Prepared& united, std::size_t max_bytes);
     void send_ahead(std::span<const UnionCache::Keys> wanted);
-    UnionCache::Result needed_union(const UnionCache::Keys& hierarchies, bool is_kept);
+    UnionCache::Result needed_union(const UnionCache::Keys& keys, bool is_kept);
     void update_field(const Family& family, const Weights& weights, const FieldName* field);
 
-    std::unique_ptr<UnionCache> unions_;  ///< which all blend in one way
-    BlendKind blend_ = BlendKind::straight;
+    UnionCache unions_;
     UnionCache::Prepared union_;  ///< the shown one; null before the first update()
     UnionCache::Prepared sent_;   ///< the one that is sent to the GPU; null for none
     bool has_waited_ = false;     ///< for the union that is needed now
     std::optional<std::chrono::steady_clock::time_point> needed_since_;  ///< none if no union is needed
     std::vector<float> weights_;
-    std::optional<UnionField> field_;           ///< of the union; none if no field is shown
-    std::vector<SharedHierarchy> hierarchies_;  ///< of the active keys
+    std::optional<UnionField> field_;  ///< of the union; none if no field is shown
+    UnionCache::Keys united_;          ///< the active keys, as they blend
     SurfaceFigures figures_;
     std::optional<FieldName> wanted_field_;
     Renderer renderer_;

@@ -70,6 +70,13 @@ void NodeOutline::follow(const UnionMesh& mesh, MeshNumber number, const std::op
     sides_ = index_->boundary(*node);
 }
 
+std::array<glm::vec3, 3> NodeOutline::corners(const Positions& positions) const {
+    std::array<glm::vec3, 3> corners{};
+    for (std::size_t side = 0; side < 3; ++side)
+        corners.at((side + 1) % 3) = position_of(sides_.at(side).front(), positions);
+    return corners;
+}
+
 Outline NodeOutline::outline(const Positions& positions, const Camera& camera,
                              const PictureDepths& picture) const {
     const float aspect = static_cast<float>(picture.width) / static_cast<float>(picture.height);

@@ -10,30 +10,26 @@ namespace {
 
 /// \param scratch  keeps the memory that unite() asks for, which is that of the largest possible union; the
 ///     result takes only what it needs
-template <BlendKind blend>
 UnionCache::Prepared prepared_union(const UnionCache::Keys& keys, UnionMesh& scratch) {
     std::vector<const Hierarchy*> hierarchies;
-    hierarchies.reserve(keys.size());
-    for (const SharedHierarchy& key : keys) hierarchies.push_back(&*key);
+    hierarchies.reserve(keys.hierarchies.size());
+    for (const SharedHierarchy& key : keys.hierarchies) hierarchies.push_back(&*key);
     unite(hierarchies, scratch);
-    set_blend(scratch, blend);
+    set_blend(scratch, keys.blend);
     return std::make_shared<const PreparedSurface>(prepared_surface(scratch));
 }
 
 }  // namespace
 
-UnionCache::Maker UnionCache::maker_of(BlendKind blend) {
-    return blend == BlendKind::straight ? prepared_union<BlendKind::straight>
-                                        : prepared_union<BlendKind::turning>;
-}
-
 UnionCache::UnionCache(std::size_t max_bytes, Maker maker)
     : max_bytes_(max_bytes),
-      maker_(maker != nullptr ? maker : maker_of(BlendKind::straight)),
+      maker_(maker != nullptr ? maker : prepared_union),
       worker_([this](const std::stop_token& stop) { work(stop); }) {}
 
 bool UnionCache::are_same(const Keys& a, const Keys& b) {
-    return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return x.is_same(y); });
+    return a.blend == b.blend &&
+           std::ranges::equal(a.hierarchies, b.hierarchies,
+                              [](const auto& x, const auto& y) { return x.is_same(y); });
 }
 
 UnionCache::Prepared UnionCache::find(const Keys& keys) {
@@ -89,7 +85,7 @@ UnionCache::Prepared UnionCache::peek(const Keys& keys) const {
 UnionCache::Result UnionCache::get_within(const Keys& keys, std::chrono::milliseconds longest) {
     std::unique_lock lock(mutex_);
     if (Prepared ready = find(keys)) {
-        urgent_.clear();
+        urgent_ = {};
         return {std::move(ready), true};
     }
     Prepared made;
@@ -100,7 +96,7 @@ UnionCache::Result UnionCache::get_within(const Keys& keys, std::chrono::millise
     urgent_ = keys;
     changed_.notify_all();
     if (!changed_.wait_for(lock, longest, has_ended)) return {nullptr, false};
-    urgent_.clear();
+    urgent_ = {};
     if (made == nullptr) std::rethrow_exception(std::exchange(fault_, {}).error);
     return {std::move(made), false};
 }
@@ -172,7 +168,7 @@ void UnionCache::work(const std::stop_token& stop) {
             if (error && is_urgent) fault_ = {in_progress_, error};
             if (united != nullptr && !has(in_progress_)) insert(in_progress_, std::move(united), is_urgent);
         }
-        in_progress_.clear();
+        in_progress_ = {};
         changed_.notify_all();
     }
 }

@@ -6,10 +6,12 @@
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
+#include <initializer_list>
 #include <list>
 #include <memory>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "family/blend_kind.h"
@@ -21,14 +23,21 @@ namespace interleaf {
 
 class UnionCache {
   public:
-    using Keys = std::vector<SharedHierarchy>;
+    /// The keys of a union, and how they blend.
+    struct Keys {
+        std::vector<SharedHierarchy> hierarchies;
+        BlendKind blend = BlendKind::straight;
+
+        Keys() = default;
+        Keys(std::initializer_list<SharedHierarchy> straight) : hierarchies(straight) {}
+        Keys(std::vector<SharedHierarchy> keys, BlendKind kind) : hierarchies(std::move(keys)), blend(kind) {}
+
+        bool empty() const { return hierarchies.empty(); }
+    };
     using Prepared = std::shared_ptr<const PreparedSurface>;
 
     /// Makes the union of \p keys. \p scratch keeps memory from one call to the next.
     using Maker = Prepared (*)(const Keys& keys, UnionMesh& scratch);
-
-    /// The maker of unions that blend in this way.
-    static Maker maker_of(BlendKind blend);
 
     static constexpr std::size_t usual_bytes = std::size_t{512} << 20;
 
@@ -39,8 +48,11 @@ class UnionCache {
 
     /// \param max_bytes  memory of all unions together; the least recently used ones go first. The last
     ///     returned union stays in any case.
-    /// \param maker  null for straight blends; a test passes a slow one
+    /// \param maker  null for the usual one; a test passes a slow one
     explicit UnionCache(std::size_t max_bytes = usual_bytes, Maker maker = nullptr);
+
+    /// Whether both are the same keys in the same order, and blend in the same way.
+    static bool are_same(const Keys& a, const Keys& b);
 
     /// The union of \p keys. Waits for the worker if it is making this union, and makes it otherwise.
     /// \throw what unite() throws
@@ -78,7 +90,6 @@ class UnionCache {
         std::size_t bytes;
     };
     using Entries = std::list<Entry>;  ///< the most recently used first
-    static bool are_same(const Keys& a, const Keys& b);
     Prepared find(const Keys& keys);
     Keys next_wanted();
     bool has(const Keys& keys) const;

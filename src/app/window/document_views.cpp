@@ -85,7 +85,10 @@ void DocumentViews::apply_to_inspection(const ViewInput& input, ViewerState& sta
 void DocumentViews::follow_inspection(ViewerState& state, const Rect& view) {
     if (std::exchange(state.inspects_middle, false))
         state.inspected = surface_.leaf_at({view.x + view.width / 2, view.y + view.height / 2}, view);
-    inspection_.follow(state);
+    Inspection::TurnedCorners turned;
+    if (surface_.shows_turning())
+        turned = [this](const NodePath& node) { return surface_.turned_corners(node); };
+    inspection_.follow(state, turned);
     const InspectedNode* const shown = inspection_.shown();
     const std::optional<NodePath> node = shown != nullptr ? std::optional(shown->node) : std::nullopt;
     if (std::exchange(placed_node_, node) == node || !node) return;

@@ -170,7 +170,7 @@ void SurfaceView::want_details(const Session& session) {
 /// Whether only the whole surface will do: for heights, for arrows, and for parts that turn.
 bool SurfaceView::needs_whole(const Session& session, std::span<const FamilyField> fields) const {
     const Display& display = session.display;
-    return session.family().blend == BlendKind::turning || warped_.is_warped() ||
+    return turns(session.family().blend, session.weights().size()) || warped_.is_warped() ||
            warp_of(display, fields, all_keys_.box) || shown_vector(display, fields);
 }
 
@@ -303,6 +303,17 @@ void SurfaceView::draw_outline(const NodePath& node, bool has_numbers, const Rec
     const OffscreenTarget& target = *picture_.target();
     const Outline outline = outline_.outline(position, camera_, {target.width(), target.height(), depths()});
     outline_mark(in_window(outline, {view.x, view.y}, gui.density()), view, has_numbers);
+}
+
+bool SurfaceView::shows_turning() const {
+    return !shows_view_ && !warped_.is_warped() && (surface_.figures().is_late || surface_.mesh().turning);
+}
+
+std::optional<std::array<glm::vec3, 3>> SurfaceView::turned_corners(const NodePath& node) {
+    if (surface_.figures().is_late) return std::nullopt;
+    outline_.follow(surface_.mesh(), {false, surface_.figures().rebuilds}, node);
+    const Buffer<glm::vec3> positions = blend_positions();
+    return outline_.corners([&](Index vertex) { return positions[vertex]; });
 }
 
 /// The depths of the picture, read once per drawing.

@@ -1,6 +1,7 @@
 // The surface of the document in the window: its camera, its picture, and the value under the pointer.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -78,6 +79,14 @@ class SurfaceView {
     /// Draws the outline of \p node over the picture of the last draw().
     /// \param has_numbers  whether its corners have their numbers
     void draw_outline(const NodePath& node, bool has_numbers, const Rect& view, const Gui& gui);
+
+    /// Whether parts turn on the surface that follow() has updated. A raised surface does not count: its positions
+    /// are no blend.
+    bool shows_turning() const;
+
+    /// The corners of \p node on this surface; none where it is late.
+    /// \pre shows_turning()
+    std::optional<std::array<glm::vec3, 3>> turned_corners(const NodePath& node);
 
     /// The leaf of the shown surface at \p pointer in \p view; none beside the surface.
     std::optional<NodePath> leaf_at(glm::vec2 pointer, const Rect& view) const;

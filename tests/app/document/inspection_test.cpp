@@ -72,6 +72,26 @@ TEST_CASE("the inspector shows in each active key what the union says about the 
     }
 }
 
+TEST_CASE("where parts turn, the inspector has the corners of the surface, and keeps them while it is late") {
+    const RandomFamily random = random_family(3, 3);
+    Family family = family_of(random);
+    family.blend = BlendKind::turning;
+    ViewerState state(std::move(family));
+    state.session.seek(0.25, 0);
+    state.inspected = NodePath{};
+    const std::array<glm::vec3, 3> turned = {glm::vec3(1, 2, 3), glm::vec3(4, 5, 6), glm::vec3(7, 8, 9)};
+    Inspection inspection;
+    inspection.follow(state, [&](const NodePath&) { return turned; });
+    REQUIRE(inspection.shown() != nullptr);
+    CHECK(inspection.shown()->blend == turned);
+    state.session.seek(0.5, 0);
+    inspection.follow(state, [](const NodePath&) { return std::nullopt; });
+    CHECK(inspection.shown()->blend == turned);
+    const std::array<glm::vec3, 3> next = {glm::vec3(1), glm::vec3(2), glm::vec3(3)};
+    inspection.follow(state, [&](const NodePath&) { return next; });
+    CHECK(inspection.shown()->blend == next);
+}
+
 TEST_CASE("the inspector steps through the union, follows the blend, and ends with the roots") {
     ViewerState state(family_of(random_family(7, 3)));
     Inspection inspection;

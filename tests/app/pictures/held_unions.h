@@ -18,9 +18,10 @@ inline UnionCache::Prepared union_when_released(const UnionCache::Keys& keys, Un
     for (int i = 0; i < 10'000 && unions_are_held; ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     std::vector<const Hierarchy*> hierarchies;
-    hierarchies.reserve(keys.size());
-    for (const SharedHierarchy& key : keys) hierarchies.push_back(&*key);
+    hierarchies.reserve(keys.hierarchies.size());
+    for (const SharedHierarchy& key : keys.hierarchies) hierarchies.push_back(&*key);
     unite(hierarchies, scratch);
+    set_blend(scratch, keys.blend);
     return std::make_shared<const PreparedSurface>(prepared_surface(scratch));
 }
 

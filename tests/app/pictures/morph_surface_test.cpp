@@ -98,6 +98,36 @@ TEST_CASE("a family whose parts turn is drawn turning, and straight again when i
     CHECK(surface.extent().box == straight.box);
 }
 
+TEST_CASE("parts begin to turn, and stop turning, without waiting for a union that is made") {
+    const EglContext context;
+    Family family = family_of(400);
+    const Weights weights{{0, 0.5}, {1, 0.5}};
+    MorphSurface surface(union_when_released);
+    surface.update(family, weights, nullptr);
+    unions_are_held = true;
+    family.blend = BlendKind::turning;
+    surface.update(family, weights, nullptr);
+    CHECK(surface.figures().is_late);
+    const auto begin = std::chrono::steady_clock::now();
+    family.blend = BlendKind::straight;
+    surface.update(family, weights, nullptr);
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(5));
+    CHECK_FALSE(surface.figures().is_late);
+    CHECK(surface.figures().rebuilds == 1);
+
+    unions_are_held = false;
+    family.blend = BlendKind::turning;
+    int late = 0;
+    for (surface.update(family, weights, nullptr); surface.figures().is_late;
+         surface.update(family, weights, nullptr))
+        REQUIRE(++late < 10'000);
+    CHECK(surface.mesh().turning);
+    family.blend = BlendKind::straight;
+    surface.update(family, weights, nullptr);
+    CHECK_FALSE(surface.figures().is_late);  // the straight union is still there
+    CHECK_FALSE(surface.mesh().turning);
+}
+
 TEST_CASE("a large union is sent in slices, ahead of its need or while the last surface stays") {
     const EglContext context;
     const Family family = family_of(120'000);

@@ -33,7 +33,7 @@ bool are_equal(const UnionMesh& a, const UnionMesh& b) {
 
 UnionMesh united(const UnionCache::Keys& keys) {
     std::vector<const Hierarchy*> pointers;
-    for (const SharedHierarchy& key : keys) pointers.push_back(&*key);
+    for (const SharedHierarchy& key : keys.hierarchies) pointers.push_back(&*key);
     return unite(pointers);
 }
 
@@ -51,6 +51,17 @@ TEST_CASE("the cache gives the union, waits for it once, and then has it") {
     CHECK(second.is_ready);
     CHECK(second.united == first.united);
     CHECK(cache.byte_count() == first.united->byte_count());
+}
+
+TEST_CASE("the same keys that blend in two ways have two unions, and the cache keeps both") {
+    const auto keys = some_keys();
+    UnionCache cache;
+    const UnionCache::Keys straight{keys[0], keys[1]};
+    const UnionCache::Keys turning({keys[0], keys[1]}, BlendKind::turning);
+    CHECK_FALSE(cache.get(straight).united->mesh.turning);
+    CHECK(cache.get(turning).united->mesh.turning);
+    CHECK(cache.get(straight).is_ready);
+    CHECK(cache.get(turning).is_ready);
 }
 
 TEST_CASE("a union that was made ahead is ready, and a replaced wish is not made") {
@@ -128,7 +139,8 @@ TEST_CASE("random requests, with and without the worker, always give the right u
     UnionCache cache(std::size_t{200} << 10);
     const auto some = [&] {
         UnionCache::Keys chosen;
-        for (std::size_t count = 1 + random() % 3; count > 0; --count) chosen.push_back(keys[random() % 4]);
+        for (std::size_t count = 1 + random() % 3; count > 0; --count)
+            chosen.hierarchies.push_back(keys[random() % 4]);
         return chosen;
     };
     for (int step = 0; step < 300; ++step) {
@@ -149,10 +161,6 @@ UnionCache::Prepared noted_union(const UnionCache::Keys& keys, UnionMesh& scratc
         begun.push_back(keys);
     }
     return union_when_released(keys, scratch);
-}
-
-bool are_of_same_keys(const UnionCache::Keys& a, const UnionCache::Keys& b) {
-    return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return x.is_same(y); });
 }
 
 }  // namespace
@@ -179,7 +187,7 @@ TEST_CASE("a slow union is not waited for, comes before all that are made ahead,
     cache.wait();
     // The worker may have begun the first of the others before.
     REQUIRE(begun.size() == 4);
-    CHECK((are_of_same_keys(begun[0], urgent) || are_of_same_keys(begun[1], urgent)));
+    CHECK((UnionCache::are_same(begun[0], urgent) || UnionCache::are_same(begun[1], urgent)));
 }
 
 TEST_CASE("a union that cannot be made fails for the one who waits for it, each time") {
