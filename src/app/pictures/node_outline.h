@@ -35,12 +35,12 @@ class NodeOutline {
 
     bool is_shown() const { return node_.has_value(); }
 
-    /// The outline in pixels.
     /// The corners of the node.
     /// \param positions  of the mesh of the last follow()
     /// \pre is_shown()
     std::array<glm::vec3, 3> corners(const Positions& positions) const;
 
+    /// The outline in pixels.
     /// \param positions  of the mesh of the last follow()
     /// \pre is_shown()
     Outline outline(const Positions& positions, const Camera& camera, const PictureDepths& picture) const;
