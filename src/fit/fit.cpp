@@ -309,25 +309,25 @@ std::optional<FittedKey> fit_continued(const CleanMesh& clean, const FittedKey& 
                                            options.matching.vertices, part_of(progress, 0, 0));
     stopwatch.lap("continuing the map");
     if (map.points.empty()) return std::nullopt;
-    double part = 0;
+    double end = 0;
     for (const double worst_shape : continued_shapes) {
-        const double end = part + judged_at / double(continued_shapes.size());
+        const double begin = end;
+        end += judged_at / double(continued_shapes.size());
         std::vector<glm::dvec3> points =
-            with_restored_shapes(map, worst_shape, part_of(progress, part, part));
+            with_restored_shapes(map, worst_shape, part_of(progress, begin, begin));
         stopwatch.lap("continuing the map");
         if (points.empty()) break;
         try {
             JudgedMap judged =
                 judge(std::make_unique<AlignedMap>(clean.mesh, map.mesh, std::move(points), false),
-                      options.roots, stopwatch, part_of(progress, part, end));
+                      options.roots, stopwatch, part_of(progress, begin, end));
             if (fault_of_match(judged, wanted, options.limits).empty())
                 return of_clean_mesh(
                     key_of(std::move(judged), options, nullptr, times, part_of(progress, judged_at, 1)),
                     clean);
         } catch (const InputError&) {
-            // No key within the tolerance, for example; more restored shapes may give one.
+            continue;  // no key within the tolerance, for example; more restored shapes may give one
         }
-        part = end;
     }
     return std::nullopt;
 }
