@@ -18,7 +18,8 @@
 namespace interleaf::testing {
 namespace {
 
-/// Random numbers that are the same with every standard library.
+/// Random numbers that are the same with every compiler and standard library: no expression draws twice, since C++
+/// leaves open which of two arguments is drawn first.
 class Draw {
   public:
     explicit Draw(std::uint64_t seed) : engine_(seed) {}
@@ -28,7 +29,10 @@ class Draw {
     }
     glm::dvec3 direction() {
         for (;;) {
-            const glm::dvec3 v(between(-1, 1), between(-1, 1), between(-1, 1));
+            const double z = between(-1, 1);
+            const double y = between(-1, 1);
+            const double x = between(-1, 1);
+            const glm::dvec3 v(x, y, z);
             const double squared = glm::dot(v, v);
             if (squared > 0.01 && squared < 1) return v / std::sqrt(squared);
         }
@@ -58,8 +62,11 @@ std::vector<Bump> drawn_bumps(Draw& draw) {
     constexpr std::size_t count = 6;
     std::vector<Bump> bumps;
     bumps.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
-        bumps.push_back({draw.direction(), draw.between(0.2, 0.8), draw.between(0.2, 0.4)});
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec3 at = draw.direction();
+        const double height = draw.between(0.2, 0.8);
+        bumps.push_back({at, height, draw.between(0.2, 0.4)});
+    }
     return bumps;
 }
 
@@ -76,7 +83,8 @@ double radius_at(std::span<const Bump> bumps, const glm::dvec3& u) {
 MappedMesh drawn_mesh(Draw& draw, std::span<const Bump> bumps, unsigned divisions) {
     MappedMesh body{icosphere(divisions), {}};
     const glm::dmat3 mesh_turn = draw.turn(1);
-    const glm::dvec3 pull = draw.between(0, 0.35) * draw.direction();
+    const glm::dvec3 pull_direction = draw.direction();
+    const glm::dvec3 pull = draw.between(0, 0.35) * pull_direction;
     for (glm::dvec3& position : body.mesh.positions) {
         body.points.push_back(glm::normalize(mesh_turn * position + pull));
         position = radius_at(bumps, body.points.back()) * body.points.back();
@@ -118,7 +126,8 @@ GeneratedPair generated_pair(std::uint64_t seed, unsigned divisions) {
     pair.first = drawn_mesh(draw, bumps, divisions - (is_first_finer ? 0U : 1U));
     pair.second = drawn_mesh(draw, bumps, divisions - (is_first_finer ? 1U : 0U));
     pair.places = pair.second.mesh.positions;
-    const glm::dmat3 pose = draw.between(0.5, 2) * draw.turn(sine_of_20_degrees);
+    const glm::dmat3 turn = draw.turn(sine_of_20_degrees);
+    const glm::dmat3 pose = draw.between(0.5, 2) * turn;
     for (glm::dvec3& position : pair.second.mesh.positions)
         position = pose * (draw.between(1 - noise, 1 + noise) * position);
     return pair;
