@@ -31,7 +31,7 @@ std::string_view name_of(Driver driver);
 
 class Session {
   public:
-    /// Starts paused at the begin of the timeline or the path that drives; without either, at the first vertex
+    /// Starts paused at the beginning of the timeline or the path that drives; without either, at the first vertex
     /// of the domain; without a domain, too, at the first key.
     /// \pre check(*family) finds nothing
     explicit Session(std::shared_ptr<const Family> family);
