@@ -69,6 +69,17 @@ void untangle_with(const SphereMesh& mesh, Relaxation& relaxation, std::vector<g
     }
 }
 
+void untangle_and_sweep(const SphereMesh& mesh, std::vector<glm::dvec3>& points, int sweeps,
+                        ProgressMeter& meter) {
+    const HalfEdgeMesh half_edges(static_cast<Index>(points.size()), mesh.triangles);
+    const std::vector<double> areas = solid_angles(mesh, points);
+    Relaxation relaxation(half_edges, mesh.positions, areas, points, Keeps::shapes);
+    relaxation.update_shapes(rest_blend);
+    for (const SphereLandmark& landmark : mesh.landmarks) relaxation.pin(landmark.vertex);
+    untangle_with(mesh, relaxation, points, meter);
+    if (sweeps > 0) relaxation.sweep(sweeps, meter);
+}
+
 }  // namespace
 
 std::vector<glm::dvec3> pull_back(const SphereMesh& body, const SphereMesh& model,
@@ -85,23 +96,12 @@ std::vector<glm::dvec3> pull_back(const SphereMesh& body, const SphereMesh& mode
         points.push_back(glm::normalize(place.of(std::span(model.triangles), std::span(model.points))));
     }
     for (const SphereLandmark& landmark : body.landmarks) points[landmark.vertex] = landmark.direction;
-    const HalfEdgeMesh half_edges(static_cast<Index>(points.size()), body.triangles);
-    const std::vector<double> areas = solid_angles(body, points);
-    Relaxation relaxation(half_edges, body.positions, areas, points, Keeps::shapes);
-    relaxation.update_shapes(rest_blend);
-    for (const SphereLandmark& landmark : body.landmarks) relaxation.pin(landmark.vertex);
-    untangle_with(body, relaxation, points, meter);
-    relaxation.sweep(last_sweeps, meter);
+    untangle_and_sweep(body, points, last_sweeps, meter);
     return points;
 }
 
 void untangle(const SphereMesh& mesh, std::vector<glm::dvec3>& points, ProgressMeter& meter) {
-    const HalfEdgeMesh half_edges(static_cast<Index>(points.size()), mesh.triangles);
-    const std::vector<double> areas = solid_angles(mesh, points);
-    Relaxation relaxation(half_edges, mesh.positions, areas, points, Keeps::shapes);
-    relaxation.update_shapes(rest_blend);
-    for (const SphereLandmark& landmark : mesh.landmarks) relaxation.pin(landmark.vertex);
-    untangle_with(mesh, relaxation, points, meter);
+    untangle_and_sweep(mesh, points, 0, meter);
 }
 
 }  // namespace interleaf
