@@ -54,8 +54,8 @@ constexpr std::size_t pair_index(std::size_t i, std::size_t j) {
 struct Turning::Parts {
     std::size_t first = 0;  ///< key that blends; pairs and weights count from it
     std::size_t pair_count = 0;
-    std::vector<glm::quat>
-        rotations;  ///< rotations[vertex * pair_count + pair_index(i, j)]: from key i to key j
+    /// rotations[vertex * pair_count + pair_index(i, j)] goes from key i to key j.
+    std::vector<glm::quat> rotations;
     std::vector<StiffEdge> edges;
     std::vector<Index> components;  ///< of each vertex
     std::vector<double> shares;     ///< of each vertex

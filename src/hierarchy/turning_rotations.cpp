@@ -30,8 +30,8 @@ Eigen::Vector3d edge_vector(std::span<const glm::vec3> positions, Index from, In
 /// The rotation R that maximizes the trace of R^T times \p agreement, the sum of (to)(from)^T.
 glm::dquat best_rotation(const Eigen::Matrix3d& agreement) {
     const Eigen::Matrix3d s = agreement.transpose();
-    Eigen::Matrix4d
-        n;  // symmetric; the best rotation (w, x, y, z) is its eigenvector of the largest eigenvalue
+    // Symmetric; the best rotation (w, x, y, z) is the eigenvector of the largest eigenvalue.
+    Eigen::Matrix4d n;
     n << s.trace(), s(1, 2) - s(2, 1), s(2, 0) - s(0, 2), s(0, 1) - s(1, 0),                   //
         s(1, 2) - s(2, 1), s(0, 0) - s(1, 1) - s(2, 2), s(0, 1) + s(1, 0), s(2, 0) + s(0, 2),  //
         s(2, 0) - s(0, 2), s(0, 1) + s(1, 0), s(1, 1) - s(0, 0) - s(2, 2), s(1, 2) + s(2, 1),  //
