@@ -7,7 +7,7 @@ layout(triangle_strip, max_vertices = 4) out;
 
 in Corner {
     vec3 position;
-    vec3 normal;
+    centroid vec3 normal;
 } corner[];
 
 out vec2 place;  // in the mark: -1 to 1 across, and along

@@ -9,11 +9,11 @@ in Surface {
 in Corner {
 #endif
     vec3 position;
-    vec3 normal;
+    centroid vec3 normal;
 #if FIELD == 1
-    float value;
+    centroid float value;
 #elif FIELD == 3
-    vec3 value;
+    centroid vec3 value;
 #endif
 #if CHECKER
     vec3 in_root;
@@ -68,10 +68,18 @@ vec3 direction(vec3 v) {
     return largest > 0.0 ? normalize(v / largest) : vec3(0.0);
 }
 
-// The normal that points towards the viewer.
+vec3 direction_to_viewer() {
+    bool is_perspective = projection[2][3] != 0.0;
+    return is_perspective ? normalize(-surface.position) : vec3(0.0, 0.0, 1.0);
+}
+
+// The normal on the side of the viewer. Along an outline the interpolated normal may point away from the viewer,
+// where the rim light would make bright specks: it is bent until it is perpendicular to the view.
 vec3 shading_normal() {
     vec3 face = cross(dFdx(surface.position), dFdy(surface.position));
-    vec3 smoothed = gl_FrontFacing ? surface.normal : -surface.normal;
+    vec3 smoothed = direction(gl_FrontFacing ? surface.normal : -surface.normal);
+    vec3 to_viewer = direction_to_viewer();
+    smoothed -= min(dot(smoothed, to_viewer), 0.0) * to_viewer;
     return direction(flat_shading || smoothed == vec3(0.0) ? face : smoothed);
 }
 
@@ -131,11 +139,6 @@ vec3 filmic(vec3 light) {
     const float shoulder = 0.45;
     const float above = 1.0 - shoulder;
     return mix(light, 1.0 - above * exp((shoulder - light) / above), step(shoulder, light));
-}
-
-vec3 direction_to_viewer() {
-    bool is_perspective = projection[2][3] != 0.0;
-    return is_perspective ? normalize(-surface.position) : vec3(0.0, 0.0, 1.0);
 }
 
 vec3 lit(vec3 albedo, vec3 normal) {

@@ -8,21 +8,21 @@ layout(triangle_strip, max_vertices = 3) out;
 
 in Corner {
     vec3 position;
-    vec3 normal;
+    centroid vec3 normal;
 #if FIELD == 1
-    float value;
+    centroid float value;
 #elif FIELD == 3
-    vec3 value;
+    centroid vec3 value;
 #endif
 } corner[];
 
 out Surface {
     vec3 position;
-    vec3 normal;
+    centroid vec3 normal;
 #if FIELD == 1
-    float value;
+    centroid float value;
 #elif FIELD == 3
-    vec3 value;
+    centroid vec3 value;
 #endif
 #if CHECKER
     vec3 in_root;

@@ -14,14 +14,15 @@ uniform float weights[KEY_COUNT];
 uniform samplerBuffer field_values;  // vertex after vertex, key after key; colors in linear light
 #endif
 
-// In the camera's coordinates. The normal is not normalized, so it interpolates by area and may be zero.
+// In the camera's coordinates. The normal is not normalized, so it interpolates by area and may be zero. Normal and
+// value are not extrapolated to the middle of a pixel that the triangle only touches.
 out Corner {
     vec3 position;
-    vec3 normal;
+    centroid vec3 normal;
 #if FIELD == 1
-    float value;
+    centroid float value;
 #elif FIELD == 3
-    vec3 value;
+    centroid vec3 value;
 #endif
 } corner;
 

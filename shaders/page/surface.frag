@@ -6,8 +6,8 @@ precision highp float;
 precision highp int;
 
 in vec3 place;
-in vec3 normal;
-in vec3 value;
+centroid in vec3 normal;
+centroid in vec3 value;
 in vec3 barycentric;
 flat in uint tag;
 
@@ -54,7 +54,9 @@ vec3 encoded(vec3 light) {
 }
 
 void main() {
-    vec3 smoothed = gl_FrontFacing ? normal : -normal;
+    vec3 smoothed = direction(gl_FrontFacing ? normal : -normal);
+    vec3 to_viewer = direction(-place);
+    smoothed -= min(dot(smoothed, to_viewer), 0.0) * to_viewer;  // along an outline it may point away
     vec3 face = cross(dFdx(place), dFdy(place));
     vec3 n = direction(smoothed == vec3(0.0) ? face : smoothed);
     vec3 base = vec3(0.67, 0.62, 0.55);
@@ -65,7 +67,7 @@ void main() {
                + vec3(0.18, 0.22, 0.29) * received(fill, 0.50, n)
                + vec3(0.42, 0.50, 0.62) * received(rim, 0.20, n)
                + mix(vec3(0.048), vec3(0.140, 0.155, 0.180), 0.5 + 0.5 * n.y);
-    vec3 half_way = direction(key + direction(-place));
+    vec3 half_way = direction(key + to_viewer);
     vec3 lit = filmic(base * light + 0.04 * pow(max(dot(n, half_way), 0.0), 32.0));
 
     vec3 across = dFdx(barycentric);

@@ -22,8 +22,8 @@ uniform mat4 view;
 uniform mat4 projection;
 
 out vec3 place;
-out vec3 normal;
-out vec3 value;
+centroid out vec3 normal;
+centroid out vec3 value;
 out vec3 barycentric;
 flat out uint tag;
 

@@ -63,6 +63,32 @@ void check_leaf_colors(const UnionMesh& mesh, const Camera& camera, const Pictur
 
 }  // namespace
 
+TEST_CASE("no shown normal points away from the viewer, also along the outline of a coarse surface") {
+    const EglContext context;
+    const TestSurface sphere = surface_of_shapes({"sphere"}, 80);
+    Renderer renderer;
+    renderer.upload(sphere.mesh, sphere.form);
+    OffscreenTarget target(320, 240, 1);
+    Camera camera = camera_on(sphere, target);
+    camera.set_projection(Projection::orthographic);
+    Display display;
+    display.material = Material::normals;
+    const Picture picture = take_picture(renderer, target, camera, one, display);
+    const Picture background = background_of(target);
+    // The material shows half the normal plus one half, to the power of 2.2.
+    const float perpendicular = std::pow(0.5F, 2.2F);
+    int covered = 0;
+    int away = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            if (picture.light(x, y) == background.light(x, y)) continue;
+            ++covered;
+            if (picture.light(x, y).b < perpendicular - 0.005F) ++away;
+        }
+    CHECK(covered > 10'000);
+    CHECK(away == 0);
+}
+
 TEST_CASE("a sphere covers the disc that geometry predicts, with and without multisampling") {
     const EglContext context;
     const TestSurface sphere = surface_of_shapes({"sphere"}, 20000);

@@ -19,17 +19,44 @@ namespace {
 /// How far a key moves the slider.
 constexpr float slider_step = 0.1F;
 
+/// How far a key turns a mesh, as a drag in heights of the picture does: 5 degrees.
+constexpr float turn_step = 5.0F / 180;
+
+/// How far a key moves a landmark, in heights of the picture.
+constexpr float move_step = 0.01F;
+
+constexpr float zoom_step = 1.12F;
+
 constexpr const char* hint =
     "Click a point, then its partner on the other mesh. Drag a number to move it, drag elsewhere to turn.";
 constexpr const char* keys_help =
     "Up, Down: select    F2: rename    Delete: remove    Ctrl+Z, Ctrl+Y: undo, redo\n"
-    "Left, Right: choose a mesh    N: next proposal    Space: accept it\n"
+    "Left, Right: choose a picture    Page Up, Page Down: show another mesh on the right\n"
+    "N: next proposal    Space: accept it    Insert: set a point in the middle of the picture\n"
+    "Shift + arrows: turn    Ctrl + arrows: move the selected point    Ctrl + -, +: zoom\n"
     "S: swap sides    C: checker    T: turn together    -, +: move the blend\n"
     "Ctrl+O, Ctrl+S: load or save landmarks of the mesh\n"
     "Enter: use the landmarks    Esc: leave them as they were";
 
 float column_width(float window_width) {
     return std::clamp(0.25F * window_width, scaled(196), scaled(300));
+}
+
+/// The arrow keys that were just pressed, x to the right, y down.
+glm::vec2 pressed_arrows(KeyRepeat repeat) {
+    const auto along = [&](int back, int forth) {
+        return (is_key_pressed(forth, repeat) ? 1.0F : 0.0F) - (is_key_pressed(back, repeat) ? 1.0F : 0.0F);
+    };
+    return {along(GLFW_KEY_LEFT, GLFW_KEY_RIGHT), along(GLFW_KEY_UP, GLFW_KEY_DOWN)};
+}
+
+/// 1 if plus was just pressed, -1 if minus was, on the main keyboard or the keypad.
+float pressed_sign() {
+    const auto is_either_pressed = [](int key, int keypad) {
+        return is_key_pressed(key, KeyRepeat::yes) || is_key_pressed(keypad, KeyRepeat::yes);
+    };
+    return (is_either_pressed(GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD) ? 1.0F : 0.0F) -
+           (is_either_pressed(GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT) ? 1.0F : 0.0F);
 }
 
 /// A button that is dimmed, and does nothing, unless \p is_enabled.
@@ -59,7 +86,8 @@ LandmarkDialogResult LandmarkDialog::show(const Rect& area, const LandmarkDialog
     LandmarkDialogResult result;
     if (!is_open_) return result;
     if (begin_modal("landmarks", area, {area.width, area.height})) {
-        if (!std::exchange(is_new_, false)) read_keys(shown, result);
+        const bool is_new = std::exchange(is_new_, false);
+        if (!is_new) read_keys(shown, result);
         const glm::vec2 room = from_imgui(ImGui::GetContentRegionAvail());
         const float gap = ImGui::GetStyle().ItemSpacing.x;
         const float column = column_width(room.x);
@@ -74,6 +102,8 @@ LandmarkDialogResult LandmarkDialog::show(const Rect& area, const LandmarkDialog
             if (result.sides[side].is_any()) edits_name_ = false;
             ImGui::SameLine();
         }
+        if (!is_new && !edits_name_ && !result.sides[side_].is_any())
+            result.sides[side_] = read_picture_keys(shown.sides[side_]);
         ImGui::PushStyleColor(ImGuiCol_ChildBg, IM_COL32(0, 0, 0, 0));
         ImGui::BeginChild("column", {column, side_size_.y}, false, ImGuiWindowFlags_NoNav);
         show_column(shown, result);
@@ -108,23 +138,38 @@ void LandmarkDialog::read_keys(const LandmarkDialogShown& shown, LandmarkDialogR
     if (is_key_pressed(GLFW_KEY_DELETE) || is_key_pressed(GLFW_KEY_BACKSPACE)) result.removes = true;
     if (is_key_pressed(GLFW_KEY_F2)) edits_name_ = shown.selected.has_value();
     const std::size_t count = shown.rows.size();
-    if (count > 0 && is_key_pressed(GLFW_KEY_DOWN, KeyRepeat::yes))
-        result.selected = shown.selected ? (*shown.selected + 1) % count : 0;
-    if (count > 0 && is_key_pressed(GLFW_KEY_UP, KeyRepeat::yes))
+    const glm::vec2 arrows = ImGui::GetIO().KeyShift ? glm::vec2(0) : pressed_arrows(KeyRepeat::yes);
+    if (count > 0 && arrows.y > 0) result.selected = shown.selected ? (*shown.selected + 1) % count : 0;
+    if (count > 0 && arrows.y < 0)
         result.selected = shown.selected ? (*shown.selected + count - 1) % count : count - 1;
-    if (is_key_pressed(GLFW_KEY_LEFT)) result.side = side_ = 0;
-    if (is_key_pressed(GLFW_KEY_RIGHT)) result.side = side_ = 1;
+    if (arrows.x != 0) result.side = side_ = arrows.x > 0 ? 1 : 0;
+    const std::size_t others = shown.others.size();
+    if (others > 1 && is_key_pressed(GLFW_KEY_PAGE_DOWN)) result.other = (shown.other + 1) % others;
+    if (others > 1 && is_key_pressed(GLFW_KEY_PAGE_UP)) result.other = (shown.other + others - 1) % others;
     if (is_key_pressed(GLFW_KEY_N, KeyRepeat::yes)) result.steps_proposal = ImGui::GetIO().KeyShift ? -1 : 1;
     if (is_key_pressed(GLFW_KEY_SPACE)) result.accepts_proposal = true;
     if (is_key_pressed(GLFW_KEY_S)) result.swaps = shown.can_swap;
     if (is_key_pressed(GLFW_KEY_C)) has_checker_ = !has_checker_;
     if (is_key_pressed(GLFW_KEY_T)) turns_together_ = !turns_together_;
-    const bool is_less = is_key_pressed(GLFW_KEY_MINUS, KeyRepeat::yes) ||
-                         is_key_pressed(GLFW_KEY_KP_SUBTRACT, KeyRepeat::yes);
-    const bool is_more =
-        is_key_pressed(GLFW_KEY_EQUAL, KeyRepeat::yes) || is_key_pressed(GLFW_KEY_KP_ADD, KeyRepeat::yes);
-    if (is_less) blend_ = std::max(blend_ - slider_step, 0.0F);
-    if (is_more) blend_ = std::min(blend_ + slider_step, 1.0F);
+    blend_ = std::clamp(blend_ + slider_step * pressed_sign(), 0.0F, 1.0F);
+}
+
+/// What the keyboard does in \p picture, as if the mouse did it there.
+LandmarkPictureInput LandmarkDialog::read_picture_keys(const LandmarkPictureShown& picture) const {
+    LandmarkPictureInput input;
+    input.pointer = glm::vec2(0.5F);
+    const ImGuiIO& io = ImGui::GetIO();
+    if (is_key_pressed(GLFW_KEY_INSERT)) input.is_clicked = true;
+    const glm::vec2 arrows = pressed_arrows(KeyRepeat::yes);
+    if (io.KeyShift) input.orbit = turn_step * arrows;
+    if (!io.KeyCtrl) return input;
+    input.zoom = std::pow(zoom_step, pressed_sign());
+    const auto mark = std::ranges::find_if(picture.marks, &LandmarkMark::is_selected);
+    if (arrows == glm::vec2(0) || mark == picture.marks.end() || mark->is_hidden) return input;
+    input.dragged = mark->index;
+    input.drag_begins = pressed_arrows(KeyRepeat::no) != glm::vec2(0);
+    input.pointer = mark->place + move_step * arrows / glm::vec2(side_size_.x / side_size_.y, 1);
+    return input;
 }
 
 // ---- the column ----

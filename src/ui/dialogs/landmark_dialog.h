@@ -81,6 +81,7 @@ class LandmarkDialog {
 
   private:
     void read_keys(const LandmarkDialogShown& shown, LandmarkDialogResult& result);
+    LandmarkPictureInput read_picture_keys(const LandmarkPictureShown& picture) const;
     void show_column(const LandmarkDialogShown& shown, LandmarkDialogResult& result);
     void show_rows(const LandmarkDialogShown& shown, LandmarkDialogResult& result, float height);
     void show_name(const LandmarkDialogShown& shown, LandmarkDialogResult& result);
