@@ -27,6 +27,8 @@ struct LevelRange {
 
     /// The place of each level in the color map, ascending from 0 to 1; even steps if there are none.
     std::vector<float> places{};
+
+    bool operator==(const LevelRange&) const = default;
 };
 
 /// The places of levels in the color map, from the number of leaves of each level.

@@ -85,11 +85,19 @@ void BlendPainter::draw_surface(const Weights& weights, const Camera& camera) {
     occlusion_.darken(target_, camera, display_.occlusion_strength());
 }
 
+/// The legend of the union, if the display asks for one and has one.
+std::optional<PictureLegend> BlendPainter::legend_of_union() const {
+    if (!display_.legend || !has_picture_legend(display_, fields_)) return std::nullopt;
+    std::vector<std::string> names;
+    for (const Key& key : family_.keys) names.push_back(key.name);
+    return picture_legend(display_, fields_, names, keys_, mesh_);
+}
+
 std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Camera& camera) {
     unite_keys(weights);
     const int width = target_.width();
     const int height = target_.height();
-    const auto legend = display_.legend ? picture_legend(display_, fields_) : std::nullopt;
+    const std::optional<PictureLegend> legend = legend_of_union();
     Camera beside_legend = camera;
     if (legend) beside_legend.show_in_left(1 - legend_part(width, height, *legend));
     draw_surface(weights, beside_legend);

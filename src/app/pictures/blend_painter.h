@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/pictures/picture_legend.h"
 #include "app/pictures/vector_arrows.h"
 #include "app/pictures/warped_family.h"
 #include "family/family.h"
@@ -44,6 +45,7 @@ class BlendPainter {
     void unite_keys(const Weights& weights);
     void draw_surface(const Weights& weights, const Camera& camera);
     const FamilyField* shown() const;
+    std::optional<PictureLegend> legend_of_union() const;
 
     const Family& family_;
     std::vector<FamilyField> fields_;

@@ -1,26 +1,49 @@
-// The legend in pictures and films that are written to files: the colors of the shown scalar with numbers, below a
-// title of its name and unit.
+// The legend in pictures and films that are written to files: what their colors mean, below a title. It is a bar with
+// numbers for values and levels, else a list. Within a film it keeps its width, so that the surface stays in its place.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
+#include <variant>
+#include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "family/family_fields.h"
+#include "hierarchy/union_mesh.h"
 #include "render/color_map.h"
 #include "render/display.h"
+#include "render/palette.h"
 
 namespace interleaf {
 
+/// A color and what it means.
+struct LegendEntry {
+    glm::vec3 color;  ///< sRGB-encoded
+    std::string text;
+    bool operator==(const LegendEntry&) const = default;
+};
+
 struct PictureLegend {
     std::string title;  ///< "speed (m/s)"
-    ColorScale scale;
+    std::variant<ColorScale, LevelRange, std::vector<LegendEntry>> colors;
+    bool is_light = false;  ///< dark text on light ground
     bool operator==(const PictureLegend&) const = default;
 };
 
-/// The legend of the scalar that \p display shows; none if it shows none.
-std::optional<PictureLegend> picture_legend(const Display& display, std::span<const FamilyField> fields);
+/// Whether the colors of \p display have a legend.
+bool has_picture_legend(const Display& display, std::span<const FamilyField> fields);
+
+/// The legend of \p display.
+/// \param names  of all keys of the family
+/// \param keys   the active ones
+/// \param mesh   their union
+/// \pre has_picture_legend()
+PictureLegend picture_legend(const Display& display, std::span<const FamilyField> fields,
+                             std::span<const std::string> names, std::span<const std::size_t> keys,
+                             const UnionMesh& mesh);
 
 /// The part of the picture's width, from its right side, in which draw_legend() draws; 0 if it draws nothing.
 float legend_part(int width, int height, const PictureLegend& legend);

@@ -53,7 +53,7 @@ void FilmExport::offer(std::filesystem::path file, std::shared_ptr<const Family>
     preview_fault_.clear();
     preview_ = {};
     dialog_.open(first_choices(session, format == nullptr ? std::optional(view_size) : std::nullopt));
-    has_scale_ = picture_legend(session.display, fields_of(*family)).has_value();
+    has_legend_ = has_picture_legend(session.display, fields_of(*family));
     offer_.emplace(Offer{std::move(file), format, std::move(family), session, camera});
 }
 
@@ -70,7 +70,7 @@ void FilmExport::show(const Rect& area, double now) {
                                  name_of_film(offer_->file)),
             .detail = is_sound ? detail_of(planned, offer_->format != nullptr) : "",
             .is_film = offer_->format != nullptr,
-            .shows_scale = has_scale_,
+            .offers_legend = has_legend_,
             .shows_edges = offer_->session.display.wireframe || offer_->session.display.refinement_edges ||
                            offer_->session.display.root_edges,
             .preview = preview_.name(),

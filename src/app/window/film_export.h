@@ -89,7 +89,7 @@ class FilmExport {
     std::optional<Message> end_work(double now);
 
     std::optional<Offer> offer_;
-    bool has_scale_ = false;  ///< whether the colors of the offer have a scale
+    bool has_legend_ = false;  ///< whether the colors of the offer have one
     FilmDialog dialog_;
     std::optional<bool> answer_;  ///< kept for update()
     std::optional<PreviewOf> preview_of_;

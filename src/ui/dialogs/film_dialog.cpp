@@ -57,8 +57,8 @@ constexpr CheckRow check_rows[] = {
     {"Edges, as the window shows them",
      "Draw the wireframe, the refinement edges and the root edges that are switched on",
      &FilmChoices::has_edges, RowOf::picture},
-    {"Legend of the colors", "Draw the name, the unit and the scale of the shown field at the right side",
-     &FilmChoices::has_legend, RowOf::both}};
+    {"Legend of the colors", "Draw at the right side what the colors mean", &FilmChoices::has_legend,
+     RowOf::both}};
 constexpr std::string_view row_names[] = {"size", "scale",       "rate",  "begin",  "end",  "turn",
                                           "loop", "transparent", "edges", "legend", "make", "cancel"};
 constexpr std::size_t first_check_row = std::size(text_rows);
@@ -72,7 +72,7 @@ static_assert(cancel_row + 1 == std::size(row_names));
 bool is_row_of(std::size_t row, const FilmOfferShown& shown) {
     if (row >= make_row) return true;
     if (row == edges_row && !shown.shows_edges) return false;
-    if (row == legend_row && !shown.shows_scale) return false;
+    if (row == legend_row && !shown.offers_legend) return false;
     const RowOf of = row < first_check_row ? text_rows[row].of : check_rows[row - first_check_row].of;
     return of == RowOf::both || (of == RowOf::film) == shown.is_film;
 }

@@ -26,17 +26,17 @@ struct FilmChoices {
     bool is_loop = false;
     bool is_transparent = false;  ///< a picture without background
     bool has_edges = true;        ///< a picture with the edges that the window shows
-    bool has_legend = true;       ///< with the scale of the colors, if they have one
+    bool has_legend = true;       ///< of the colors, if they have one
 };
 
 struct FilmOfferShown {
-    std::string title;         ///< "Film spin.mp4"
-    std::string detail;        ///< "301 frames, 10 s"
-    bool is_film = true;       ///< whether it has times; if not, it is a single picture
-    bool shows_scale = false;  ///< whether colors have a scale, so that the frames can have its legend
-    bool shows_edges = false;  ///< whether the window shows edges, so that a picture can leave them out
-    unsigned preview = 0;      ///< OpenGL name of the texture of the first frame; 0 for none
-    float aspect = 16 / 9.F;   ///< width / height of the frames
+    std::string title;           ///< "Film spin.mp4"
+    std::string detail;          ///< "301 frames, 10 s"
+    bool is_film = true;         ///< whether it has times; if not, it is a single picture
+    bool offers_legend = false;  ///< whether the colors have one
+    bool shows_edges = false;    ///< whether the window shows edges, so that a picture can leave them out
+    unsigned preview = 0;        ///< OpenGL name of the texture of the first frame; 0 for none
+    float aspect = 16 / 9.F;     ///< width / height of the frames
     std::string fault;  ///< what is wrong with the choices, so that nothing can be made; "" if nothing is
 };
 

@@ -13,6 +13,7 @@
 #include "ui/panels/field_panel.h"
 #include "ui/widgets/choice.h"
 #include "ui/widgets/command_keys.h"
+#include "ui/widgets/legend_text.h"
 #include "ui/widgets/scale_legend.h"
 #include "ui/widgets/section.h"
 #include "ui/widgets/short_name.h"
@@ -131,16 +132,6 @@ std::size_t lines_in_view() {
     return static_cast<std::size_t>(std::max(lines, 0.0F));
 }
 
-std::string origin_name(KeySet origin, const Legend& legend) {
-    std::string name;
-    for (std::size_t i = 0; i < legend.active_names.size(); ++i) {
-        if ((origin & key_bit(i)) == 0) continue;
-        if (!name.empty()) name += " + ";
-        name += legend.active_names[i];
-    }
-    return name;
-}
-
 /// One row of the legend. A long name is cut; the tooltip has all of it.
 void origin_row(KeySet origin, const Legend& legend, float width) {
     const float swatch = scaled(10);
@@ -150,7 +141,7 @@ void origin_row(KeySet origin, const Legend& legend, float width) {
     const float top = corner.y + std::round((height - swatch) / 2);
     ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + swatch, top + swatch},
                                               to_color(origin_color(origin, legend.active_keys)), scaled(2));
-    const std::string name = origin_name(origin, legend);
+    const std::string name = origin_name(origin, legend.active_names);
     draw_text({corner.x + indent, corner.y}, width - indent, colors::text, shortened(name, width - indent));
     ImGui::Dummy({width, height});
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Leaves that are bisected this far in %s", name.c_str());
@@ -163,7 +154,7 @@ void other_origins(std::span<const KeySet> origins, const Legend& legend) {
     if (!ImGui::IsItemHovered()) return;
     std::string names;
     for (const KeySet origin : origins.first(std::min(origins.size(), max_named)))
-        names += fmt::format("{}{}", names.empty() ? "" : "\n", origin_name(origin, legend));
+        names += fmt::format("{}{}", names.empty() ? "" : "\n", origin_name(origin, legend.active_names));
     ImGui::SetTooltip("%s%s", names.c_str(), origins.size() > max_named ? "\n…" : "");
 }
 
@@ -189,24 +180,9 @@ void origin_legend(const Legend& legend) {
 
 /// The shares that occur on the surface.
 void common_legend(const Legend& legend) {
-    struct Row {
-        Share share;
-        const char* text;
-        const char* tooltip;
-    };
-    static constexpr std::array<Row, 3> rows = {{
-        {Share::all, "in all active keys",
-         "The common complex: the leaves that are nodes in every active key."},
-        {Share::some, "in some of them", "Several active keys bisect this far, but not all."},
-        {Share::one, "in one of them", "A single active key bisects this far."},
-    }};
     ImGui::PushFont(small_font());
-    for (const auto& [share, text, tooltip] : rows) {
-        const auto has_share = [&](KeySet origin) {
-            return share_of(origin, legend.active_keys.size()) == share;
-        };
-        if (std::ranges::any_of(legend.origins, has_share)) swatch_row(common_color(share), text, tooltip);
-    }
+    for (const auto& [share, text, explanation] : share_meanings(legend.origins, legend.active_keys.size()))
+        swatch_row(common_color(share), text, explanation);
     ImGui::PopFont();
 }
 

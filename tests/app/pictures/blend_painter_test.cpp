@@ -54,7 +54,7 @@ TEST_CASE("the legend does not cover the surface, in pictures of any shape") {
                         3];
         };
         // The box of the legend is the only thing in its column that is seen, and partly transparent at its border.
-        const PictureLegend legend{"height", {.range = {-1, 1}}};
+        const PictureLegend legend{.title = "height", .colors = ColorScale{.range = {-1, 1}}};
         const int first =
             width - static_cast<int>(legend_part(width, height, legend) * static_cast<float>(width));
         std::size_t opaque_at_border = 0;

@@ -2,13 +2,17 @@
 #include "app/pictures/picture_legend.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include <doctest/doctest.h>
 
 #include "app/pictures/picture_arrows.h"
 #include "app/pictures/pixel_canvas.h"
+#include "app/sample_family.h"
 
 using namespace interleaf;
 
@@ -48,22 +52,96 @@ TEST_CASE("the legend has the title and the scale of the shown scalar, and color
         {.label = {"c", FieldKind::color}}};
     Display display;
     display.field = "T";
-    CHECK_FALSE(picture_legend(display, fields));
+    CHECK_FALSE(has_picture_legend(display, fields));
     display.coloring = Coloring::field;
-    REQUIRE(picture_legend(display, fields));
-    CHECK(picture_legend(display, fields)->title == "T (K)");
+    REQUIRE(has_picture_legend(display, fields));
+    CHECK(picture_legend(display, fields, {}, {}, {}).title == "T (K)");
     display.field = "c";
-    CHECK_FALSE(picture_legend(display, fields));
+    CHECK_FALSE(has_picture_legend(display, fields));
+}
+
+TEST_CASE("every coloring but plain and checker has a legend that says what its colors mean") {
+    const Family family = sample_family();
+    const UnionMesh mesh = unite(family, {{0, 0.5}, {2, 0.5}});
+    const std::vector<std::string> names = {"first", "second", "third"};
+    const std::vector<std::size_t> keys = {0, 2};
+    Display display;
+    for (const Coloring coloring : colorings(false)) {
+        display.coloring = coloring;
+        const bool is_without = coloring == Coloring::plain || coloring == Coloring::checker;
+        CHECK(has_picture_legend(display, {}) != is_without);
+        if (is_without) continue;
+        const PictureLegend legend = picture_legend(display, {}, names, keys, mesh);
+        CHECK_FALSE(legend.title.empty());
+        FlatPicture picture(640, 360);
+        draw_legend(picture.rgba, picture.width, picture.height, legend);
+        CHECK(picture.changed(0, 320) == 0);
+        CHECK(picture.changed(320, 640) > 500);
+    }
+    display.coloring = Coloring::origin;
+    const PictureLegend origins = picture_legend(display, {}, names, keys, mesh);
+    const auto& entries = std::get<std::vector<LegendEntry>>(origins.colors);
+    REQUIRE(entries.size() == origins_of(mesh).size());
+    CHECK(entries.back() == LegendEntry{origin_color(3, keys), "first + third"});
+    display.coloring = Coloring::level;
+    CHECK(std::get<LevelRange>(picture_legend(display, {}, names, keys, mesh).colors) == level_range(mesh));
+    display.coloring = Coloring::common;
+    const PictureLegend common = picture_legend(display, {}, names, keys, mesh);
+    CHECK(std::get<std::vector<LegendEntry>>(common.colors).front().text == "in all active keys");
+}
+
+TEST_CASE("a list keeps its width, and shows as many of its entries as there is room for") {
+    const auto list_of = [](std::size_t count) {
+        PictureLegend legend{.title = "Bisected this far in", .colors = std::vector<LegendEntry>()};
+        auto& entries = std::get<std::vector<LegendEntry>>(legend.colors);
+        for (std::size_t n = 0; n < count; ++n) entries.push_back({{1, 0, 0}, std::string(n + 1, 'w')});
+        return legend;
+    };
+    const auto reds = [](const FlatPicture& picture) {
+        int count = 0;
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x) {
+                const std::uint8_t* const pixel = picture.at(x, y);
+                count += pixel[0] == 255 && pixel[1] == 0 ? 1 : 0;
+            }
+        return count;
+    };
+    std::array<int, 3> red{};
+    for (std::size_t n = 0; n < 3; ++n) {
+        const PictureLegend legend = list_of(std::array<std::size_t, 3>{1, 4, 500}[n]);
+        CHECK(legend_part(640, 360, legend) == legend_part(640, 360, list_of(2)));
+        FlatPicture picture(640, 360);
+        draw_legend(picture.rgba, picture.width, picture.height, legend);
+        red[n] = reds(picture);
+    }
+    CHECK(red[0] > 20);
+    CHECK(red[1] == 4 * red[0]);
+    CHECK(red[2] > 5 * red[0]);
+    CHECK(red[2] < 20 * red[0]);
+}
+
+TEST_CASE("a light picture has a light legend") {
+    PictureLegend legend{.title = "Level", .colors = LevelRange{.min = 0, .max = 30}};
+    const auto mean = [&] {
+        FlatPicture picture(640, 360);
+        draw_legend(picture.rgba, picture.width, picture.height, legend);
+        const int x = 640 - static_cast<int>(640 * legend_part(640, 360, legend));
+        return int(picture.at(x + 4, 180)[0]);
+    };
+    CHECK(mean() < 40);
+    legend.is_light = true;
+    CHECK(mean() > 150);
 }
 
 TEST_CASE("the legend shows all colors of its scale, at the right side of the picture alone") {
-    const PictureLegend legend{"speed (m/s)", {.map = ColorMap::viridis, .range = {0, 1}}};
+    const ColorScale scale{.map = ColorMap::viridis, .range = {0, 1}};
+    const PictureLegend legend{.title = "speed (m/s)", .colors = scale};
     FlatPicture picture(640, 360);
     draw_legend(picture.rgba, picture.width, picture.height, legend);
     CHECK(picture.changed(0, 480) == 0);
     CHECK(picture.changed(480, 640) > 2000);
     for (const float value : {0.02F, 0.5F, 0.98F}) {
-        const glm::vec3 color = 255.0F * legend.scale.color(value);
+        const glm::vec3 color = 255.0F * scale.color(value);
         bool is_there = false;
         for (int y = 0; y < picture.height; ++y)
             for (int x = 480; x < picture.width; ++x) {
@@ -77,7 +155,8 @@ TEST_CASE("the legend shows all colors of its scale, at the right side of the pi
 }
 
 TEST_CASE("legends of any picture stay inside it, and a picture that is too small gets none") {
-    const PictureLegend legend{std::string(300, 'w'), {.range = {-1e30F, 1e30F}, .offset = 1e38}};
+    const PictureLegend legend{.title = std::string(300, 'w'),
+                               .colors = ColorScale{.range = {-1e30F, 1e30F}, .offset = 1e38}};
     for (const auto& [width, height] :
          {std::pair{1, 1}, {40, 300}, {300, 40}, {200, 150}, {2000, 120}, {120, 2000}}) {
         FlatPicture picture(width, height);
