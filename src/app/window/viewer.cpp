@@ -247,9 +247,8 @@ bool Viewer::has_keyboard() const {
 void Viewer::update(const FrameInput& input, double now) {
     state_.session.advance(now);
     apply_actions(input.actions, now);
-    for (const Shortcut shortcut : input.pressed)
-        if (!belongs_to_domain(shortcut, state_) && !belongs_to_brush(shortcut, state_))
-            run_command(*input_.shortcuts.find(shortcut), state_, now);
+    input_.pressed = run_pressed(input.pressed, input_.shortcuts, state_, now);
+    if (!input_.pressed.empty()) redraw_.settle();
     if (const auto file = search_.act(state_, now)) files_.open_recent(*file);
     if (gui_.panel_keys().step(std::exchange(state_.panel_step, 0))) redraw_.settle();
     update_files(input, now);

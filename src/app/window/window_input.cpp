@@ -24,6 +24,16 @@ void add_press(std::vector<int>& keys, int key, int modifiers) {
     keys.push_back(key);
 }
 
+/// Whether a question or a dialog is to open, which may be about a key of the present document.
+bool asks(const ViewerState& state) {
+    return state.question.has_value() || state.file_wish != FileWish::none || state.film_wish.has_value();
+}
+
+/// Whether a menu or a search field is to open, which takes the keys that follow.
+bool opens_field(const ViewerState& state) {
+    return state.search_wanted || state.find_wanted || state.menu_wanted;
+}
+
 }  // namespace
 
 GLFWwindow* watch_input(GLFWwindow* window, WindowInput& input) {
@@ -105,6 +115,18 @@ bool belongs_to_brush(Shortcut shortcut, const ViewerState& state) {
     const bool is_bracket =
         shortcut.keyboard_key == GLFW_KEY_LEFT_BRACKET || shortcut.keyboard_key == GLFW_KEY_RIGHT_BRACKET;
     return is_bracket && (shortcut.modifiers & ~GLFW_MOD_SHIFT) == 0 && brushed_key(state).has_value();
+}
+
+std::vector<Shortcut> run_pressed(std::span<const Shortcut> pressed, const Shortcuts& shortcuts,
+                                  ViewerState& state, double now) {
+    for (auto next = pressed.begin(); next != pressed.end(); ++next) {
+        if (asks(state)) return {next, pressed.end()};
+        if (belongs_to_domain(*next, state) || belongs_to_brush(*next, state)) continue;
+        const bool was_opening = opens_field(state);
+        run_command(*shortcuts.find(*next), state, now);
+        if (!was_opening && opens_field(state)) return {next + 1, pressed.end()};
+    }
+    return {};
 }
 
 }  // namespace interleaf

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "app/window/commands.h"
@@ -38,5 +39,11 @@ bool belongs_to_domain(Shortcut shortcut, const ViewerState& state);
 
 /// Whether the brush reads \p shortcut: [ and ], while it is in use.
 bool belongs_to_brush(Shortcut shortcut, const ViewerState& state);
+
+/// Runs the commands of \p pressed in their order, up to one that asks something or opens a menu or a search field: what
+/// is pressed after it is not for the document. During a slow frame, many keys are pressed.
+/// \return the shortcuts after that command, for the next frame
+std::vector<Shortcut> run_pressed(std::span<const Shortcut> pressed, const Shortcuts& shortcuts,
+                                  ViewerState& state, double now);
 
 }  // namespace interleaf
