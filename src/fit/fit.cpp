@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -303,10 +304,15 @@ std::optional<FittedKey> fit_continued(const CleanMesh& clean, const FittedKey& 
                                        const Progress& progress) {
     check_options(options);
     require_wanted(clean.report, options);
+    double reached = 0;
+    const Progress onward = [&](std::string_view stage, double part) {
+        reached = std::max(reached, part);  // a failed attempt may have come further than the next one begins
+        return !progress || progress(stage, reached);
+    };
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
     const ContinuedMap map = continued_map(before.mapped_mesh(), before.points, clean.mesh,
-                                           options.matching.vertices, part_of(progress, 0, 0));
+                                           options.matching.vertices, part_of(onward, 0, 0));
     stopwatch.lap("continuing the map");
     if (map.points.empty()) return std::nullopt;
     double end = 0;
@@ -314,17 +320,16 @@ std::optional<FittedKey> fit_continued(const CleanMesh& clean, const FittedKey& 
         const double begin = end;
         end += judged_at / double(continued_shapes.size());
         std::vector<glm::dvec3> points =
-            with_restored_shapes(map, worst_shape, part_of(progress, begin, begin));
+            with_restored_shapes(map, worst_shape, part_of(onward, begin, begin));
         stopwatch.lap("continuing the map");
         if (points.empty()) break;
         try {
             JudgedMap judged =
                 judge(std::make_unique<AlignedMap>(clean.mesh, map.mesh, std::move(points), false),
-                      options.roots, stopwatch, part_of(progress, begin, end));
+                      options.roots, stopwatch, part_of(onward, begin, end));
             if (fault_of_match(judged, wanted, options.limits).empty())
                 return of_clean_mesh(
-                    key_of(std::move(judged), options, nullptr, times, part_of(progress, judged_at, 1)),
-                    clean);
+                    key_of(std::move(judged), options, nullptr, times, part_of(onward, judged_at, 1)), clean);
         } catch (const InputError&) {
             continue;  // no key within the tolerance, for example; more restored shapes may give one
         }

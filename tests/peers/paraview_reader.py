@@ -1,8 +1,9 @@
-"""Run by ParaView's pvpython: interpolates between the files of a .pvd.
+"""Run by ParaView's pvpython: interpolates between the files of a .pvd, or steps through them.
 
 usage: pvpython paraview_reader.py JOB.json
 
-The job and the output are those of vtk_reader.py.
+The job and the output are those of vtk_reader.py. With `steps`, the times are those that the reader finds in the
+file, and each output has its `time`.
 """
 
 import json
@@ -11,7 +12,7 @@ from pathlib import Path
 
 import numpy
 from paraview import servermanager
-from paraview.simple import GetParaViewVersion, PVDReader, TemporalInterpolator, UpdatePipeline
+from paraview.simple import GetParaViewVersion, OpenDataFile, TemporalInterpolator, UpdatePipeline
 from paraview.vtk.numpy_interface import dataset_adapter
 
 
@@ -25,8 +26,10 @@ def surface_of(data):
 
 
 job = json.loads(Path(sys.argv[1]).read_text())
-interpolator = TemporalInterpolator(Input=PVDReader(FileName=job["file"]))
-for number, time in enumerate(job["times"]):
-    UpdatePipeline(time=time, proxy=interpolator)
-    numpy.savez(Path(job["folder"]) / f"time-{number}.npz", **surface_of(servermanager.Fetch(interpolator)))
-print(f"ParaView {GetParaViewVersion()}")
+reader = OpenDataFile(job["file"])
+source = reader if job["steps"] else TemporalInterpolator(Input=reader)
+times = list(reader.TimestepValues) if job["steps"] else job["times"]
+for number, time in enumerate(times):
+    UpdatePipeline(time=time, proxy=source)
+    numpy.savez(Path(job["folder"]) / f"time-{number}.npz", time=time, **surface_of(servermanager.Fetch(source)))
+(Path(job["folder"]) / "version.txt").write_text(f"ParaView {GetParaViewVersion()}")

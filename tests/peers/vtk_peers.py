@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 
 import numpy
@@ -29,7 +30,34 @@ def read_by_vtk(families, scratch, kept):
 
 
 def read_by_paraview(families, scratch):
-    read_series("ParaView", ["pvpython", HERE / "paraview_reader.py"], os.environ, families, scratch)
+    command = ["pvpython", HERE / "paraview_reader.py"]
+    read_series("ParaView", command, os.environ, families, scratch)
+    for family in families:
+        if family.name == "fields":
+            read_steps("ParaView", command, os.environ, family, scratch)
+
+
+def read_steps(reader, command, environment, family, scratch):
+    """The files of 60 frames per unit of time one after the other, as the program opens them by itself."""
+    first, last = family.timeline[0][0], family.timeline[-1][0]
+    steps = replace(family, times=[first + n / 60 for n in range(int((last - first) * 60) + 1)])
+    folder = scratch / f"{reader}-{family.name}-steps"
+    folder.mkdir()
+    file = folder / f"{family.name}.pvd"
+    family.run("-o", file, "--fps", 60, "--union", "all")
+    read = read_job(reader, command, environment, steps, {"file": str(file), "steps": True}, folder)
+    times = numpy.array([float(found["time"]) for found in read])
+    expect(len(times) == len(steps.times) and numpy.abs(times - steps.times).max() < 1e-9,
+           f"{family.name}: {reader} has the times {times}")
+    print(f"{reader}: {family.name}, 60 frames per unit of time: {compared(reader, steps, 'all', read)}")
+
+
+def read_job(reader, command, environment, family, job, folder):
+    """What the program of \p command reads: per time, the arrays that it leaves in \p folder."""
+    (folder / "job.json").write_text(json.dumps(job | {"times": family.times, "folder": str(folder)}))
+    done = subprocess.run([*command, folder / "job.json"], env=environment, capture_output=True, text=True)
+    expect(done.returncode == 0, f"{family.name}: {reader}: {(done.stdout + done.stderr)[-2000:]}")
+    return [numpy.load(folder / f"time-{n}.npz") for n in range(len(list(folder.glob("time-*.npz"))))]
 
 
 def read_series(reader, command, environment, families, scratch):
@@ -41,12 +69,9 @@ def read_series(reader, command, environment, families, scratch):
             folder.mkdir()
             file = folder / f"{family.name}.pvd"
             family.run("-o", file, "--union", union)
-            job = {"file": str(file), "times": family.times, "folder": str(folder)}
-            (folder / "job.json").write_text(json.dumps(job))
-            done = subprocess.run([*command, folder / "job.json"], env=environment, capture_output=True, text=True)
-            expect(done.returncode == 0, f"{family.name}: {reader}: {(done.stdout + done.stderr)[-2000:]}")
-            read = [numpy.load(folder / f"time-{n}.npz") for n in range(len(family.times))]
-            print(f"{done.stdout.strip()}: {family.name}, --union {union}: {compared(reader, family, union, read)}")
+            read = read_job(reader, command, environment, family, {"file": str(file), "steps": False}, folder)
+            version = (folder / "version.txt").read_text()
+            print(f"{version}: {family.name}, --union {union}: {compared(reader, family, union, read)}")
 
 
 def compared(reader, family, union, read):

@@ -2,8 +2,8 @@
 
 usage: vtk_reader.py JOB.json
 
-The job has the `file`, the `times`, and the `folder` that receives time-N.npz: points, triangles and the
-fields of the points.
+The job has the `file`, the `times`, and the `folder` that receives time-N.npz: points, triangles and the fields of
+the points. The folder also receives version.txt.
 """
 
 import json
@@ -63,7 +63,7 @@ def main():
     for number, time in enumerate(job["times"]):
         interpolator.UpdateTimeStep(time)
         numpy.savez(Path(job["folder"]) / f"time-{number}.npz", **surface_of(interpolator.GetOutputDataObject(0)))
-    print(f"VTK {vtkVersion.GetVTKVersion()}")
+    (Path(job["folder"]) / "version.txt").write_text(f"VTK {vtkVersion.GetVTKVersion()}")
 
 
 main()

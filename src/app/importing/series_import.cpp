@@ -178,6 +178,12 @@ ImportedSeries import_series(const SeriesFiles& series, std::string_view name, c
     std::vector<Key> keys;
     keys.reserve(series.files.size());
     std::optional<Warp> warp;
+    // A fitted series has come some way already when it turns out that no bisection connects the steps.
+    double reached = 0;
+    const SeriesProgress onward = [&](std::string_view stage, double part) {
+        reached = std::max(reached, part);
+        if (progress) progress(stage, reached);
+    };
     const TakeKey take_key = [&](std::size_t step, Hierarchy key) {
         if (step == 0) keys.clear();
         if (warp) {
@@ -190,11 +196,11 @@ ImportedSeries import_series(const SeriesFiles& series, std::string_view name, c
         require_fields_of_units(choices, first);
         warp = warp_of(choices.warp, first);
         try {
-            imported.report = recover(steps, options, take_key, progress);
+            imported.report = recover(steps, options, take_key, onward);
         } catch (const UnrecoveredSurfaces& unrecovered) {
             if (!can_be_fitted(options)) throw;
             const std::string reason = with_file(unrecovered.what(), series);
-            imported.report = fit_steps(steps, options, reason, take_key, progress);
+            imported.report = fit_steps(steps, options, reason, take_key, onward);
         }
     } catch (const NeedsTolerance& error) {
         throw NeedsTolerance(with_file(error.reason, series));

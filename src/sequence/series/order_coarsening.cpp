@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "hierarchy/buffer.h"
+
 namespace interleaf {
 
 namespace {
@@ -14,28 +16,30 @@ namespace {
 /// the lower number.
 class OrderCoarsening {
   public:
-    OrderCoarsening(const StepMesh& step, const OrderRule& rule)
-        : step_(step), rule_(rule), vertices_(step.points.size()) {
+    OrderCoarsening(const StepMesh& step, const OrderRule& rule) : step_(step), rule_(rule) {
         const auto count = static_cast<Index>(step.triangles.size());
-        places_.reserve(count);
-        nodes_.reserve(count);
+        vertices_.assign(step.points.size(), {});
+        places_.resize(count);
+        nodes_.resize(count);
         for (Index t = 0; t < count; ++t) {
-            const auto& [corners, neighbors] = places_.emplace_back(
-                Place{step.oriented(t, rule.newest), step.oriented_neighbors(t, rule.newest)});
-            nodes_.push_back(t);
-            for (const Index corner : corners) {
-                ++vertices_[corner].triangle_count;
-                vertices_[corner].triangle = t;
-            }
-            ++vertices_[corners[0]].newest_count;
+            places_[t] = {step.oriented(t, rule.newest), step.oriented_neighbors(t, rule.newest)};
+            nodes_[t] = t;
+            for (const Index corner : places_[t].corners) ++vertices_[corner].triangle_count;
+            ++vertices_[places_[t].corners[0]].newest_count;
         }
     }
 
+    /// Removes vertices until none is good. The forest does not depend on the order of removal. Programs write
+    /// triangles that are near each other one after the other, so to go on at the new parent keeps to the cache.
     void coarsen() {
-        for (Index vertex = 0; vertex < vertices_.size(); ++vertex)
-            if (may_be_good(vertex)) waiting_.push_back(vertex);
-        for (std::size_t next = 0; next < waiting_.size(); ++next)
-            if (may_be_good(waiting_[next])) remove_if_good(waiting_[next]);
+        for (Index place = 0; place < places_.size(); ++place) {
+            waiting_.push_back(place);
+            while (!waiting_.empty()) {
+                const Index start = waiting_.back();
+                waiting_.pop_back();
+                if (may_be_good(places_[start].corners[0])) remove_if_good(start);
+            }
+        }
     }
 
     std::size_t root_count() const { return places_.size() - merges_.size(); }
@@ -58,11 +62,10 @@ class OrderCoarsening {
         Triangle corners;
         Triangle neighbors;
     };
-    /// The triangles of a vertex: how many there are, of how many it is the newest vertex, and one of them.
+    /// The triangles of a vertex: how many there are, and of how many it is the newest vertex.
     struct Vertex {
         std::uint32_t triangle_count = 0;
         std::uint32_t newest_count = 0;
-        Index triangle = no_index;
     };
     /// A parent: its children as nodes. Nodes are the triangles of the step, then the merges.
     struct Merge {
@@ -71,18 +74,17 @@ class OrderCoarsening {
     };
 
     bool may_be_good(Index vertex) const {
-        const auto [count, newest_count, triangle] = vertices_[vertex];
+        const auto [count, newest_count] = vertices_[vertex];
         return count == newest_count && (count == 2 || count == 4);
     }
 
     Index next_around(Index triangle) const { return places_[triangle].neighbors[1]; }
     Index previous_around(Index triangle) const { return places_[triangle].neighbors[2]; }
 
-    /// Replaces the two or four triangles around \p vertex by their parents, unless they are open where they
-    /// should be closed. It is the newest vertex of all of them.
-    void remove_if_good(Index vertex) {
-        const Index start = vertices_[vertex].triangle;
-        if (vertices_[vertex].triangle_count == 2)
+    /// Replaces the two or four triangles around the newest vertex of \p start by their parents, unless they are
+    /// open where they should be closed. It is the newest vertex of all of them.
+    void remove_if_good(Index start) {
+        if (vertices_[places_[start].corners[0]].triangle_count == 2)
             remove_at_boundary(start);
         else
             remove_inside(start);
@@ -133,10 +135,7 @@ class OrderCoarsening {
         vertices_[vertex].newest_count -= 2;
         --vertices_[parent[0]].triangle_count;
         ++vertices_[parent[0]].newest_count;
-        for (const Index corner : parent) {
-            vertices_[corner].triangle = place;
-            if (may_be_good(corner)) waiting_.push_back(corner);
-        }
+        waiting_.push_back(place);  // no other vertex has become good
         return place;
     }
 
@@ -174,11 +173,11 @@ class OrderCoarsening {
 
     const StepMesh& step_;
     OrderRule rule_;
-    std::vector<Place> places_;
-    std::vector<Vertex> vertices_;
-    std::vector<Index> nodes_;  ///< by place; no_index at freed places
-    std::vector<Merge> merges_;
-    std::vector<Index> waiting_;  ///< vertices that may be good, in order
+    Buffer<Place> places_;     ///< a freed place keeps its corners, the first of which is removed
+    Buffer<Vertex> vertices_;  ///< without triangles where removed
+    Buffer<Index> nodes_;      ///< by place; no_index at freed places
+    Buffer<Merge> merges_;
+    std::vector<Index> waiting_;  ///< places whose newest vertex may be good
     double deviation_ = 0;
 };
 

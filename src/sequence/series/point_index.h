@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "hierarchy/buffer.h"
 #include "hierarchy/triangle.h"
 
 namespace interleaf {
@@ -37,7 +37,7 @@ class PointIndex {
     double tolerance_;
     double cells_per_length_;
     std::size_t mask_;
-    std::vector<Index> table_;  ///< open addressing; its size is a power of two, at least twice the points
+    Buffer<Index> table_;  ///< open addressing; its size is a power of two, at least twice the points
 };
 
 }  // namespace interleaf

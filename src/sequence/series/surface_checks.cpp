@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include "hierarchy/buffer.h"
 #include "hierarchy/error.h"
 
 namespace interleaf {
@@ -28,15 +29,15 @@ std::array<Index, 2> ends_of(const StepMesh& step, Index side) {
 
 /// All sides, in lists by their lower end, each list in ascending order.
 struct SideLists {
-    std::vector<Index> begins;  ///< per vertex, then the number of sides
-    std::vector<SideAtEnd> sides;
+    Buffer<Index> begins;  ///< per vertex, then the number of sides
+    Buffer<SideAtEnd> sides;
 
     explicit SideLists(const StepMesh& step)
         : begins(step.points.size() + 1, 0), sides(3 * step.triangles.size()) {
         const auto side_count = static_cast<Index>(sides.size());
         for (Index side = 0; side < side_count; ++side) ++begins[lower_end(step, side) + 1];
         for (std::size_t v = 1; v < begins.size(); ++v) begins[v] += begins[v - 1];
-        std::vector<Index> places(begins.begin(), begins.end() - 1);
+        Buffer<Index> places(begins.begin(), begins.end() - 1);
         for (Index side = 0; side < side_count; ++side) {
             const auto [a, b] = ends_of(step, side);
             sides[places[std::min(a, b)]++] = {std::max(a, b), side};

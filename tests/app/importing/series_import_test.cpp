@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "messages.h"
@@ -69,6 +70,29 @@ std::string file_of(const FarStep& step) {
     for (const auto& [a, b, c] : step.triangles) text += fmt::format("3 {} {} {}\n", a, b, c);
     text += fmt::format("POINT_DATA {}\nSCALARS T double\nLOOKUP_TABLE default\n", step.points.size());
     for (const double value : step.values) text += fmt::format("{:.17g}\n", value);
+    return text;
+}
+
+/// An OBJ file of a sphere with \p around meridians and half as many bands between its poles.
+std::string sphere_file(unsigned around) {
+    const unsigned bands = around / 2;
+    std::string text = "v 0 0 1\nv 0 0 -1\n";
+    for (unsigned band = 1; band < bands; ++band)
+        for (unsigned m = 0; m < around; ++m) {
+            const double polar = 3.14159265 * band / bands;
+            const double angle = 2 * 3.14159265 * m / around;
+            text += fmt::format("v {} {} {}\n", std::sin(polar) * std::cos(angle),
+                                std::sin(polar) * std::sin(angle), std::cos(polar));
+        }
+    const auto at = [&](unsigned band, unsigned m) {
+        return band == 0 ? 1U : band == bands ? 2U : 3U + (band - 1) * around + m % around;
+    };
+    for (unsigned band = 0; band < bands; ++band)
+        for (unsigned m = 0; m < around; ++m) {
+            const unsigned a = at(band, m), b = at(band, m + 1), c = at(band + 1, m), d = at(band + 1, m + 1);
+            if (band > 0) text += fmt::format("f {} {} {}\n", a, c, b);
+            if (band + 1 < bands) text += fmt::format("f {} {} {}\n", b, c, d);
+        }
     return text;
 }
 
@@ -193,4 +217,19 @@ TEST_CASE("fields have the units that the files have, unless others are chosen")
     CHECK(unit_of({}, "p").empty());  // too long for a unit
     CHECK(unit_of({.units = {{"T", "mK"}}}, "T") == "mK");
     CHECK(unit_of({.fields = {"T"}}, "T") == "K");
+}
+
+TEST_CASE("progress never goes back where no bisection connects the steps and keys are fitted to them") {
+    const ScratchFolder folder;
+    put(folder / "ball-0.obj", sphere_file(12));
+    put(folder / "ball-1.obj", sphere_file(14));
+    const std::filesystem::path pattern = folder / "ball-*.obj";
+    double reached = 0;
+    const ImportedSeries imported =
+        import_series(series_files(std::span(&pattern, 1)), "ball", {}, [&](std::string_view, double part) {
+            CHECK(part >= reached);
+            reached = part;
+        });
+    CHECK(imported.report.method == SeriesMethod::by_fitting);
+    CHECK(reached > 0.5);
 }
