@@ -58,7 +58,7 @@ SeriesFiles read_collection(const fs::path& collection) {
     std::vector<TimedFile> steps;
     for (const pugi::xml_node element : document.data_set().children("DataSet")) {
         const std::string name = element.attribute("file").value();
-        const std::string_view word = element.attribute("timestep").value();
+        const std::string_view word = without_blanks(element.attribute("timestep").value());
         const std::optional<double> time =
             word.empty() ? static_cast<double>(steps.size()) : parse_double(word);
         if (!time)

@@ -25,6 +25,12 @@ std::size_t block_budget(std::size_t size, bool is_compressed) {
 
 }  // namespace
 
+std::string_view without_blanks(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
 XmlDocument::XmlDocument(std::string text, std::string file)
     : text_(std::move(text)), file_(std::move(file)) {
     const std::size_t size = text_.size();
@@ -76,7 +82,7 @@ void XmlDocument::read_format() {
 
 std::size_t XmlDocument::count(const pugi::xml_node& node, const char* attribute,
                                std::optional<std::size_t> fallback) const {
-    const std::string_view value = node.attribute(attribute).value();
+    const std::string_view value = without_blanks(node.attribute(attribute).value());
     if (value.empty() && fallback) return *fallback;
     const auto number = parsed_number<std::uint32_t>(value);
     if (!number || *number >= no_index)
@@ -90,22 +96,23 @@ NumberArray XmlDocument::numbers(const pugi::xml_node& array, const ArrayPlace& 
     if (!type)
         place.fail(fmt::format("type {}, expected one such as Float32 or Int64",
                                in_quotes(array.attribute("type").value())));
-    const std::string_view format = array.attribute("format").value();
+    std::string_view format = without_blanks(array.attribute("format").value());
+    if (format.empty()) format = array.attribute("offset") ? "appended" : "ascii";
     const std::string_view text = array.text().get();
-    if (format == "ascii") {
+    if (is_word(format, "ascii")) {
         Words words(text);
         return read_words(words, *type, place);
     }
-    if (format == "binary")
+    if (is_word(format, "binary"))
         return read_block(EncodedBytes(text, EncodedBytes::Form::base64), *type, format_, place, budget_);
-    if (format == "appended")
+    if (is_word(format, "appended"))
         return read_block(appended_at(array.attribute("offset").value(), place), *type, format_, place,
                           budget_);
     place.fail(fmt::format("format {}, expected ascii, binary or appended", in_quotes(format)));
 }
 
 EncodedBytes XmlDocument::appended_at(std::string_view offset, const ArrayPlace& place) const {
-    const auto number = parsed_number<std::uint64_t>(offset);
+    const auto number = parsed_number<std::uint64_t>(without_blanks(offset));
     if (!number || *number > appended_.size())
         place.fail(fmt::format("offset {}, expected one in the {} bytes of the appended data",
                                in_quotes(offset), appended_.size()));

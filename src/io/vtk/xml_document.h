@@ -13,6 +13,9 @@
 
 namespace interleaf {
 
+/// \p text without the blanks and lines around it. Some programs write numbers of a fixed width into attributes.
+std::string_view without_blanks(std::string_view text);
+
 class XmlDocument {
   public:
     /// Parses \p text, the content of the file that messages call \p file.
@@ -34,7 +37,8 @@ class XmlDocument {
     std::size_t count(const pugi::xml_node& node, const char* attribute,
                       std::optional<std::size_t> fallback = {}) const;
 
-    /// The numbers of the element \p array, a DataArray.
+    /// The numbers of the element \p array, a DataArray. Without a format they are words, or appended where the array
+    /// has an offset, as VTK reads them.
     /// \throw InputError naming \p place, as read_words() and read_block(), and if the array has a type, format
     ///                   or place that is none
     NumberArray numbers(const pugi::xml_node& array, const ArrayPlace& place);

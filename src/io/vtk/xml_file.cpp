@@ -29,11 +29,8 @@ bool is_xml_field(const pugi::xml_node& array) {
 
 /// The unit that VTK keeps with an array. VTK writes it on a line of its own.
 std::string unit_of(const pugi::xml_node& array) {
-    constexpr std::string_view spaces = " \t\r\n";
-    std::string_view unit =
-        array.find_child_by_attribute("InformationKey", "name", "UNITS_LABEL").child_value();
-    unit.remove_prefix(std::min(unit.find_first_not_of(spaces), unit.size()));
-    return std::string(unit.substr(0, unit.find_last_not_of(spaces) + 1));
+    return std::string(
+        without_blanks(array.find_child_by_attribute("InformationKey", "name", "UNITS_LABEL").child_value()));
 }
 
 /// Reads one element "Piece".

@@ -93,6 +93,20 @@ TEST_CASE("header and data of a block may be encoded separately") {
     CHECK(parse_vtk_xml(separate, "grid.vtu") == sample_mesh());
 }
 
+TEST_CASE("blanks around numbers in attributes, formats in capitals and missing formats change nothing") {
+    const std::string words = sample_grid({});
+    CHECK(parse_vtk_xml(with(words, "NumberOfPoints=\"5\"", "NumberOfPoints=\"        5\""), "grid.vtu") ==
+          sample_mesh());
+    CHECK(parse_vtk_xml(with(words, "format=\"ascii\"", "format=\"ASCII\""), "grid.vtu") == sample_mesh());
+    CHECK(parse_vtk_xml(with(words, "format=\"ascii\"", ""), "grid.vtu") == sample_mesh());
+    const std::string raw = sample_grid({.encoding = VtkEncoding::appended_raw});
+    CHECK(parse_vtk_xml(with(raw, "format=\"appended\" offset=\"0\"", "offset=\" 0 \""), "grid.vtu") ==
+          sample_mesh());
+    CHECK(
+        xml_error(with(words, "format=\"ascii\"", "format=\"hex\"")).find("format \"hex\", expected ascii") !=
+        std::string::npos);
+}
+
 TEST_CASE("polygons are numbered before strips, and two components of points are three with 0") {
     const FieldMesh mesh = parse_vtk_xml(poly_data(), "a.vtp");
     CHECK(mesh.triangles == std::vector<std::array<Index, 3>>{{0, 1, 2}, {0, 2, 3}});
