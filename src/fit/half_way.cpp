@@ -15,7 +15,7 @@
 namespace interleaf {
 namespace {
 
-double area_of(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions) {
+double whole_area(std::span<const Triangle> triangles, std::span<const glm::dvec3> positions) {
     double area = 0;
     for (const auto& [a, b, c] : triangles)
         area += doubled_area({positions[a], positions[b], positions[c]}) / 2;
@@ -30,11 +30,11 @@ double half_way_area(const Hierarchy& key, const Hierarchy& other, const glm::dm
     const std::vector<Triangle> triangles(both.triangles.begin(), both.triangles.end());
     std::vector<glm::dvec3> first(both.positions[0].begin(), both.positions[0].end());
     std::vector<glm::dvec3> second(both.positions[1].begin(), both.positions[1].end());
-    const double first_scale = 1 / std::sqrt(area_of(triangles, first));
-    const double second_scale = 1 / std::sqrt(area_of(triangles, second));
+    const double first_scale = 1 / std::sqrt(whole_area(triangles, first));
+    const double second_scale = 1 / std::sqrt(whole_area(triangles, second));
     for (std::size_t v = 0; v < first.size(); ++v)
         first[v] = (first_scale * first[v] + second_scale * (turn * second[v])) / 2.0;
-    return area_of(triangles, first);
+    return whole_area(triangles, first);
 }
 
 std::string fault_of_half_way(double matched, double unmatched) {
