@@ -129,7 +129,8 @@ void print_figures(const std::string& name, const std::string& match, const Fitt
         line.update({{"fault", report->fault},
                      {"passes", report->passes},
                      {"energy", {report->before.energy, report->after.energy}},
-                     {"distortion", report->after.distortion}});
+                     {"distortion", report->after.distortion},
+                     {"half_way_area", {report->half_way_area_before, report->half_way_area_after}}});
     double match_seconds = 0;
     for (const StageTime& time : second.report.times)
         if (time.stage == "matching") match_seconds += time.seconds;

@@ -25,6 +25,10 @@ constexpr double tries_per_leaf_if_many = 2;
 /// The leaves with the least angles and those turned over still improve.
 constexpr double tries_of_worst_per_leaf = 0.1;
 
+/// Over a matched map, leaves with an angle below this, in degrees, are worth a greater distance: below 3, the match is
+/// not taken.
+constexpr double needle_angle_if_matched = 3.05;
+
 }  // namespace
 
 AlignedMap::AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
@@ -72,6 +76,7 @@ void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& sur
         limits.tries = static_cast<std::size_t>(tries_per_leaf_if_many * leaves);
         limits.tries_of_worst = static_cast<std::size_t>(tries_of_worst_per_leaf * leaves);
     }
+    if (map.is_matched) limits.needle_angle = needle_angle_if_matched;
     smooth_leaves(map.mapped, roots.complex.vertex_count(), surface, progress, limits);
     if (!map.is_approximate) return;
     const SurfaceDistance distance(map.original.triangles, map.original.positions);

@@ -13,9 +13,11 @@
 
 #include "fit/aligned_map.h"
 #include "fit/correspondence/continued_map.h"
+#include "fit/half_way.h"
 #include "fit/landmark_fitting.h"
 #include "fit/landmarks/pinned_map.h"
 #include "fit/map_choice.h"
+#include "fit/sampling/mapped_surface.h"
 #include "fit/sampling/sampled_fields.h"
 #include "fit/sampling/surface_sampling.h"
 #include "hierarchy/error.h"
@@ -155,6 +157,16 @@ std::string fault_of_match(const JudgedMap& matched, const FitQuality& unmatched
     return {};
 }
 
+/// The key of a model, to compare others with. It is not smoothed.
+Hierarchy key_of_model(const MatchedBody& model, const SphereRoots& roots, const Progress& progress) {
+    const SurfaceMesh mesh{
+        .positions = model.mesh().positions, .triangles = model.mesh().triangles, .colors = {}};
+    const SampledSurface surface =
+        sample_surface(MappedSurface(mesh, model.points()), roots,
+                       {.leaves = judged_leaves(roots), .max_leveling = 0}, progress);
+    return hierarchy_from_leaves(roots.complex, surface.leaves, surface.positions);
+}
+
 /// Matches an accepted map to the model's, if the options name a model. Keeps the map where the matched map gives
 /// no key that is accepted.
 /// \param pins  null for none
@@ -169,13 +181,25 @@ std::optional<MatchReport> match_to_model(JudgedMap& judged, const LandmarkPins*
     }
     const AlignedMap& map = *judged.map;
     const std::span<const Index> held = pins != nullptr ? pins->vertices : std::span<const Index>();
+    const Hierarchy models_key = key_of_model(*options.model, options.roots, part_of(progress, 0, 0));
+    const auto half_way_area_of = [&](const SampledSurface& surface) {
+        return half_way_area(models_key,
+                             hierarchy_from_leaves(options.roots.complex, surface.leaves, surface.positions),
+                             options.rotation);
+    };
+    const double area_before = half_way_area_of(judged.surface);
+    double area_after = area_before;
+    stopwatch.lap("comparing half way");
     JudgedMap judged_match;
     const auto judge_match = [&](const MatchedMap& matched, const Progress& inner) {
         stopwatch.lap("matching");
         judged_match = judge(
             std::make_unique<AlignedMap>(map.original, matched.mesh, matched.points, map.is_approximate),
             options.roots, stopwatch, inner);
-        return fault_of_match(judged_match, judged.quality, options.limits);
+        if (std::string fault = fault_of_match(judged_match, judged.quality, options.limits); !fault.empty())
+            return fault;
+        area_after = half_way_area_of(judged_match.surface);
+        return fault_of_half_way(area_after, area_before);
     };
     MatchedMap matched = match(*options.model, map.mesh(), map.points, options.rotation, held,
                                options.matching, progress, judge_match);
@@ -185,6 +209,8 @@ std::optional<MatchReport> match_to_model(JudgedMap& judged, const LandmarkPins*
         judged_match.agreement = judged.agreement;
         judged = std::move(judged_match);
     }
+    matched.report.half_way_area_before = area_before;
+    matched.report.half_way_area_after = matched.report.fault.empty() ? area_after : area_before;
     return std::move(matched.report);
 }
 

@@ -181,11 +181,15 @@ Json json_of(const MatchFigures& figures) {
 /// Null for a mesh that was not to be matched.
 Json json_of(const std::optional<MatchReport>& match) {
     if (!match) return nullptr;
+    Json before = json_of(match->before);
+    Json after = json_of(match->after);
+    before["half_way_area"] = match->half_way_area_before;
+    after["half_way_area"] = match->half_way_area_after;
     return {{"is_matched", match->fault.empty()},
             {"fault", match->fault},
             {"passes", match->passes},
-            {"before", json_of(match->before)},
-            {"after", json_of(match->after)}};
+            {"before", std::move(before)},
+            {"after", std::move(after)}};
 }
 
 Json vector_json(const glm::dvec3& vector) {
@@ -263,9 +267,9 @@ void print_match(const MatchReport& match) {
     }
     fmt::print(
         "  matched to the first mesh: normals agree by {:.3f} (before: {:.3f}), distortion {:.3g}, "
-        "{:.2g} % of the area stretched over 8 times, passes: {}\n",
+        "{:.2g} % of the area stretched over 8 times, area half way {:.3f} (before: {:.3f}), passes: {}\n",
         match.after.mean_cosine, match.before.mean_cosine, match.after.distortion,
-        100 * match.after.stretched, match.passes);
+        100 * match.after.stretched, match.half_way_area_after, match.half_way_area_before, match.passes);
 }
 
 void print_report(const std::filesystem::path& file, const FittedMesh& mesh) {

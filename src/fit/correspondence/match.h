@@ -36,6 +36,11 @@ struct MatchReport {
     MatchFigures after;   ///< of the matched map; of the given map if that is kept
     int passes = 0;
     std::string fault;  ///< why the given map is kept, in words; empty if the body is matched
+
+    /// Of the surface half way between the model's key and the body's, both scaled to area 1 (half_way.h). Only fit()
+    /// measures it, since match() makes no keys.
+    double half_way_area_before = 0;
+    double half_way_area_after = 0;  ///< the same as before if the given map is kept
 };
 
 struct MatchedMap {

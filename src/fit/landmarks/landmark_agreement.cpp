@@ -17,8 +17,11 @@ namespace {
 /// Right landmarks of four-legged animals agree with 0.9 and more; with nose and tail swapped, 0.5 to 0.7.
 constexpr double good_cosine = 0.85;
 
-/// Points of a body that lie nearly in one plane, such as hands, feet and head of a man, fit about as well mirrored.
-constexpr double mirrored_margin = 0.02;
+/// Points of a body that lie nearly in one plane, such as hands, feet and head of a man, fit about as well mirrored, or
+/// with their sides exchanged. So a swap must raise the agreement by this much, and leave less than this fraction of
+/// the disagreement: swapped sides of four-legged animals leave 0.54 at most.
+constexpr double swapped_margin = 0.02;
+constexpr double swapped_rest = 0.6;
 
 /// Three points and their mirror image can be turned into each other.
 constexpr std::size_t fewest_chiral = 4;
@@ -42,6 +45,12 @@ bool are_neighbors(std::span<const glm::dvec3> points, std::size_t i, std::size_
                }) <= most_nearer;
     };
     return is_near(i) || is_near(j);
+}
+
+/// Whether a mean cosine after a swap shows that the sides are swapped.
+bool shows_swap(double swapped_cosine, double mean_cosine) {
+    return swapped_cosine >= mean_cosine + swapped_margin &&
+           1 - swapped_cosine < swapped_rest * (1 - mean_cosine);
 }
 
 std::string quoted(const LandmarkPins& pins, const std::array<std::size_t, 2>& pair) {
@@ -78,13 +87,13 @@ bool LandmarkAgreement::is_doubtful() const {
 
 std::vector<std::string> faults_of(const LandmarkAgreement& agreement, const LandmarkPins& pins) {
     std::vector<std::string> faults;
-    if (!pins.symmetric.empty() && agreement.exchanged_cosine > agreement.mean_cosine)
+    if (!pins.symmetric.empty() && shows_swap(agreement.exchanged_cosine, agreement.mean_cosine))
         faults.push_back(
             fmt::format("the landmarks fit better with left and right exchanged, such as {}: the sides "
                         "are probably swapped in one of the meshes",
                         quoted(pins, pins.symmetric.front())));
     else if (pins.names.size() >= fewest_chiral &&
-             agreement.mirrored_cosine >= agreement.mean_cosine + mirrored_margin)
+             shows_swap(agreement.mirrored_cosine, agreement.mean_cosine))
         faults.emplace_back(
             "the landmarks fit better mirrored: left and right are probably swapped in one of the meshes");
     for (const std::array<std::size_t, 2>& pair : agreement.reversed)

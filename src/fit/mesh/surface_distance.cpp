@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/common.hpp>
 
@@ -70,6 +71,20 @@ double SurfaceDistance::operator()(const glm::dvec3& point, Index& nearest, doub
         return distance;
     });
     return std::sqrt(least);
+}
+
+bool SurfaceDistance::is_within(const glm::dvec3& point, double distance, Index& near) const {
+    const double enough = distance * distance;
+    if (squared_distance_to_triangle(point, corners(near)) <= enough) return true;
+    // Boxes that are farther away than this are not opened.
+    double least = std::nextafter(enough, std::numeric_limits<double>::infinity());
+    tree_.find_nearest(point, least, enough, [&](Index box) {
+        const Index triangle = triangle_of_box_[box];
+        const double squared = squared_distance_to_triangle(point, corners(triangle));
+        if (squared <= enough) near = triangle;
+        return squared;
+    });
+    return least <= enough;
 }
 
 glm::dvec3 SurfaceDistance::nearest_point(const glm::dvec3& point, Index& nearest) const {

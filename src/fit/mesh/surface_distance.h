@@ -28,6 +28,11 @@ class SurfaceDistance {
     ///                 which saves time when points come in order.
     double operator()(const glm::dvec3& point, Index& nearest, double enough = 0) const;
 
+    /// Whether \p point is at most \p distance from the mesh. This is much quicker than the distance of a point that is
+    /// farther away.
+    /// \param near  a triangle that is tried first; receives one within the distance, if there is one
+    bool is_within(const glm::dvec3& point, double distance, Index& near) const;
+
     /// The nearest point of the mesh.
     /// \param nearest  as above
     glm::dvec3 nearest_point(const glm::dvec3& point, Index& nearest) const;

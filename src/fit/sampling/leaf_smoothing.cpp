@@ -31,9 +31,31 @@ constexpr std::size_t max_places = 8;
 /// needed because distances are measured at some places only.
 constexpr double near_enough = 0.9;
 
-/// Distances are measured on grids over the leaves. A coarse grid comes first and rules out most places.
-constexpr auto coarse_grid = barycentric_grid<4>();
-constexpr auto fine_grid = barycentric_grid<8>();
+/// The same for a move that mends a needle, in the last rounds.
+constexpr double near_enough_for_needle = 1.25;
+
+/// Distances are measured on grids over the leaves of a star. A coarse grid comes first and rules out most places.
+constexpr int coarse_parts = 4;
+constexpr int fine_parts = 2 * coarse_parts;
+
+/// Places on a leaf that are measured, of the grid that divides each edge into \p parts. The first coordinate belongs
+/// to the middle of the star. The edge to the second corner is left out, because the next leaf of the star has it.
+std::vector<glm::dvec3> star_grid(int parts) {
+    std::vector<glm::dvec3> places;
+    for (int i = 0; i < parts; ++i)
+        for (int j = i == 0 ? 1 : 0; i + j < parts; ++j)
+            places.push_back({double(i) / parts, double(j) / parts, double(parts - i - j) / parts});
+    return places;
+}
+
+/// The places of the fine grid that the coarse one lacks.
+std::vector<glm::dvec3> places_between() {
+    const std::vector<glm::dvec3> coarse = star_grid(coarse_parts);
+    std::vector<glm::dvec3> places = star_grid(fine_parts);
+    std::erase_if(places,
+                  [&](const glm::dvec3& place) { return std::ranges::find(coarse, place) != coarse.end(); });
+    return places;
+}
 
 /// The cosine of the least angle; 1 for a triangle without area.
 double max_cosine(const TriangleCorners& corners) {
@@ -48,8 +70,8 @@ double max_cosine(const TriangleCorners& corners) {
     return largest;
 }
 
-double cosine_of_smoothed_angle() {
-    return std::cos(smoothed_angle * std::numbers::pi / 180);
+double cosine_of(double degrees) {
+    return std::cos(degrees * std::numbers::pi / 180);
 }
 
 TriangleCorners corners_of(const Triangle& leaf, const SampledSurface& surface) {
@@ -87,10 +109,11 @@ class Smoothing {
         for (const Leaf& leaf : surface.leaves) leaves_.push_back(leaf.vertices);
         gather_stars();
         assign_vertices(meter);
-        allowed_distance_ = near_enough * max_distance(meter);
+        max_distance_ = max_distance(meter);
     }
 
     void run(std::size_t fixed_vertices, const SmoothingLimits& limits, ProgressMeter& meter) {
+        allowed_distance_ = near_enough * max_distance_;
         bool moved = true;
         std::size_t tries = 0;
         for (int round = 0; round < max_rounds && moved; ++round) {
@@ -108,6 +131,29 @@ class Smoothing {
                     meter.step(5000);
                 }
         }
+    }
+
+    /// Mends leaves with a smaller angle than \p degrees, where that takes the key farther from the surface. If one of
+    /// them stays, all stay as they were.
+    void mend_needles(double degrees, std::size_t fixed_vertices, ProgressMeter& meter) {
+        const SampledSurface before = surface_;
+        allowed_distance_ = near_enough_for_needle * max_distance_;
+        const double cosine = cosine_of(degrees);
+        const auto is_needle = [&](Index leaf) { return max_cosine(corners(leaf)) > cosine; };
+        bool is_left = true;
+        for (int round = 0; round < max_rounds && is_left; ++round) {
+            is_left = false;
+            for (Index leaf = 0; leaf < leaves_.size(); ++leaf) {
+                meter.step();
+                for (const Index vertex : leaves_[leaf]) {
+                    if (vertex < fixed_vertices || !is_needle(leaf)) continue;
+                    improve(vertex);
+                    meter.step(5000);
+                }
+                is_left = is_left || is_needle(leaf);
+            }
+        }
+        if (is_left) surface_ = before;
     }
 
   private:
@@ -131,7 +177,7 @@ class Smoothing {
     bool improve(Index vertex);
     std::vector<Place> better_places(Index vertex, const Fault& before);
     double max_distance(ProgressMeter& meter) const;
-    bool is_near(std::span<const Index> star, std::span<const glm::dvec3> grid) const;
+    bool is_near(Index vertex, std::span<const glm::dvec3> grid) const;
 
     TriangleCorners corners(Index leaf) const { return corners_of(leaves_[leaf], surface_); }
     std::array<glm::dvec3, 3> directions(Index leaf) const {
@@ -168,16 +214,19 @@ class Smoothing {
         surface_.positions[vertex] = place.position;
     }
 
-    const double good_cosine_ = cosine_of_smoothed_angle();
+    const double good_cosine_ = cosine_of(smoothed_angle);
+    const std::vector<glm::dvec3> coarse_grid_ = star_grid(coarse_parts);
+    const std::vector<glm::dvec3> places_between_ = places_between();
     const MappedSurface& mapped_;
     SampledSurface& surface_;
     std::vector<Triangle> leaves_;
     std::vector<Index> star_begin_;
-    std::vector<Index> stars_;   ///< leaves around vertices
-    std::vector<Index> inside_;  ///< the first of the mesh's vertices that lie in a leaf
-    std::vector<Index> next_;    ///< per vertex, the next vertex in the same leaf
-    std::vector<bool> at_rest_;  ///< whether a vertex found no better place since its star changed
-    double allowed_distance_ = 0;
+    std::vector<Index> stars_;     ///< leaves around vertices
+    std::vector<Index> inside_;    ///< the first of the mesh's vertices that lie in a leaf
+    std::vector<Index> next_;      ///< per vertex, the next vertex in the same leaf
+    std::vector<bool> at_rest_;    ///< whether a vertex found no better place since its star changed
+    double max_distance_ = 0;      ///< before smoothing
+    double allowed_distance_ = 0;  ///< for the present moves
 };
 
 /// Puts every vertex of the mesh into the leaf into which the map takes it.
@@ -249,26 +298,32 @@ double Smoothing::max_distance(ProgressMeter& meter) const {
     return largest;
 }
 
-/// Whether the mesh over the star is near the star, and the star near the mesh, at the places of a grid.
-bool Smoothing::is_near(std::span<const Index> star, std::span<const glm::dvec3> grid) const {
+/// Whether the mesh over the star of \p vertex is near the star, and the star near the mesh, at the places of a grid.
+bool Smoothing::is_near(Index vertex, std::span<const glm::dvec3> grid) const {
     const double allowed = allowed_distance_ * allowed_distance_;
     const auto is_near_star = [&](const glm::dvec3& place) {
-        return std::ranges::any_of(
-            star, [&](Index leaf) { return squared_distance_to_triangle(place, corners(leaf)) <= allowed; });
+        return std::ranges::any_of(star(vertex), [&](Index leaf) {
+            return squared_distance_to_triangle(place, corners(leaf)) <= allowed;
+        });
     };
-    for (const Index leaf : star) {
-        const TriangleCorners corner = corners(leaf);
+    for (const Index leaf : star(vertex)) {
+        // As seen from the middle of the star.
+        TriangleCorners corner = corners(leaf);
+        std::array<glm::dvec3, 3> on_sphere = directions(leaf);
+        const auto middle = std::ranges::find(leaves_[leaf], vertex) - leaves_[leaf].begin();
+        std::ranges::rotate(corner, corner.begin() + middle);
+        std::ranges::rotate(on_sphere, on_sphere.begin() + middle);
         const Index guess = surface_.mesh_points[leaves_[leaf][0]].triangle;
-        Index nearest = guess;
         const auto are_near = [&](const FacingPlaces& places) {
             if (glm::distance(places.on_surface, places.on_leaf) <= allowed_distance_) return true;
+            Index near = places.triangle;
             return (squared_distance_to_triangle(places.on_surface, corner) <= allowed ||
                     is_near_star(places.on_surface)) &&
-                   mapped_.distance(places.on_leaf, nearest, allowed_distance_) <= allowed_distance_;
+                   mapped_.distance.is_within(places.on_leaf, allowed_distance_, near);
         };
-        if (!all_of_places(mapped_, grid, directions(leaf), corner, guess, are_near)) return false;
-        for (Index vertex = inside_[leaf]; vertex != no_index; vertex = next_[vertex])
-            if (!is_near_star(mapped_.mesh.positions[vertex])) return false;
+        if (!all_of_places(mapped_, grid, on_sphere, corner, guess, are_near)) return false;
+        for (Index inside = inside_[leaf]; inside != no_index; inside = next_[inside])
+            if (!is_near_star(mapped_.mesh.positions[inside])) return false;
     }
     return true;
 }
@@ -311,8 +366,8 @@ bool Smoothing::improve(Index vertex) {
     for (const Place& place : better_places(vertex, before)) {
         if (tried++ == max_places) break;
         put(vertex, place);
-        if (fault(star(vertex)).is_less_than(before) && is_near(star(vertex), coarse_grid) &&
-            is_near(star(vertex), fine_grid)) {
+        if (fault(star(vertex)).is_less_than(before) && is_near(vertex, coarse_grid_) &&
+            is_near(vertex, places_between_)) {
             assign_anew(star(vertex));
             for (const Index leaf : star(vertex))
                 for (const Index neighbor : leaves_[leaf]) at_rest_[neighbor] = false;
@@ -330,11 +385,13 @@ void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, Samp
                    const Progress& progress, const SmoothingLimits& limits) {
     ProgressMeter meter(progress);
     meter.enter("smoothing", 0);
-    Smoothing(mapped, surface, meter).run(fixed_vertices, limits, meter);
+    Smoothing smoothing(mapped, surface, meter);
+    smoothing.run(fixed_vertices, limits, meter);
+    if (limits.needle_angle > 0) smoothing.mend_needles(limits.needle_angle, fixed_vertices, meter);
 }
 
 std::size_t count_faulty_leaves(const MappedSurface& mapped, const SampledSurface& surface) {
-    const double good_cosine = cosine_of_smoothed_angle();
+    const double good_cosine = cosine_of(smoothed_angle);
     return static_cast<std::size_t>(std::ranges::count_if(surface.leaves, [&](const Leaf& leaf) {
         return is_faulty(leaf.vertices, surface, mapped, good_cosine);
     }));

@@ -27,6 +27,9 @@ struct SmoothingLimits {
     std::size_t tries_per_round = std::numeric_limits<std::size_t>::max();
     /// Maximum per further round, which goes through the worst leaves only. 0 for no further round.
     std::size_t tries_of_worst = 0;
+    /// If no leaf has to stay below this angle, in degrees, the mesh may come a quarter farther from the stars of such
+    /// leaves. 0 for a distance that never grows.
+    double needle_angle = 0;
 };
 
 /// Moves vertices of \p surface so that its least angle does not fall and no more leaves are turned over

@@ -282,5 +282,7 @@ TEST_CASE("fit with a model matches the key, and without one fits as before") {
     REQUIRE(matched.report.match);
     CHECK(matched.report.match->fault == "");
     CHECK(matched.report.match->after.energy < matched.report.match->before.energy);
+    CHECK(matched.report.match->half_way_area_after > matched.report.match->half_way_area_before);
+    CHECK(matched.report.match->half_way_area_after > 0.95);
     CHECK(matched.report.quality.hausdorff < 0.005);
 }

@@ -82,3 +82,39 @@ TEST_CASE("swapped sides are found from the symmetric pairs") {
     const LandmarkAgreement agreement = agreement_of(points, pins);
     CHECK(agreement.exchanged_cosine > agreement.mean_cosine);
 }
+
+TEST_CASE("a standing man's five landmarks, nearly in one plane, raise no doubt about sides") {
+    LandmarkPins pins;
+    std::vector<glm::dvec3> points;
+    const auto add = [&](const char* name, const glm::dvec3& direction, const glm::dvec3& point) {
+        pins.names.emplace_back(name);
+        pins.vertices.push_back(static_cast<Index>(pins.vertices.size()));
+        pins.directions.push_back(glm::normalize(direction));
+        points.push_back(glm::normalize(point));
+    };
+    // One man holds his hands before him, the other one behind, and lower.
+    add("right hand", {-1, 0.6, 0.2}, {-1, -0.1, -0.15});
+    add("left hand", {1, 0.6, 0.2}, {1, -0.1, -0.15});
+    add("nose", {0, 1, 0.1}, {0, 1, -0.05});
+    add("right foot", {-0.2, -1, 0.1}, {-0.1, -1, -0.1});
+    add("left foot", {0.2, -1, 0.1}, {0.1, -1, -0.1});
+    pins.symmetric = {{0, 1}, {3, 4}};
+    const LandmarkAgreement agreement = agreement_of(points, pins);
+    CHECK(agreement.exchanged_cosine > agreement.mean_cosine);
+    CHECK(text_of(points, pins) == "");
+    pins.symmetric.clear();
+    CHECK(text_of(points, pins) == "");
+}
+
+TEST_CASE("mirrored landmarks of an animal are found with and without symmetric pairs") {
+    LandmarkPins pins = animal();
+    for (std::uint32_t seed = 0; seed < trials(50); ++seed) {
+        CAPTURE(seed);
+        std::vector<glm::dvec3> points = other_animal(pins, 0.03, seed);
+        for (glm::dvec3& point : points) point.z = -point.z;
+        CHECK(contains(text_of(points, pins), "left and right"));
+        LandmarkPins without_pairs = pins;
+        without_pairs.symmetric.clear();
+        CHECK(contains(text_of(points, without_pairs), "fit better mirrored"));
+    }
+}

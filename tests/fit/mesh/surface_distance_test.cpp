@@ -39,6 +39,12 @@ TEST_CASE("distances from needles and triangles without area are those of a sear
                 least = std::min(
                     least, squared_distance_to_triangle(point, {positions[a], positions[b], positions[c]}));
             CHECK(distance(point, nearest) == doctest::Approx(std::sqrt(least)).epsilon(1e-12));
+            Index near = 0;
+            CHECK(distance.is_within(point, 1.001 * std::sqrt(least), near));
+            const auto& [a, b, c] = triangles[near];
+            CHECK(squared_distance_to_triangle(point, {positions[a], positions[b], positions[c]}) <=
+                  1.003 * least);
+            CHECK_FALSE(distance.is_within(point, 0.999 * std::sqrt(least), near));
         }
     }
 }

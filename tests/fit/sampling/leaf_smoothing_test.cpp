@@ -144,3 +144,22 @@ TEST_CASE("beyond its limit, smoothing goes on with the worst leaves only, or en
     CHECK(moved(short_rounds) > 0);
     CHECK(moved(short_rounds) <= 18);
 }
+
+TEST_CASE("a few needles are mended at the cost of a little distance, or none is") {
+    const MappedMesh mapped = six_arms(5);
+    const SphereRoots roots = project_to_sphere(cube());
+    const MappedSurface located(mapped.mesh, mapped.points);
+    const SampledSurface before = sample_surface(located, roots, {.leaves = 3000}, {});
+    const auto smoothed = [&](double needle_angle) {
+        SampledSurface surface = before;
+        smooth_leaves(located, roots.complex.vertex_count(), surface, {}, {.needle_angle = needle_angle});
+        return surface;
+    };
+    const SampledSurface plain = smoothed(0);
+    REQUIRE(measure_shapes(located, plain).min_angle < 13);
+    const FitQuality mended = measure_quality(located, smoothed(13), {});
+    CHECK(mended.min_angle >= 13);
+    CHECK(mended.hausdorff <= 1.3 * measure_quality(located, plain, {}).hausdorff);
+    CHECK(mended.flipped_leaves == 0);
+    CHECK(smoothed(17.9).positions == plain.positions);
+}
