@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <glm/geometric.hpp>
 
 #include "hierarchy/measure.h"

@@ -1,7 +1,7 @@
 // Moebius centering (Baden, Crane and Kazhdan 2018, "Moebius Registration", algorithm 1).
 #include <cmath>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <glm/geometric.hpp>
 
 #include "fit/mesh/unit_box.h"
