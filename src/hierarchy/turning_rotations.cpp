@@ -7,10 +7,11 @@
 #include <span>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "hierarchy/measure.h"
+#include "hierarchy/rotation_fit.h"
 
 namespace interleaf {
 namespace {
@@ -25,20 +26,6 @@ constexpr double small_part = 1e-6;
 Eigen::Vector3d edge_vector(std::span<const glm::vec3> positions, Index from, Index to) {
     const glm::dvec3 e = glm::dvec3(positions[to]) - glm::dvec3(positions[from]);
     return {e.x, e.y, e.z};
-}
-
-/// The rotation R that maximizes the trace of R^T times \p agreement, the sum of (to)(from)^T.
-glm::dquat best_rotation(const Eigen::Matrix3d& agreement) {
-    const Eigen::Matrix3d s = agreement.transpose();
-    // Symmetric; the best rotation (w, x, y, z) is the eigenvector of the largest eigenvalue.
-    Eigen::Matrix4d n;
-    n << s.trace(), s(1, 2) - s(2, 1), s(2, 0) - s(0, 2), s(0, 1) - s(1, 0),                   //
-        s(1, 2) - s(2, 1), s(0, 0) - s(1, 1) - s(2, 2), s(0, 1) + s(1, 0), s(2, 0) + s(0, 2),  //
-        s(2, 0) - s(0, 2), s(0, 1) + s(1, 0), s(1, 1) - s(0, 0) - s(2, 2), s(1, 2) + s(2, 1),  //
-        s(0, 1) - s(1, 0), s(2, 0) + s(0, 2), s(1, 2) + s(2, 1), s(2, 2) - s(0, 0) - s(1, 1);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(n);
-    const Eigen::Vector4d best = solver.eigenvectors().col(3);
-    return {best(0), best(1), best(2), best(3)};
 }
 
 }  // namespace
@@ -107,7 +94,7 @@ std::vector<double> TurningRotations::vertex_areas(std::size_t from, std::size_t
     return areas;
 }
 
-/// For each vertex, the sum of (to)(from)^T over the legs and the normals of its leaves, column by column.
+/// For each vertex, the sum of (from)(to)^T over the legs and the normals of its leaves, column by column.
 Eigen::Matrix<double, Eigen::Dynamic, 9> TurningRotations::agreements(std::size_t from,
                                                                       std::size_t to) const {
     Eigen::Matrix<double, Eigen::Dynamic, 9> sums(mesh_.vertex_count(), 9);
@@ -121,11 +108,11 @@ Eigen::Matrix<double, Eigen::Dynamic, 9> TurningRotations::agreements(std::size_
             leg_from[n] = edge_vector(mesh_.positions[from], leaf[0], leaf[n + 1]);
             leg_to[n] = edge_vector(mesh_.positions[to], leaf[0], leaf[n + 1]);
         }
-        Eigen::Matrix3d sum = leg_to[0] * leg_from[0].transpose() + leg_to[1] * leg_from[1].transpose();
+        Eigen::Matrix3d sum = leg_from[0] * leg_to[0].transpose() + leg_from[1] * leg_to[1].transpose();
         const Eigen::Vector3d normal_from = leg_from[0].cross(leg_from[1]);
         const Eigen::Vector3d normal_to = leg_to[0].cross(leg_to[1]);
         const double length = std::sqrt(normal_from.norm() * normal_to.norm());
-        if (length > 0) sum += normal_to / length * normal_from.transpose();
+        if (length > 0) sum += normal_from / length * normal_to.transpose();
         sum /= 6 * scale;
         for (const Index vertex : leaf)
             sums.row(vertex) += Eigen::Map<const Eigen::Matrix<double, 1, 9>>(sum.data());
@@ -149,7 +136,7 @@ std::vector<glm::quat> TurningRotations::between(std::size_t from, std::size_t t
     rotations.reserve(areas.size());
     for (std::size_t v = 0; v < areas.size(); ++v) {
         const Eigen::Matrix<double, 9, 1> sum = sums.row(static_cast<Eigen::Index>(v));
-        rotations.push_back(best_rotation(Eigen::Map<const Eigen::Matrix3d>(sum.data())));
+        rotations.push_back(fit_rotation(glm::make_mat3(sum.data())).quaternion);
     }
     choose_signs(rotations, areas);
     return {rotations.begin(), rotations.end()};

@@ -12,7 +12,7 @@
 
 #include "fit/correspondence/moving_mesh.h"
 #include "fit/sphere_map/orientation.h"
-#include "fit/sphere_map/rotation_fit.h"
+#include "hierarchy/rotation_fit.h"
 #include "fit/sphere_map/spherical_star.h"
 
 namespace interleaf {

@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
-#include "fit/sphere_map/rotation_fit.h"
+#include "hierarchy/rotation_fit.h"
 
 namespace interleaf {
 namespace {

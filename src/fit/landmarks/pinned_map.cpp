@@ -17,7 +17,7 @@
 #include "fit/sphere_map/alignment.h"
 #include "fit/sphere_map/orientation.h"
 #include "fit/sphere_map/progressive_mapping.h"
-#include "fit/sphere_map/rotation_fit.h"
+#include "hierarchy/rotation_fit.h"
 #include "fit/sphere_map/spherical_map.h"
 
 namespace interleaf {

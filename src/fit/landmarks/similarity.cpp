@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "fit/sphere_map/rotation_fit.h"
+#include "hierarchy/rotation_fit.h"
 #include "hierarchy/error.h"
 
 namespace interleaf {

@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "fit/sphere_map/rotation_fit.h"
+#include "hierarchy/rotation_fit.h"
 
 namespace interleaf {
 namespace {

@@ -1,16 +1,14 @@
-#include "fit/sphere_map/rotation_fit.h"
+#include "hierarchy/rotation_fit.h"
 
 #include <cstddef>
 
 #include <Eigen/Eigenvalues>
+#include <glm/matrix.hpp>
 
 namespace interleaf {
 
-RotationFit fit_rotation(std::span<const glm::dvec3> from, std::span<const glm::dvec3> to) {
-    Eigen::Matrix3d s = Eigen::Matrix3d::Zero();  // s(i, j) is the sum of from_i to_j
-    for (std::size_t v = 0; v < from.size(); ++v)
-        s += Eigen::Vector3d(from[v].x, from[v].y, from[v].z) * Eigen::RowVector3d(to[v].x, to[v].y, to[v].z);
-
+RotationFit fit_rotation(const glm::dmat3& products) {
+    const auto s = [&](int i, int j) { return products[j][i]; };
     // The best rotation, as a quaternion (w, x, y, z), is the eigenvector of the largest eigenvalue. The least
     // eigenvalue belongs to the rotation that agrees least. A reflection makes it the best one.
     Eigen::Matrix4d n;
@@ -22,12 +20,19 @@ RotationFit fit_rotation(std::span<const glm::dvec3> from, std::span<const glm::
     const Eigen::Vector4d best = solver.eigenvectors().col(3);
     const Eigen::Matrix3d r = Eigen::Quaterniond(best(0), best(1), best(2), best(3)).normalized().matrix();
     RotationFit fit;
+    fit.quaternion = {best(0), best(1), best(2), best(3)};
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) fit.rotation[column][row] = r(row, column);
     fit.agreement = solver.eigenvalues()(3);
     fit.mirrored = -solver.eigenvalues()(0);
     fit.margin = solver.eigenvalues()(3) - solver.eigenvalues()(2);
     return fit;
+}
+
+RotationFit fit_rotation(std::span<const glm::dvec3> from, std::span<const glm::dvec3> to) {
+    glm::dmat3 products(0);
+    for (std::size_t v = 0; v < from.size(); ++v) products += glm::outerProduct(from[v], to[v]);
+    return fit_rotation(products);
 }
 
 }  // namespace interleaf
