@@ -78,7 +78,7 @@ GIVES = {
     "glm/geometric.hpp": "glm::cross glm::distance glm::dot glm::faceforward glm::length glm::normalize glm::reflect",
     "glm/gtc/matrix_transform.hpp": "glm::lookAt glm::ortho glm::perspective glm::rotate glm::scale glm::translate",
     "glm/gtc/quaternion.hpp": "glm::angleAxis glm::conjugate glm::dquat glm::mat3_cast glm::quat glm::quat_cast glm::slerp",
-    "glm/gtc/type_ptr.hpp": "glm::value_ptr",
+    "glm/gtc/type_ptr.hpp": "glm::make_mat3 glm::value_ptr",
     "glm/mat2x2.hpp": "glm::dmat2 glm::mat2",
     "glm/mat3x3.hpp": "glm::dmat3 glm::mat3",
     "glm/mat4x4.hpp": "glm::dmat4 glm::mat4",
