@@ -33,8 +33,7 @@ if(INTERLEAF_FUZZ)
 endif()
 
 # share_headers(TARGET KIND [FLAGS]): if INTERLEAF_TOGETHER is on, TARGET uses the precompiled headers of its
-# KIND: src, or tests (with doctest and JSON; also for the benchmarks). They are compiled once for all targets
-# with the same FLAGS.
+# KIND: src, or tests (with doctest and JSON). They are compiled once for all targets with the same FLAGS.
 # They can hide a missing include, which the tests layers.library_includes and layers.own_includes find.
 function(share_headers target kind)
   if(NOT INTERLEAF_TOGETHER)

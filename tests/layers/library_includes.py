@@ -6,7 +6,7 @@ The script reads the files of SRC, in which quoted includes begin, and of the ot
 share precompiled headers, so a file with a missing include compiles there, but not in a release.
 
 A header counts if the file includes it, directly or through headers of the project. Headers that a library
-header includes do not count. A name of std, glm, fmt or nlohmann that is not in the table is also a violation.
+header includes do not count. A name of std, glm or fmt that is not in the table is also a violation.
 """
 
 import re
@@ -110,8 +110,6 @@ GIVES = {
         adopt_lock call_once defer_lock lock_guard mutex once_flag recursive_mutex scoped_lock try_lock
         unique_lock""",
     "new": "::new() bad_alloc bad_array_new_length nothrow",
-    "nlohmann/json.hpp": "nlohmann::json nlohmann::ordered_json",
-    "nlohmann/json_fwd.hpp": "nlohmann::json nlohmann::ordered_json",
     "numbers": "numbers",
     "numeric": """
         accumulate adjacent_difference exclusive_scan gcd inclusive_scan inner_product iota lcm midpoint
@@ -196,8 +194,8 @@ INCLUDES = {
 EVERYWHERE = {"size_t", "ptrdiff_t", "move", "forward", "swap", "pair", "end", "begin"}
 
 COMMENT_OR_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"', re.DOTALL)
-NAME = re.compile(r"\b(?:std|glm|fmt|nlohmann)::\w+|(?<![\w>])::\w+(?=\s*\()|(?<![\w:.])(?:assert(?=\()|errno\b"
-                  r"|E[A-Z]{4,}\b|SIG(?:INT|TERM)\b|O_[A-Z]+\b|for \([^;]*? : (?=\{))")
+NAME = re.compile(r"\b(?:std|glm|fmt)::\w+|(?<![\w>])::\w+(?=\s*\()|(?<![\w:.])(?:assert(?=\()|errno\b|E[A-Z]{4,}\b"
+                  r"|SIG(?:INT|TERM)\b|O_[A-Z]+\b|for \([^;]*? : (?=\{))")
 
 
 def given_by():
