@@ -181,15 +181,14 @@ std::optional<MatchReport> match_to_model(JudgedMap& judged, const LandmarkPins*
     }
     const AlignedMap& map = *judged.map;
     const std::span<const Index> held = pins != nullptr ? pins->vertices : std::span<const Index>();
-    const Hierarchy models_key = key_of_model(*options.model, options.roots, part_of(progress, 0, 0));
+    std::optional<Hierarchy> models_key;
     const auto half_way_area_of = [&](const SampledSurface& surface) {
-        return half_way_area(models_key,
+        return half_way_area(*models_key,
                              hierarchy_from_leaves(options.roots.complex, surface.leaves, surface.positions),
                              options.rotation);
     };
-    const double area_before = half_way_area_of(judged.surface);
-    double area_after = area_before;
-    stopwatch.lap("comparing half way");
+    double area_before = 0;
+    double area_after = 0;
     JudgedMap judged_match;
     const auto judge_match = [&](const MatchedMap& matched, const Progress& inner) {
         stopwatch.lap("matching");
@@ -198,8 +197,14 @@ std::optional<MatchReport> match_to_model(JudgedMap& judged, const LandmarkPins*
             options.roots, stopwatch, inner);
         if (std::string fault = fault_of_match(judged_match, judged.quality, options.limits); !fault.empty())
             return fault;
+        if (!models_key) {
+            models_key = key_of_model(*options.model, options.roots, part_of(inner, 1, 1));
+            area_before = half_way_area_of(judged.surface);
+        }
         area_after = half_way_area_of(judged_match.surface);
-        return fault_of_half_way(area_after, area_before);
+        stopwatch.lap("comparing half way");
+        // Landmarks say what corresponds, and may be kept in poses in which areas half way say nothing.
+        return pins != nullptr ? std::string() : fault_of_half_way(area_after, area_before);
     };
     MatchedMap matched = match(*options.model, map.mesh(), map.points, options.rotation, held,
                                options.matching, progress, judge_match);

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 

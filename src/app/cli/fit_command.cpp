@@ -183,8 +183,9 @@ Json json_of(const std::optional<MatchReport>& match) {
     if (!match) return nullptr;
     Json before = json_of(match->before);
     Json after = json_of(match->after);
-    before["half_way_area"] = match->half_way_area_before;
-    after["half_way_area"] = match->half_way_area_after;
+    const bool is_measured = match->half_way_area_before > 0;
+    before["half_way_area"] = is_measured ? Json(match->half_way_area_before) : Json();
+    after["half_way_area"] = is_measured ? Json(match->half_way_area_after) : Json();
     return {{"is_matched", match->fault.empty()},
             {"fault", match->fault},
             {"passes", match->passes},

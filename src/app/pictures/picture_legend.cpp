@@ -108,7 +108,7 @@ struct LegendLayout {
 /// The size of a bar and its numbers.
 template <typename Colors>
 glm::vec2 contents_size(const Colors& colors, const LegendLayout& layout) {
-    float widest = 0;
+    float widest = PixelCanvas::text_width(layout.size, "00");  // levels of the union may get a second digit
     for (const LegendNumber& number : numbers_of(colors, layout.longest.y / layout.row))
         widest = std::max(widest, PixelCanvas::text_width(layout.size, number.text));
     return {layout.swatch + 2 * layout.tick + widest, layout.longest.y};
@@ -177,7 +177,7 @@ void draw_contents(PixelCanvas& canvas, glm::vec2 top, const LegendLayout& layou
         canvas.fill(top, top + layout.swatch, std::round(0.2F * layout.size), {entry.color, 1});
         write(indent, entry.text);
     }
-    if (shown < list.size()) write(0, fmt::format("and {} other sets of keys", list.size() - shown));
+    if (shown < list.size()) write(0, fmt::format("and {} others", list.size() - shown));
 }
 
 std::vector<LegendEntry> origin_entries(std::span<const std::string> names, std::span<const std::size_t> keys,

@@ -120,11 +120,9 @@ bool belongs_to_brush(Shortcut shortcut, const ViewerState& state) {
 std::vector<Shortcut> run_pressed(std::span<const Shortcut> pressed, const Shortcuts& shortcuts,
                                   ViewerState& state, double now) {
     for (auto next = pressed.begin(); next != pressed.end(); ++next) {
-        if (asks(state)) return {next, pressed.end()};
-        if (belongs_to_domain(*next, state) || belongs_to_brush(*next, state)) continue;
-        const bool was_opening = opens_field(state);
-        run_command(*shortcuts.find(*next), state, now);
-        if (!was_opening && opens_field(state)) return {next + 1, pressed.end()};
+        if (asks(state) || opens_field(state)) return {next, pressed.end()};
+        if (!belongs_to_domain(*next, state) && !belongs_to_brush(*next, state))
+            run_command(*shortcuts.find(*next), state, now);
     }
     return {};
 }

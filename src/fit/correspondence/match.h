@@ -38,7 +38,7 @@ struct MatchReport {
     std::string fault;  ///< why the given map is kept, in words; empty if the body is matched
 
     /// Of the surface half way between the model's key and the body's, both scaled to area 1 (half_way.h). Only fit()
-    /// measures it, since match() makes no keys.
+    /// measures it, since match() makes no keys, and only if a matched key is sound otherwise; else 0.
     double half_way_area_before = 0;
     double half_way_area_after = 0;  ///< the same as before if the given map is kept
 };

@@ -133,27 +133,27 @@ class Smoothing {
         }
     }
 
-    /// Mends leaves with a smaller angle than \p degrees, where that takes the key farther from the surface. If one of
-    /// them stays, all stay as they were.
+    /// Mends leaves with a smaller angle than \p degrees, somewhat farther from the surface; none if one of them stays.
     void mend_needles(double degrees, std::size_t fixed_vertices, ProgressMeter& meter) {
-        const SampledSurface before = surface_;
-        allowed_distance_ = near_enough_for_needle * max_distance_;
         const double cosine = cosine_of(degrees);
         const auto is_needle = [&](Index leaf) { return max_cosine(corners(leaf)) > cosine; };
-        bool is_left = true;
-        for (int round = 0; round < max_rounds && is_left; ++round) {
-            is_left = false;
-            for (Index leaf = 0; leaf < leaves_.size(); ++leaf) {
-                meter.step();
+        std::vector<Index> needles;
+        for (Index leaf = 0; leaf < leaves_.size(); ++leaf)
+            if (is_needle(leaf)) needles.push_back(leaf);
+        if (needles.empty()) return;
+        const SampledSurface before = surface_;
+        allowed_distance_ = near_enough_for_needle * max_distance_;
+        bool moved = true;
+        for (int round = 0; round < max_rounds && moved; ++round) {
+            moved = false;
+            for (const Index leaf : needles)
                 for (const Index vertex : leaves_[leaf]) {
                     if (vertex < fixed_vertices || !is_needle(leaf)) continue;
-                    improve(vertex);
+                    moved = improve(vertex) || moved;
                     meter.step(5000);
                 }
-                is_left = is_left || is_needle(leaf);
-            }
         }
-        if (is_left) surface_ = before;
+        if (std::ranges::any_of(needles, is_needle)) surface_ = before;
     }
 
   private:

@@ -4,7 +4,7 @@
 // stay one to one with their parts of the sphere. Smoothing looks for better places near the vertices of
 // leaves that have a small angle or are turned over against the surface. No move makes the least angle of a
 // star smaller while that angle is small, or turns more of its leaves over. After a move, the measured
-// distance between the star and the mesh is smaller than the largest distance was before.
+// distance between the star and the mesh is smaller than the largest distance was before, unless it mends a needle.
 #pragma once
 
 #include <cstddef>
@@ -27,14 +27,14 @@ struct SmoothingLimits {
     std::size_t tries_per_round = std::numeric_limits<std::size_t>::max();
     /// Maximum per further round, which goes through the worst leaves only. 0 for no further round.
     std::size_t tries_of_worst = 0;
-    /// If no leaf has to stay below this angle, in degrees, the mesh may come a quarter farther from the stars of such
-    /// leaves. 0 for a distance that never grows.
+    /// Leaves below this angle, in degrees, are tried once more at the end, with up to 1.25 of the largest distance
+    /// before. If one of them stays, all these moves are undone. 0: they are not tried.
     double needle_angle = 0;
 };
 
 /// Moves vertices of \p surface so that its least angle does not fall and no more leaves are turned over
 /// (surface_sampling.h). The mesh over a changed star is nearer to the star than the farthest place of the
-/// mesh was before. This is measured at the vertices of the mesh and on a grid over the leaves; between these
+/// mesh was before, unless limits.needle_angle says otherwise. This is measured at the vertices of the mesh and on a grid over the leaves; between these
 /// places the mesh may be a little farther away.
 /// \param surface         sampled from \p mapped
 /// \param fixed_vertices  number of vertices at the beginning that do not move: the root vertices

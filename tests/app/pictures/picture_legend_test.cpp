@@ -120,6 +120,12 @@ TEST_CASE("a list keeps its width, and shows as many of its entries as there is 
     CHECK(red[2] < 20 * red[0]);
 }
 
+TEST_CASE("the legend of levels keeps its width when the levels get a second digit") {
+    const PictureLegend few{.title = "Level", .colors = LevelRange{.min = 0, .max = 9}};
+    const PictureLegend many{.title = "Level", .colors = LevelRange{.min = 0, .max = 12}};
+    CHECK(legend_part(640, 360, few) == legend_part(640, 360, many));
+}
+
 TEST_CASE("a light picture has a light legend") {
     PictureLegend legend{.title = "Level", .colors = LevelRange{.min = 0, .max = 30}};
     const auto mean = [&] {

@@ -62,4 +62,10 @@ TEST_CASE("letters pressed after the key that opens a search or a dialog run no 
         CHECK(run_pressed(pressed, table_shortcuts(), state, 0) == std::vector{brush});
         CHECK_FALSE(state.brush.is_on);
     }
+    // Nor do they after a click that opens it.
+    ViewerState state(sample_family());
+    state.selected_key = 0;
+    state.search_wanted = true;
+    CHECK(run_pressed(std::array{brush}, table_shortcuts(), state, 0) == std::vector{brush});
+    CHECK_FALSE(state.brush.is_on);
 }
