@@ -37,6 +37,14 @@ struct TimedFile {
     double time = 0;
 };
 
+/// The file \p name of a list in \p folder; none if there is no such file.
+std::optional<fs::path> listed_file(const fs::path& folder, const std::string& name) {
+    fs::path file = folder / name;
+    std::error_code ignored;
+    if (name.empty() || !fs::exists(file, ignored)) return std::nullopt;
+    return file;
+}
+
 SeriesFiles in_order_of_time(std::vector<TimedFile> steps, const std::string& series) {
     std::ranges::stable_sort(steps, {}, &TimedFile::time);
     const auto same = std::ranges::adjacent_find(steps, {}, &TimedFile::time);
@@ -64,15 +72,31 @@ SeriesFiles read_collection(const fs::path& collection) {
         if (!time)
             document.fail(fmt::format("DataSet {} (counted from 0): timestep {}, expected a number",
                                       steps.size(), in_quotes(word)));
-        const fs::path file = collection.parent_path() / name;
-        std::error_code ignored;
-        if (name.empty() || !fs::exists(file, ignored))
+        const std::optional<fs::path> file = listed_file(collection.parent_path(), name);
+        if (!file)
             document.fail(fmt::format("DataSet {} (counted from 0): there is no file {}", steps.size(),
                                       in_quotes(name)));
-        steps.push_back({file, *time});
+        steps.push_back({*file, *time});
     }
     if (steps.empty()) document.fail("has no files, expected DataSet elements");
     return in_order_of_time(std::move(steps), collection.string());
+}
+
+SeriesFiles read_json_series(const fs::path& series) {
+    const nlohmann::json document = parse_json(read_text(series, max_collection_size), series.string());
+    const JsonPlace root(document, series.string());
+    const JsonPlace version = root.member("file-series-version");
+    if (version.string() != "1.0") version.fail_expecting("\"1.0\"");
+    const JsonPlace files = root.member("files");
+    std::vector<TimedFile> steps;
+    for (std::size_t n = 0; n < files.size(); ++n) {
+        const JsonPlace name = files.element(n).member("name");
+        const std::optional<fs::path> file = listed_file(series.parent_path(), name.string());
+        if (!file) name.fail(fmt::format("there is no file {}", in_quotes(name.string())));
+        steps.push_back({*file, files.element(n).member("time").number()});
+    }
+    if (steps.empty()) files.fail("has no files, expected at least one");
+    return in_order_of_time(std::move(steps), series.string());
 }
 
 /// The numbers in \p name, with the dots and signs between them left out.
@@ -158,8 +182,11 @@ void take_scalars(const FieldMesh& mesh, SurfaceFile& surface) {
 }  // namespace
 
 SeriesFiles series_files(std::span<const fs::path> paths) {
-    if (paths.size() == 1 && lower_case_extension(paths.front()) == ".pvd")
-        return read_collection(paths.front());
+    if (paths.size() == 1) {
+        const std::string extension = lower_case_extension(paths.front());
+        if (extension == ".pvd") return read_collection(paths.front());
+        if (extension == ".series") return read_json_series(paths.front());
+    }
     SeriesFiles series{.files = {}, .times = {}, .are_steps = true};
     for (const fs::path& path : paths)
         std::ranges::move(matching_files(path), std::back_inserter(series.files));

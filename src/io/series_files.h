@@ -13,16 +13,16 @@ namespace interleaf {
 struct SeriesFiles {
     std::vector<std::filesystem::path> files;  ///< in the order of time
     std::vector<double> times;                 ///< one per file, strictly increasing
-    bool are_steps = false;                    ///< the times are numbers of files, not those of a collection
+    bool are_steps = false;                    ///< the times are numbers of files, not those of a list
 };
 
-/// The files of a series that \p paths name: one ParaView collection (.pvd), or the files of meshes, of which
-/// each path may be a pattern (file/file_pattern.h).
+/// The files of a series that \p paths name: one list of ParaView, a collection (.pvd) or a file series in JSON
+/// (.vtu.series, .vtk.series, ...); or the files of meshes, of which each path may be a pattern (file/file_pattern.h).
 ///
-/// The times of a collection are in it. The times of files are the numbers in their names, if the names differ
+/// The times of a list are in it, and its files are relative to its folder. The times of files are the numbers in their names, if the names differ
 /// in one number alone; otherwise they are 0, 1, 2, ...
-/// \throw InputError   naming the file and the place, if a collection is damaged, names a file that is not there,
-///                     or has two files at one time; or if no file matches a pattern
+/// \throw InputError   naming the file and the place, if a list is damaged, names a file that is not there, or has
+///                     two files at one time; or if no file matches a pattern
 /// \throw MachineError if a file or folder cannot be read
 SeriesFiles series_files(std::span<const std::filesystem::path> paths);
 

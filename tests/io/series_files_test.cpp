@@ -50,6 +50,53 @@ TEST_CASE("a collection gives the files and their times, in the order of time") 
               .ends_with("are both at time 1, expected one file per time"));
 }
 
+TEST_CASE(
+    "a file series in JSON gives the files and their times, in the order of time, and names what is wrong") {
+    const ScratchFolder folder;
+    put(folder / "a.vtu", "");
+    put(folder / "b.vtu", "");
+    const fs::path file = folder / "run.vtu.Series";
+    const auto read = [&](std::string_view text) {
+        put(file, text);
+        return series_files(std::span(&file, 1));
+    };
+    const auto read_files = [&](std::string_view files) {
+        return read(fmt::format(R"({{"file-series-version": "1.0", "files": {}}})", files));
+    };
+    const SeriesFiles series = read_files(
+        fmt::format(R"([{{"name": "b.vtu", "time": 2.5}}, {{"name": "{}", "time": -1, "iter": 7}}])",
+                    (folder / "a.vtu").string()));
+    CHECK(series.files == std::vector<fs::path>{folder / "a.vtu", folder / "b.vtu"});
+    CHECK(series.times == std::vector<double>{-1, 2.5});
+    CHECK_FALSE(series.are_steps);
+
+    const auto check_error = [&](std::string_view files, std::string_view end) {
+        CAPTURE(files);
+        const std::string error = input_error_of([&] { read_files(files); });
+        CAPTURE(error);
+        CHECK(error.starts_with(file.string() + ": "));
+        CHECK(error.ends_with(end));
+    };
+    check_error(R"([{"name": "c.vtu", "time": 0}])", R"(: files[0].name: there is no file "c.vtu")");
+    check_error(R"([{"name": "", "time": 0}])", R"(: files[0].name: there is no file "")");
+    check_error(R"([{"name": 7, "time": 0}])", ": files[0].name: is 7, expected a text");
+    check_error(R"([{"time": 0}])", R"(: files[0]: has no "name")");
+    check_error(R"([{"name": "a.vtu"}])", R"(: files[0]: has no "time")");
+    check_error(R"([{"name": "a.vtu", "time": "0"}])", R"(: files[0].time: is "0", expected a number)");
+    check_error(R"([{"name": "a.vtu", "time": 1e999}])", "number overflow parsing '1e999'");
+    check_error(R"(["a.vtu"])", R"(: files[0]: is "a.vtu", expected an object)");
+    check_error("{}", ": files: is an object, expected an array");
+    check_error("[]", ": files: has no files, expected at least one");
+    check_error(R"([{"name": "a.vtu", "time": 1}, {"name": "b.vtu", "time": 1}])",
+                "are both at time 1, expected one file per time");
+    CHECK(input_error_of([&] { read("[]"); }).ends_with(": document: is an array, expected an object"));
+    CHECK(input_error_of([&] { read("{}"); }).ends_with(R"(: document: has no "file-series-version")"));
+    CHECK(input_error_of([&] {
+              read(R"({"file-series-version": "2.0", "files": []})");
+          }).ends_with(R"(: file-series-version: is "2.0", expected "1.0")"));
+    CHECK(input_error_of([&] { read("<VTKFile/>"); }).starts_with(file.string() + ": "));
+}
+
 TEST_CASE("times of files are the one number in which their names differ, or 0, 1, 2") {
     CHECK(times_of({"a/u2-007.vtk", "a/u2-010.vtk", "a/u2-200.vtk"}) == std::vector<double>{7, 10, 200});
     CHECK(times_of({"u1-1.vtk", "u2-2.vtk"}) == std::vector<double>{0, 1});
