@@ -44,8 +44,8 @@ struct StepOffsets {
     std::vector<FieldScale> fields{};
 };
 
-FieldMesh read_step(const std::filesystem::path& file, const StepOffsets& offsets) {
-    FieldMesh mesh = read_field_mesh(file);
+FieldMesh read_step(const SeriesFiles& series, std::size_t step, const StepOffsets& offsets) {
+    FieldMesh mesh = read_step_mesh(series, step);
     if (offsets.origin != glm::dvec3(0))
         for (glm::dvec3& point : mesh.points) point -= offsets.origin;
     for (MeshField& field : mesh.point_fields)
@@ -88,7 +88,7 @@ StepOffsets offsets_of(const SeriesFiles& series, const FieldMesh& first, std::s
     for (const std::size_t step : std::set{count / 2, count - 1}) {
         if (step == 0) continue;
         try {
-            ranges.include(read_field_mesh(series.files[step]));
+            ranges.include(read_step_mesh(series, step));
         } catch (const std::runtime_error&) {
             break;
         }
@@ -156,13 +156,14 @@ SeriesFiles every_step(const SeriesFiles& series, std::size_t every) {
     for (std::size_t step = 0; step < series.files.size(); step += every) {
         taken.files.push_back(series.files[step]);
         taken.times.push_back(series.times[step]);
+        taken.further_parts.push_back(series.further_parts[step]);
     }
     return taken;
 }
 
 ImportedSeries import_series(const SeriesFiles& series, std::string_view name, const ImportChoices& choices,
                              const SeriesProgress& progress) {
-    const FieldMesh first = read_field_mesh(series.files.front());
+    const FieldMesh first = read_step_mesh(series, 0);
     const StepOffsets offsets = offsets_of(series, first, choices.displacement);
     std::optional<Hierarchy> roots;
     if (!choices.roots.empty()) roots = read_hierarchy(choices.roots);
@@ -172,7 +173,7 @@ ImportedSeries import_series(const SeriesFiles& series, std::string_view name, c
                                 .displacement = choices.displacement,
                                 .roots = roots ? &*roots : nullptr};
     const Series steps{series.files.size(),
-                       [&](std::size_t step) { return read_step(series.files[step], offsets); }};
+                       [&](std::size_t step) { return read_step(series, step, offsets); }};
 
     ImportedSeries imported;
     std::vector<Key> keys;

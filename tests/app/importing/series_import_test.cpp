@@ -233,3 +233,25 @@ TEST_CASE("progress never goes back where no bisection connects the steps and ke
     CHECK(imported.report.method == SeriesMethod::by_fitting);
     CHECK(reached > 0.5);
 }
+
+TEST_CASE("the parts of a step become one key, also where only every second step is taken") {
+    const ScratchFolder folder;
+    const std::string head = "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n";
+    put(folder / "lower.vtk", head + "0 0 0 1 0 0 1 1 0\nPOLYGONS 1 4\n3 1 2 0\n");
+    put(folder / "upper.vtk", head + "0 0 0 1 1 0 0 1 0\nPOLYGONS 1 4\n3 2 0 1\n");
+    std::string sets;
+    for (const int time : {0, 1, 2})
+        for (const int part : {0, 1})
+            sets += fmt::format("<DataSet timestep='{}' part='{}' file='{}.vtk'/>", time, part,
+                                part == 0 ? "lower" : "upper");
+    const std::filesystem::path file = folder / "run.pvd";
+    put(file, fmt::format("<VTKFile type='Collection'><Collection>{}</Collection></VTKFile>", sets));
+    const SeriesFiles taken = every_step(series_files(std::span(&file, 1)), 2);
+    CHECK(taken.times == std::vector<double>{0, 2});
+    const Family family = import_series(taken, "parts", {}, {}).family;
+    REQUIRE(family.keys.size() == 2);
+    for (const Key& key : family.keys) {
+        CHECK(key.hierarchy->leaf_count() == 2);
+        CHECK(key.hierarchy->positions.size() == 4);
+    }
+}
