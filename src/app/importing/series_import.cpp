@@ -18,6 +18,7 @@
 #include "family/warp.h"
 #include "hierarchy/error.h"
 #include "io/hierarchy/hierarchy_file.h"
+#include "io/text/json_place.h"
 #include "sequence/series/step_mesh.h"
 
 namespace interleaf {
@@ -140,6 +141,27 @@ void require_scalar(const Hierarchy& key, const std::string& name) {
                                  name, known.empty() ? "none" : known));
 }
 
+/// A sentence about the fields of cells of \p first, which no key gets; none if it has no such fields but those that
+/// `export` writes about the leaves of a key.
+std::optional<std::string> note_about_cell_fields(const FieldMesh& first) {
+    const std::vector<MeshField>& fields = first.triangle_fields;
+    const auto has = [&](std::string_view name) {
+        return std::ranges::find(fields, name, &MeshField::name) != fields.end();
+    };
+    const bool is_exported = has("level") && has("root");
+    constexpr std::size_t max_names = 8;
+    std::string names;
+    std::size_t count = 0;
+    for (const MeshField& field : fields) {
+        if (is_exported && (field.name == "level" || field.name == "root" || field.name == "origin"))
+            continue;
+        if (++count <= max_names) names += (names.empty() ? "" : ", ") + in_quotes(field.name);
+    }
+    if (count == 0) return std::nullopt;
+    if (count > max_names) names += fmt::format(" and {} more", count - max_names);
+    return fmt::format("fields of cells are left out: {}", names);
+}
+
 Timeline timeline_of(const SeriesFiles& series) {
     std::vector<TimelineKey> keys;
     keys.reserve(series.times.size());
@@ -208,6 +230,8 @@ ImportedSeries import_series(const SeriesFiles& series, std::string_view name, c
     } catch (const InputError& error) {
         throw InputError(with_file(error.what(), series));
     }
+    if (choices.fields.empty())
+        if (auto note = note_about_cell_fields(first)) imported.report.notes.push_back(std::move(*note));
     imported.family = family_of_keys(name, std::move(keys));
     imported.family.timeline = timeline_of(series);
     imported.family.domain.reset();

@@ -50,7 +50,8 @@ struct ImportedSeries {
 SeriesFiles every_step(const SeriesFiles& series, std::size_t every);
 
 /// Imports \p series. Positions far from 0 get an origin (family/origin.h), that of the first step. Scalars far from
-/// 0 get an offset (family/field_scale.h), that of the first, the middle and the last step.
+/// 0 get an offset (family/field_scale.h), that of the first, the middle and the last step. Where no fields are
+/// chosen, a note of the report names the fields of cells, which are left out.
 /// \param name      of the family
 /// \param progress  as SeriesProgress; it may throw to end the work
 /// \throw InputError    naming the file, the place and what would help

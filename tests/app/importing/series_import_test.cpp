@@ -255,3 +255,30 @@ TEST_CASE("the parts of a step become one key, also where only every second step
         CHECK(key.hierarchy->positions.size() == 4);
     }
 }
+
+TEST_CASE("the report names fields of cells that are left out, once, but not those of our own exports") {
+    const ScratchFolder folder;
+    const auto notes = [&](std::initializer_list<const char*> cell_fields, const ImportChoices& choices) {
+        std::string arrays;
+        for (const char* const name : cell_fields) arrays += fmt::format("{} 1 1 double\n7\n", name);
+        for (const char* const file : {"a-0.vtk", "a-1.vtk"})
+            put(folder / file,
+                fmt::format("# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n"
+                            "0 0 0 1 0 0 1 1 0\nPOLYGONS 1 4\n3 0 1 2\n"
+                            "POINT_DATA 3\nSCALARS u double\nLOOKUP_TABLE default\n0 1 2\n"
+                            "CELL_DATA 1\nFIELD FieldData {}\n{}",
+                            cell_fields.size(), arrays));
+        const std::filesystem::path pattern = folder / "a-*.vtk";
+        return import_series(series_files(std::span(&pattern, 1)), "a", choices, {}).report.notes;
+    };
+    using Notes = std::vector<std::string>;
+    CHECK(notes({}, {}).empty());
+    CHECK(notes({"p", "stress"}, {}) == Notes{R"(fields of cells are left out: "p", "stress")"});
+    CHECK(notes({"p", "stress"}, {.fields = {"u"}}).empty());
+    CHECK(notes({"level", "root", "origin"}, {}).empty());
+    CHECK(notes({"level", "root"}, {}).empty());
+    CHECK(notes({"level", "p", "root"}, {}) == Notes{R"(fields of cells are left out: "p")"});
+    CHECK(notes({"level"}, {}) == Notes{R"(fields of cells are left out: "level")"});
+    CHECK(notes({"a", "b", "c", "d", "e", "f", "g", "h", "i", "j"}, {}) ==
+          Notes{R"(fields of cells are left out: "a", "b", "c", "d", "e", "f", "g", "h" and 2 more)"});
+}
