@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -162,11 +163,17 @@ std::optional<std::string> note_about_cell_fields(const FieldMesh& first) {
     return fmt::format("fields of cells are left out: {}", names);
 }
 
-Timeline timeline_of(const SeriesFiles& series) {
+/// \param in_files  the times that the files of the steps have, which count if the series has none of its own
+Timeline timeline_of(const SeriesFiles& series, std::span<const std::optional<double>> in_files) {
+    const auto does_not_increase = [](const auto& a, const auto& b) { return !(a && b && *a < *b); };
+    const bool are_in_files = series.are_steps && in_files.size() > 1 &&
+                              std::ranges::adjacent_find(in_files, does_not_increase) == in_files.end();
     std::vector<TimelineKey> keys;
     keys.reserve(series.times.size());
-    for (std::size_t step = 0; step < series.times.size(); ++step) keys.push_back({series.times[step], step});
-    return Timeline(std::move(keys), {}, series.are_steps ? TimeUnit::steps : TimeUnit::seconds);
+    for (std::size_t step = 0; step < series.times.size(); ++step)
+        keys.push_back({are_in_files ? *in_files[step] : series.times[step], step});
+    const bool are_steps = series.are_steps && !are_in_files;
+    return Timeline(std::move(keys), {}, are_steps ? TimeUnit::steps : TimeUnit::seconds);
 }
 
 }  // namespace
@@ -194,8 +201,12 @@ ImportedSeries import_series(const SeriesFiles& series, std::string_view name, c
                                 .fields = choices.fields,
                                 .displacement = choices.displacement,
                                 .roots = roots ? &*roots : nullptr};
-    const Series steps{series.files.size(),
-                       [&](std::size_t step) { return read_step(series, step, offsets); }};
+    std::vector<std::optional<double>> times_in_files(series.files.size());
+    const Series steps{series.files.size(), [&](std::size_t step) {
+                           FieldMesh mesh = read_step(series, step, offsets);
+                           times_in_files[step] = mesh.time;
+                           return mesh;
+                       }};
 
     ImportedSeries imported;
     std::vector<Key> keys;
@@ -233,7 +244,7 @@ ImportedSeries import_series(const SeriesFiles& series, std::string_view name, c
     if (choices.fields.empty())
         if (auto note = note_about_cell_fields(first)) imported.report.notes.push_back(std::move(*note));
     imported.family = family_of_keys(name, std::move(keys));
-    imported.family.timeline = timeline_of(series);
+    imported.family.timeline = timeline_of(series, times_in_files);
     imported.family.domain.reset();
     imported.family.origin = offsets.origin;
     for (const FieldScale& scale : offsets.fields)

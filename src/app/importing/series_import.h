@@ -41,7 +41,9 @@ struct ImportChoices {
 };
 
 struct ImportedSeries {
-    Family family;  ///< one key per step, named as its file, at the time of the step
+    /// One key per step, named as its file, at the time of the step: that of the list of files; or the time that each
+    /// file has, if all of several files have one and these increase; or else as series_files()
+    Family family;
     SeriesReport report;
 };
 

@@ -282,3 +282,42 @@ TEST_CASE("the report names fields of cells that are left out, once, but not tho
     CHECK(notes({"a", "b", "c", "d", "e", "f", "g", "h", "i", "j"}, {}) ==
           Notes{R"(fields of cells are left out: "a", "b", "c", "d", "e", "f", "g", "h" and 2 more)"});
 }
+
+TEST_CASE(
+    "several files have the times in them, if each has one and these increase, else those of their names") {
+    const ScratchFolder folder;
+    const auto put_step = [&](const char* file, std::string_view time) {
+        put(folder / file,
+            fmt::format("# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\n{}POINTS 3 double\n"
+                        "0 0 0 1 0 0 1 1 0\nPOLYGONS 1 4\n3 0 1 2\n",
+                        time.empty() ? "" : fmt::format("FIELD FieldData 1\nTIME 1 1 double\n{}\n", time)));
+    };
+    const auto timeline = [&](std::vector<const char*> times) {
+        std::vector<std::filesystem::path> files;
+        for (std::size_t n = 0; n < times.size(); ++n) {
+            put_step(fmt::format("a-{}.vtk", n + 3).c_str(), times[n]);
+            files.push_back(folder / fmt::format("a-{}.vtk", n + 3));
+        }
+        Timeline read = *import_series(series_files(files), "a", {}, {}).family.timeline;
+        REQUIRE(read.keys().size() == times.size());
+        return read;
+    };
+    const Timeline timed = timeline({"0.5", "0.75", "2"});
+    CHECK(timed.keys()[0].time == 0.5);
+    CHECK(timed.keys()[1].time == 0.75);
+    CHECK(timed.keys()[2].time == 2);
+    CHECK(timed.unit() == TimeUnit::seconds);
+    for (const auto& times : std::vector<std::vector<const char*>>{
+             {"0.5", "", "2"}, {"", "1", "2"}, {"0.5", "0.5", "2"}, {"2", "1", "0"}, {"7"}}) {
+        const Timeline named = timeline(times);
+        CHECK(named.begin() == (times.size() == 1 ? 0 : 3));
+        CHECK(named.unit() == TimeUnit::steps);
+    }
+
+    put_step("a-3.vtk", "8");
+    put_step("a-4.vtk", "9");
+    const std::filesystem::path list = folder / "a.vtk.series";
+    put(list,
+        R"({"file-series-version": "1.0", "files": [{"name": "a-3.vtk", "time": 1}, {"name": "a-4.vtk", "time": 2}]})");
+    CHECK(import_series(series_files(std::span(&list, 1)), "a", {}, {}).family.timeline->begin() == 1);
+}
