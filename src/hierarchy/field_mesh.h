@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct FieldMesh {
     std::vector<Index> cell_of;  ///< per triangle, the number of its cell in the file, from 0
     std::vector<MeshField> point_fields;
     std::vector<MeshField> triangle_fields;
+    std::optional<double> time{};  ///< of the step, finite; none if the file has no time
     bool operator==(const FieldMesh&) const = default;
 };
 

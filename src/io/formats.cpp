@@ -26,7 +26,7 @@ std::variant<FileKeys, Misfit> read_hierarchies(std::span<const std::filesystem:
     return read;
 }
 
-constexpr std::array<Format, 15> table = {{
+constexpr std::array<Format, 16> table = {{
     {.extension = ".json",
      .title = "family file",
      .read = Carried{.fields = true, .colors = true, .hierarchy = true, .origin = true, .time = true},
@@ -104,6 +104,10 @@ constexpr std::array<Format, 15> table = {{
      .written = Carried{.fields = true, .colors = true, .origin = true, .time = true},
      .is_step = true,
      .write = export_pvd},
+    {.extension = ".series",
+     .title = "ParaView file series",
+     .read = Carried{.fields = true, .origin = true, .time = true},
+     .is_step = true},
 }};
 
 }  // namespace

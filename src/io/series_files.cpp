@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -21,6 +22,7 @@
 #include "io/text/json_place.h"
 #include "io/text/words.h"
 #include "io/vtk/legacy_file.h"
+#include "io/vtk/vtk_piece.h"
 #include "io/vtk/xml_document.h"
 #include "io/vtk/xml_file.h"
 
@@ -35,18 +37,43 @@ constexpr std::uint64_t max_legacy_size = std::uint64_t{4} << 30U;
 struct TimedFile {
     fs::path file;
     double time = 0;
+    std::size_t part = 0;
 };
 
-SeriesFiles in_order_of_time(std::vector<TimedFile> steps, const std::string& series) {
-    std::ranges::stable_sort(steps, {}, &TimedFile::time);
-    const auto same = std::ranges::adjacent_find(steps, {}, &TimedFile::time);
-    if (same != steps.end())
-        throw InputError(fmt::format("{}: {} and {} are both at time {}, expected one file per time", series,
-                                     same->file.string(), std::next(same)->file.string(), same->time));
+/// The file \p name of a list in \p folder; none if there is no such file.
+std::optional<fs::path> listed_file(const fs::path& folder, const std::string& name) {
+    fs::path file = folder / name;
+    std::error_code ignored;
+    if (name.empty() || !fs::exists(file, ignored)) return std::nullopt;
+    return file;
+}
+
+/// The steps of \p files. The files of one time are the parts of one step.
+/// \param expected  instead of two files with the same time and part
+SeriesFiles in_order_of_time(std::vector<TimedFile> files, const std::string& series,
+                             std::string_view expected) {
+    const auto place = [](const TimedFile& file) { return std::pair(file.time, file.part); };
+    std::ranges::stable_sort(files, {}, place);
+    const auto same = std::ranges::adjacent_find(files, {}, place);
+    if (same != files.end())
+        throw InputError(fmt::format("{}: {} and {} are both at time {}, expected {}", series,
+                                     same->file.string(), std::next(same)->file.string(), same->time,
+                                     expected));
     SeriesFiles result;
-    for (TimedFile& step : steps) {
-        result.files.push_back(std::move(step.file));
-        result.times.push_back(step.time);
+    std::set<fs::path> parts;  // of the step
+    for (TimedFile& file : files) {
+        const bool begins_step = result.times.empty() || result.times.back() != file.time;
+        if (begins_step) parts.clear();
+        if (!parts.insert(file.file.lexically_normal()).second)
+            throw InputError(
+                fmt::format("{}: {} is there twice at time {}", series, file.file.string(), file.time));
+        if (begins_step) {
+            result.files.push_back(std::move(file.file));
+            result.times.push_back(file.time);
+            result.further_parts.emplace_back();
+        } else {
+            result.further_parts.back().push_back(std::move(file.file));
+        }
     }
     return result;
 }
@@ -64,15 +91,32 @@ SeriesFiles read_collection(const fs::path& collection) {
         if (!time)
             document.fail(fmt::format("DataSet {} (counted from 0): timestep {}, expected a number",
                                       steps.size(), in_quotes(word)));
-        const fs::path file = collection.parent_path() / name;
-        std::error_code ignored;
-        if (name.empty() || !fs::exists(file, ignored))
+        const std::optional<fs::path> file = listed_file(collection.parent_path(), name);
+        if (!file)
             document.fail(fmt::format("DataSet {} (counted from 0): there is no file {}", steps.size(),
                                       in_quotes(name)));
-        steps.push_back({file, *time});
+        steps.push_back({*file, *time, document.count(element, "part", 0)});
     }
     if (steps.empty()) document.fail("has no files, expected DataSet elements");
-    return in_order_of_time(std::move(steps), collection.string());
+    return in_order_of_time(std::move(steps), collection.string(),
+                            "one file per time, or parts with different numbers");
+}
+
+SeriesFiles read_json_series(const fs::path& series) {
+    const nlohmann::json document = parse_json(read_text(series, max_collection_size), series.string());
+    const JsonPlace root(document, series.string());
+    const JsonPlace version = root.member("file-series-version");
+    if (version.string() != "1.0") version.fail_expecting("\"1.0\"");
+    const JsonPlace files = root.member("files");
+    std::vector<TimedFile> steps;
+    for (std::size_t n = 0; n < files.size(); ++n) {
+        const JsonPlace name = files.element(n).member("name");
+        const std::optional<fs::path> file = listed_file(series.parent_path(), name.string());
+        if (!file) name.fail(fmt::format("there is no file {}", in_quotes(name.string())));
+        steps.push_back({*file, files.element(n).member("time").number(), 0});
+    }
+    if (steps.empty()) files.fail("has no files, expected at least one");
+    return in_order_of_time(std::move(steps), series.string(), "one file per time");
 }
 
 /// The numbers in \p name, with the dots and signs between them left out.
@@ -132,6 +176,14 @@ FieldMesh read_any_mesh(const fs::path& file) {
     return mesh_of_surface(read_surface(file));
 }
 
+FieldMesh read_parts(const fs::path& first, std::span<const fs::path> further) {
+    FieldMesh mesh = read_any_mesh(first);
+    for (const fs::path& part : further) append(mesh, read_any_mesh(part), part.string());
+    if (mesh.triangles.empty())
+        throw InputError(fmt::format("{}: has no triangles, expected at least one", first.string()));
+    return mesh;
+}
+
 /// Moves the components of the point fields of \p mesh to \p surface, with remarks about those that a key cannot have.
 void take_scalars(const FieldMesh& mesh, SurfaceFile& surface) {
     constexpr double most = std::numeric_limits<float>::max();
@@ -158,22 +210,27 @@ void take_scalars(const FieldMesh& mesh, SurfaceFile& surface) {
 }  // namespace
 
 SeriesFiles series_files(std::span<const fs::path> paths) {
-    if (paths.size() == 1 && lower_case_extension(paths.front()) == ".pvd")
-        return read_collection(paths.front());
-    SeriesFiles series{.files = {}, .times = {}, .are_steps = true};
+    if (paths.size() == 1) {
+        const std::string extension = lower_case_extension(paths.front());
+        if (extension == ".pvd") return read_collection(paths.front());
+        if (extension == ".series") return read_json_series(paths.front());
+    }
+    SeriesFiles series{.files = {}, .times = {}, .further_parts = {}, .are_steps = true};
     for (const fs::path& path : paths)
         std::ranges::move(matching_files(path), std::back_inserter(series.files));
     series.times = numbers_of(series.files);
     for (std::size_t n = series.times.size(); n < series.files.size(); ++n)
         series.times.push_back(static_cast<double>(n));
+    series.further_parts.resize(series.files.size());
     return series;
 }
 
 FieldMesh read_field_mesh(const fs::path& file) {
-    FieldMesh mesh = read_any_mesh(file);
-    if (mesh.triangles.empty())
-        throw InputError(fmt::format("{}: has no triangles, expected at least one", file.string()));
-    return mesh;
+    return read_parts(file, {});
+}
+
+FieldMesh read_step_mesh(const SeriesFiles& series, std::size_t step) {
+    return read_parts(series.files[step], series.further_parts[step]);
 }
 
 SurfaceFile read_mesh_to_fit(const fs::path& file) {

@@ -11,18 +11,20 @@
 namespace interleaf {
 
 struct SeriesFiles {
-    std::vector<std::filesystem::path> files;  ///< in the order of time
-    std::vector<double> times;                 ///< one per file, strictly increasing
-    bool are_steps = false;                    ///< the times are numbers of files, not those of a collection
+    std::vector<std::filesystem::path> files;  ///< the first file of each step, in the order of time
+    std::vector<double> times;                 ///< one per step, strictly increasing
+    std::vector<std::vector<std::filesystem::path>> further_parts;  ///< per step, its other files; often none
+    bool are_steps = false;  ///< the times are numbers of files, not those of a list
 };
 
-/// The files of a series that \p paths name: one ParaView collection (.pvd), or the files of meshes, of which
-/// each path may be a pattern (file/file_pattern.h).
+/// The files of a series that \p paths name: one list of ParaView, a collection (.pvd) or a file series in JSON
+/// (.vtu.series, .vtk.series, ...); or the files of meshes, of which each path may be a pattern (file/file_pattern.h).
 ///
-/// The times of a collection are in it. The times of files are the numbers in their names, if the names differ
-/// in one number alone; otherwise they are 0, 1, 2, ...
-/// \throw InputError   naming the file and the place, if a collection is damaged, names a file that is not there,
-///                     or has two files at one time; or if no file matches a pattern
+/// The times of a list are in it, and its files are relative to its folder. Files of a collection at one time with
+/// different numbers (attribute part) are parts of one step. The times of files are the numbers in their names, if
+/// the names differ in one number alone; otherwise they are 0, 1, 2, ...
+/// \throw InputError   naming the file and the place, if a list is damaged, names a file that is not there, or has
+///                     two files at one time that are no different parts of a step; or if no file matches a pattern
 /// \throw MachineError if a file or folder cannot be read
 SeriesFiles series_files(std::span<const std::filesystem::path> paths);
 
@@ -31,6 +33,10 @@ SeriesFiles series_files(std::span<const std::filesystem::path> paths);
 /// \throw InputError   naming the file, the place and what was expected; also if there is no triangle
 /// \throw MachineError if a file cannot be opened or read
 FieldMesh read_field_mesh(const std::filesystem::path& file);
+
+/// Reads one step of \p series. Its parts become one mesh, as the pieces of a .pvtu file do.
+/// \throw InputError, MachineError as read_field_mesh(); InputError also if the parts have different fields
+FieldMesh read_step_mesh(const SeriesFiles& series, std::size_t step);
 
 /// Reads a mesh to fit a key to: a file of a format of meshes, or a step of a series, whose point fields become
 /// scalars.

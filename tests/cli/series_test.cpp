@@ -276,6 +276,14 @@ TEST_CASE("what import makes, export writes as a series that import reads again"
     REQUIRE(family.keys.size() == 3);
     CHECK(family.timeline->end() == 5);
     CHECK(family.keys[2].hierarchy->fields.front().values[0] == 1);
+
+    const Outcome alone = run_interleaf({"import", folder / "b.*.vtp", "-o", folder / "c", "--json"});
+    REQUIRE_MESSAGE(alone.status == 0, alone.errors);
+    CHECK(alone.errors.empty());
+    const auto report = nlohmann::json::parse(alone.output);
+    CHECK(report["steps"][0]["time"] == 2);
+    CHECK(report["steps"][2]["time"] == 5);
+    CHECK(read_family(folder / "c").timeline->end() == 5);
 }
 
 TEST_CASE("--every takes some of the steps, --field some of the fields") {

@@ -109,15 +109,16 @@ TEST_CASE("a row says what is carried exactly where there is a reader, and for e
 }
 
 TEST_CASE("extensions are listed in the table's order, in words with an or") {
-    CHECK(extensions_in_words(&Format::is_openable) ==
-          ".json, .ilh, .obj, .ply, .stl, .off, .glb, .gltf, .vtp, .vtu, .pvtp, .pvtu, .vtk or .pvd");
+    CHECK(
+        extensions_in_words(&Format::is_openable) ==
+        ".json, .ilh, .obj, .ply, .stl, .off, .glb, .gltf, .vtp, .vtu, .pvtp, .pvtu, .vtk, .pvd or .series");
     CHECK(extensions_in_words(&Format::holds_family_or_key) == ".json, .ilh, .obj, .glb or .gltf");
     CHECK(extensions_in_words(&Format::holds_key) == ".ilh, .obj, .glb or .gltf");
     CHECK(extensions_in_words(&Format::holds_mesh) == ".obj, .ply, .stl, .off, .glb or .gltf");
     CHECK(extensions_in_words(&Format::holds_mesh_as_key) == ".obj, .glb or .gltf");
     CHECK(extensions_of(&Format::opens_unfitted) == std::vector<std::string>{".json", ".ilh", ".glb", ".gltf",
                                                                              ".vtp", ".vtu", ".pvtp", ".pvtu",
-                                                                             ".vtk", ".pvd"});
+                                                                             ".vtk", ".pvd", ".series"});
     CHECK(is_called("A.STL", &Format::holds_mesh));
     CHECK_FALSE(is_called("A.STL", &Format::holds_key));
     CHECK_FALSE(is_called("A.txt", &Format::is_openable));

@@ -33,7 +33,7 @@ Json json_of(const SeriesFiles& series, const ImportedSeries& imported) {
     for (std::size_t step = 0; step < series.files.size(); ++step) {
         const StepReport& report = imported.report.steps[step];
         steps.push_back({{"file", series.files[step].string()},
-                         {"time", series.times[step]},
+                         {"time", imported.family.timeline->keys()[step].time},
                          {"triangles", report.triangles},
                          {"leaves", report.leaves},
                          {"largest_difference", report.largest_difference},
@@ -56,8 +56,8 @@ void print_steps(const SeriesFiles& series, const ImportedSeries& imported) {
         const StepReport& report = imported.report.steps[step];
         fmt::print(
             "{}: time {}, {} triangles, {} leaves, largest difference {:.3g} %{}\n",
-            series.files[step].filename().string(), series.times[step], report.triangles, report.leaves,
-            100 * report.largest_difference,
+            series.files[step].filename().string(), imported.family.timeline->keys()[step].time,
+            report.triangles, report.leaves, 100 * report.largest_difference,
             imported.report.method == SeriesMethod::by_fitting
                 ? fmt::format(", {:.3g} % of the box diagonal from the mesh; until the next step, "
                               "points move {:.3g} %, the surface {:.3g} %",

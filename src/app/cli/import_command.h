@@ -12,8 +12,9 @@
 namespace interleaf {
 
 struct ImportOptions {
-    std::vector<std::filesystem::path> series;  ///< a collection (.pvd), or files or patterns in their order
-    std::string output;                         ///< a folder
+    std::vector<std::filesystem::path>
+        series;          ///< a list of steps (.pvd, .series), or files or patterns in their order
+    std::string output;  ///< a folder
     ImportChoices choices;
     std::size_t every = 1;  ///< takes the steps 0, every, 2 every, ...
     bool json = false;      ///< prints the report as JSON

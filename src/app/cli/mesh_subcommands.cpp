@@ -146,7 +146,8 @@ void add_import(CLI::App& program) {
             [options](const std::vector<std::string>& files) {
                 options->series.assign(files.begin(), files.end());
             },
-            "A .pvd file; or .vtu, .pvtu, .vtp, .vtk or mesh files in the order of time, or a pattern")
+            "A .pvd or .series file; or .vtu, .pvtu, .vtp, .vtk or mesh files in the order of time, or a "
+            "pattern")
         ->required();
     command->add_option("-o,--output", options->output, "The folder to write")
         ->required()

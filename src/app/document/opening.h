@@ -59,7 +59,7 @@ Cases(Functions...) -> Cases<Functions...>;
 /// - no path: the built-in family
 /// - one family file, or its folder: the family
 /// - one file with a family that could also be fitted (glTF): keys
-/// - one or several steps of a series, or a list of them (.pvd): a series to import
+/// - one or several steps of a series, or a list of them (.pvd, .series): a series to import
 /// - meshes, at least one of a format without keys: meshes to fit
 /// - several meshes that are not keys together: meshes to fit, with the reason
 /// - other files: keys

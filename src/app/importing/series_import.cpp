@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -18,6 +19,7 @@
 #include "family/warp.h"
 #include "hierarchy/error.h"
 #include "io/hierarchy/hierarchy_file.h"
+#include "io/text/json_place.h"
 #include "sequence/series/step_mesh.h"
 
 namespace interleaf {
@@ -44,8 +46,8 @@ struct StepOffsets {
     std::vector<FieldScale> fields{};
 };
 
-FieldMesh read_step(const std::filesystem::path& file, const StepOffsets& offsets) {
-    FieldMesh mesh = read_field_mesh(file);
+FieldMesh read_step(const SeriesFiles& series, std::size_t step, const StepOffsets& offsets) {
+    FieldMesh mesh = read_step_mesh(series, step);
     if (offsets.origin != glm::dvec3(0))
         for (glm::dvec3& point : mesh.points) point -= offsets.origin;
     for (MeshField& field : mesh.point_fields)
@@ -88,7 +90,7 @@ StepOffsets offsets_of(const SeriesFiles& series, const FieldMesh& first, std::s
     for (const std::size_t step : std::set{count / 2, count - 1}) {
         if (step == 0) continue;
         try {
-            ranges.include(read_field_mesh(series.files[step]));
+            ranges.include(read_step_mesh(series, step));
         } catch (const std::runtime_error&) {
             break;
         }
@@ -140,11 +142,38 @@ void require_scalar(const Hierarchy& key, const std::string& name) {
                                  name, known.empty() ? "none" : known));
 }
 
-Timeline timeline_of(const SeriesFiles& series) {
+/// A sentence about the fields of cells of \p first, which no key gets; none if it has no such fields but those that
+/// `export` writes about the leaves of a key.
+std::optional<std::string> note_about_cell_fields(const FieldMesh& first) {
+    const std::vector<MeshField>& fields = first.triangle_fields;
+    const auto has = [&](std::string_view name) {
+        return std::ranges::find(fields, name, &MeshField::name) != fields.end();
+    };
+    const bool is_exported = has("level") && has("root");
+    constexpr std::size_t max_names = 8;
+    std::string names;
+    std::size_t count = 0;
+    for (const MeshField& field : fields) {
+        if (is_exported && (field.name == "level" || field.name == "root" || field.name == "origin"))
+            continue;
+        if (++count <= max_names) names += (names.empty() ? "" : ", ") + in_quotes(field.name);
+    }
+    if (count == 0) return std::nullopt;
+    if (count > max_names) names += fmt::format(" and {} more", count - max_names);
+    return fmt::format("fields of cells are left out: {}", names);
+}
+
+/// \param in_files  the times that the files of the steps have, which count if the series has none of its own
+Timeline timeline_of(const SeriesFiles& series, std::span<const std::optional<double>> in_files) {
+    const auto does_not_increase = [](const auto& a, const auto& b) { return !(a && b && *a < *b); };
+    const bool are_in_files = series.are_steps && in_files.size() > 1 &&
+                              std::ranges::adjacent_find(in_files, does_not_increase) == in_files.end();
     std::vector<TimelineKey> keys;
     keys.reserve(series.times.size());
-    for (std::size_t step = 0; step < series.times.size(); ++step) keys.push_back({series.times[step], step});
-    return Timeline(std::move(keys), {}, series.are_steps ? TimeUnit::steps : TimeUnit::seconds);
+    for (std::size_t step = 0; step < series.times.size(); ++step)
+        keys.push_back({are_in_files ? *in_files[step] : series.times[step], step});
+    const bool are_steps = series.are_steps && !are_in_files;
+    return Timeline(std::move(keys), {}, are_steps ? TimeUnit::steps : TimeUnit::seconds);
 }
 
 }  // namespace
@@ -156,13 +185,14 @@ SeriesFiles every_step(const SeriesFiles& series, std::size_t every) {
     for (std::size_t step = 0; step < series.files.size(); step += every) {
         taken.files.push_back(series.files[step]);
         taken.times.push_back(series.times[step]);
+        taken.further_parts.push_back(series.further_parts[step]);
     }
     return taken;
 }
 
 ImportedSeries import_series(const SeriesFiles& series, std::string_view name, const ImportChoices& choices,
                              const SeriesProgress& progress) {
-    const FieldMesh first = read_field_mesh(series.files.front());
+    const FieldMesh first = read_step_mesh(series, 0);
     const StepOffsets offsets = offsets_of(series, first, choices.displacement);
     std::optional<Hierarchy> roots;
     if (!choices.roots.empty()) roots = read_hierarchy(choices.roots);
@@ -171,8 +201,12 @@ ImportedSeries import_series(const SeriesFiles& series, std::string_view name, c
                                 .fields = choices.fields,
                                 .displacement = choices.displacement,
                                 .roots = roots ? &*roots : nullptr};
-    const Series steps{series.files.size(),
-                       [&](std::size_t step) { return read_step(series.files[step], offsets); }};
+    std::vector<std::optional<double>> times_in_files(series.files.size());
+    const Series steps{series.files.size(), [&](std::size_t step) {
+                           FieldMesh mesh = read_step(series, step, offsets);
+                           times_in_files[step] = mesh.time;
+                           return mesh;
+                       }};
 
     ImportedSeries imported;
     std::vector<Key> keys;
@@ -207,8 +241,10 @@ ImportedSeries import_series(const SeriesFiles& series, std::string_view name, c
     } catch (const InputError& error) {
         throw InputError(with_file(error.what(), series));
     }
+    if (choices.fields.empty())
+        if (auto note = note_about_cell_fields(first)) imported.report.notes.push_back(std::move(*note));
     imported.family = family_of_keys(name, std::move(keys));
-    imported.family.timeline = timeline_of(series);
+    imported.family.timeline = timeline_of(series, times_in_files);
     imported.family.domain.reset();
     imported.family.origin = offsets.origin;
     for (const FieldScale& scale : offsets.fields)

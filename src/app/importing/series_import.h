@@ -41,7 +41,9 @@ struct ImportChoices {
 };
 
 struct ImportedSeries {
-    Family family;  ///< one key per step, named as its file, at the time of the step
+    /// One key per step, named as its file, at the time of the step: that of the list of files; or the time that each
+    /// file has, if all of several files have one and these increase; or else as series_files()
+    Family family;
     SeriesReport report;
 };
 
@@ -50,7 +52,8 @@ struct ImportedSeries {
 SeriesFiles every_step(const SeriesFiles& series, std::size_t every);
 
 /// Imports \p series. Positions far from 0 get an origin (family/origin.h), that of the first step. Scalars far from
-/// 0 get an offset (family/field_scale.h), that of the first, the middle and the last step.
+/// 0 get an offset (family/field_scale.h), that of the first, the middle and the last step. Where no fields are
+/// chosen, a note of the report names the fields of cells, which are left out.
 /// \param name      of the family
 /// \param progress  as SeriesProgress; it may throw to end the work
 /// \throw InputError    naming the file, the place and what would help

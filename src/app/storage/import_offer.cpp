@@ -44,7 +44,7 @@ std::string percent_of(double part) {
 
 ImportDialogShown import_offer(const std::vector<std::filesystem::path>& files) {
     const SeriesFiles series = series_files(files);
-    const FieldMesh first = read_field_mesh(series.files.front());
+    const FieldMesh first = read_step_mesh(series, 0);
     ImportDialogShown offer;
     offer.title = fmt::format("Import {}", shown_name(files.front().filename().string()));
     offer.detail = fmt::format("{} {}, {} triangles in the first", grouped(series.files.size()),

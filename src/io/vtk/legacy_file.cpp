@@ -65,7 +65,9 @@ class LegacyReader {
         }
         for (LegacyCells& kind : polygons_) append_cells(piece_.cells, kind.cells, file_);
         check_counts();
-        return mesh_of(std::move(piece_), file_);
+        FieldMesh mesh = mesh_of(std::move(piece_), file_);
+        mesh.time = time_;
+        return mesh;
     }
 
   private:
@@ -267,7 +269,10 @@ class LegacyReader {
             place.tuples = next_count(name);
             place.element = association_ == Association::points ? "point" : "cell";
             const NumberArray array = numbers(next_type(name), place);
-            if (association_ == Association::none) continue;
+            if (association_ == Association::none) {
+                if (is_time_array(name)) time_ = time_in(array);
+                continue;
+            }
             if (place.tuples != tuples_)
                 place.fail(fmt::format("{} values, expected one for each of {}", place.tuples, tuples_));
             if (place.components > 0) add_field(name, array, place);
@@ -356,6 +361,7 @@ class LegacyReader {
     std::size_t tuples_ = 0;           ///< of the association
     std::size_t last_components_ = 0;  ///< of the last array
     MeshField* last_field_ = nullptr;  ///< if the last array is a field
+    std::optional<double> time_;
     VtkPiece piece_;
     /// In the order in which VTK numbers the cells.
     std::array<LegacyCells, 4> polygons_ = {{{"vertices", vertex_cells},

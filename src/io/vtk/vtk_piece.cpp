@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <span>
 #include <string>
@@ -179,6 +180,15 @@ void append_fields(std::vector<MeshField>& fields, const std::vector<MeshField>&
 }
 
 }  // namespace
+
+bool is_time_array(std::string_view name) {
+    return name == "TimeValue" || name == "TIME";
+}
+
+std::optional<double> time_in(const NumberArray& array) {
+    const std::vector<double> values = doubles_of(array);
+    return values.size() == 1 && std::isfinite(values.front()) ? std::optional(values.front()) : std::nullopt;
+}
 
 void append_cells(VtkCells& cells, const VtkCells& more, std::string_view file) {
     const std::size_t first_corner = cells.corners.size();

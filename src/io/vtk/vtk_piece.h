@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "hierarchy/field_mesh.h"
+#include "io/vtk/number_array.h"
 
 namespace interleaf {
 
@@ -33,6 +35,12 @@ struct VtkPiece {
     std::size_t content_size = 0;  ///< bytes that the piece takes in its file, uncompressed
 };
 
+/// Whether an array of a data set called \p name is its time: "TimeValue" of ParaView, "TIME" of VisIt.
+bool is_time_array(std::string_view name);
+
+/// The time that \p array is; none unless it is one finite number.
+std::optional<double> time_in(const NumberArray& array);
+
 /// Appends \p more to \p cells.
 /// \throw InputError naming \p file, if they have too many corners together
 void append_cells(VtkCells& cells, const VtkCells& more, std::string_view file);
@@ -49,7 +57,7 @@ std::vector<bool> left_out_cells(const std::vector<std::uint8_t>& marks, bool ar
 FieldMesh mesh_of(VtkPiece piece, std::string_view file);
 
 /// Appends the points, triangles and values of \p more to \p mesh. Its cells get the numbers behind the cells of
-/// \p mesh.
+/// \p mesh. The time stays.
 /// \throw InputError naming \p file, unless both have the same fields
 void append(FieldMesh& mesh, FieldMesh more, std::string_view file);
 

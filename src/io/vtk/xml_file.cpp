@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -140,6 +141,15 @@ class XmlPieceReader {
     VtkPiece piece_;
 };
 
+std::optional<double> time_of(XmlDocument& document) {
+    for (const pugi::xml_node array : document.data_set().child("FieldData").children("DataArray"))
+        if (is_time_array(array.attribute("Name").value()) &&
+            document.count(array, "NumberOfTuples", 1) == 1 &&
+            document.count(array, "NumberOfComponents", 1) <= 1)
+            return time_in(document.numbers(array, {document.file(), "TimeValue", "value", 1}));
+    return std::nullopt;
+}
+
 FieldMesh mesh_of_document(XmlDocument& document) {
     if (document.type() != "UnstructuredGrid" && document.type() != "PolyData")
         document.fail(fmt::format("data of type {}, expected UnstructuredGrid or PolyData",
@@ -147,6 +157,7 @@ FieldMesh mesh_of_document(XmlDocument& document) {
     FieldMesh mesh;
     for (const pugi::xml_node element : document.data_set().children("Piece"))
         append(mesh, mesh_of(XmlPieceReader(document, element).read(), document.file()), document.file());
+    mesh.time = time_of(document);
     return mesh;
 }
 

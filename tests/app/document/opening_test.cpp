@@ -86,6 +86,14 @@ TEST_CASE("steps of a series are to be imported, which commands do at once") {
     REQUIRE(std::holds_alternative<SeriesToImport>(opened));
     CHECK(std::get<SeriesToImport>(opened).files == samples.paths({"s1.vtk"}));
     CHECK(open_family(samples.paths({"s1.vtk"})).keys.size() == 1);
+
+    put(samples.folder / "s.vtk.series",
+        R"({"file-series-version": "1.0", "files": [{"name": "s1.vtk", "time": 0.5}]})");
+    CHECK(std::holds_alternative<SeriesToImport>(samples.open({"s.vtk.series"})));
+    const Family listed = open_family(samples.paths({"s.vtk.series"}));
+    CHECK(listed.keys.front().name == "s1");
+    REQUIRE(listed.timeline);
+    CHECK(listed.timeline->begin() == 0.5);
 }
 
 TEST_CASE("files of keys are keys, and only meshes can be fitted instead") {

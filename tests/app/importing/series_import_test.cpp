@@ -233,3 +233,91 @@ TEST_CASE("progress never goes back where no bisection connects the steps and ke
     CHECK(imported.report.method == SeriesMethod::by_fitting);
     CHECK(reached > 0.5);
 }
+
+TEST_CASE("the parts of a step become one key, also where only every second step is taken") {
+    const ScratchFolder folder;
+    const std::string head = "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n";
+    put(folder / "lower.vtk", head + "0 0 0 1 0 0 1 1 0\nPOLYGONS 1 4\n3 1 2 0\n");
+    put(folder / "upper.vtk", head + "0 0 0 1 1 0 0 1 0\nPOLYGONS 1 4\n3 2 0 1\n");
+    std::string sets;
+    for (const int time : {0, 1, 2})
+        for (const int part : {0, 1})
+            sets += fmt::format("<DataSet timestep='{}' part='{}' file='{}.vtk'/>", time, part,
+                                part == 0 ? "lower" : "upper");
+    const std::filesystem::path file = folder / "run.pvd";
+    put(file, fmt::format("<VTKFile type='Collection'><Collection>{}</Collection></VTKFile>", sets));
+    const SeriesFiles taken = every_step(series_files(std::span(&file, 1)), 2);
+    CHECK(taken.times == std::vector<double>{0, 2});
+    const Family family = import_series(taken, "parts", {}, {}).family;
+    REQUIRE(family.keys.size() == 2);
+    for (const Key& key : family.keys) {
+        CHECK(key.hierarchy->leaf_count() == 2);
+        CHECK(key.hierarchy->positions.size() == 4);
+    }
+}
+
+TEST_CASE("the report names fields of cells that are left out, once, but not those of our own exports") {
+    const ScratchFolder folder;
+    const auto notes = [&](std::initializer_list<const char*> cell_fields, const ImportChoices& choices) {
+        std::string arrays;
+        for (const char* const name : cell_fields) arrays += fmt::format("{} 1 1 double\n7\n", name);
+        for (const char* const file : {"a-0.vtk", "a-1.vtk"})
+            put(folder / file,
+                fmt::format("# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n"
+                            "0 0 0 1 0 0 1 1 0\nPOLYGONS 1 4\n3 0 1 2\n"
+                            "POINT_DATA 3\nSCALARS u double\nLOOKUP_TABLE default\n0 1 2\n"
+                            "CELL_DATA 1\nFIELD FieldData {}\n{}",
+                            cell_fields.size(), arrays));
+        const std::filesystem::path pattern = folder / "a-*.vtk";
+        return import_series(series_files(std::span(&pattern, 1)), "a", choices, {}).report.notes;
+    };
+    using Notes = std::vector<std::string>;
+    CHECK(notes({}, {}).empty());
+    CHECK(notes({"p", "stress"}, {}) == Notes{R"(fields of cells are left out: "p", "stress")"});
+    CHECK(notes({"p", "stress"}, {.fields = {"u"}}).empty());
+    CHECK(notes({"level", "root", "origin"}, {}).empty());
+    CHECK(notes({"level", "root"}, {}).empty());
+    CHECK(notes({"level", "p", "root"}, {}) == Notes{R"(fields of cells are left out: "p")"});
+    CHECK(notes({"level"}, {}) == Notes{R"(fields of cells are left out: "level")"});
+    CHECK(notes({"a", "b", "c", "d", "e", "f", "g", "h", "i", "j"}, {}) ==
+          Notes{R"(fields of cells are left out: "a", "b", "c", "d", "e", "f", "g", "h" and 2 more)"});
+}
+
+TEST_CASE(
+    "several files have the times in them, if each has one and these increase, else those of their names") {
+    const ScratchFolder folder;
+    const auto put_step = [&](const char* file, std::string_view time) {
+        put(folder / file,
+            fmt::format("# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\n{}POINTS 3 double\n"
+                        "0 0 0 1 0 0 1 1 0\nPOLYGONS 1 4\n3 0 1 2\n",
+                        time.empty() ? "" : fmt::format("FIELD FieldData 1\nTIME 1 1 double\n{}\n", time)));
+    };
+    const auto timeline = [&](std::vector<const char*> times) {
+        std::vector<std::filesystem::path> files;
+        for (std::size_t n = 0; n < times.size(); ++n) {
+            put_step(fmt::format("a-{}.vtk", n + 3).c_str(), times[n]);
+            files.push_back(folder / fmt::format("a-{}.vtk", n + 3));
+        }
+        Timeline read = *import_series(series_files(files), "a", {}, {}).family.timeline;
+        REQUIRE(read.keys().size() == times.size());
+        return read;
+    };
+    const Timeline timed = timeline({"0.5", "0.75", "2"});
+    CHECK(timed.keys()[0].time == 0.5);
+    CHECK(timed.keys()[1].time == 0.75);
+    CHECK(timed.keys()[2].time == 2);
+    CHECK(timed.unit() == TimeUnit::seconds);
+    for (const auto& times : std::vector<std::vector<const char*>>{
+             {"0.5", "", "2"}, {"", "1", "2"}, {"0.5", "0.5", "2"}, {"2", "1", "0"}, {"7"}}) {
+        const Timeline named = timeline(times);
+        CHECK(named.begin() == (times.size() == 1 ? 0 : 3));
+        CHECK(named.unit() == TimeUnit::steps);
+    }
+
+    put_step("a-3.vtk", "8");
+    put_step("a-4.vtk", "9");
+    const std::filesystem::path list = folder / "a.vtk.series";
+    put(list,
+        R"({"file-series-version": "1.0", "files": [{"name": "a-3.vtk", "time": 1}, {"name": "a-4.vtk", "time": 2}]})");
+    CHECK(import_series(series_files(std::span(&list, 1)), "a", {}, {}).family.timeline->begin() == 1);
+}

@@ -85,6 +85,8 @@ Written written_series(const Family& family, const SeriesExportOptions& options)
                {file});
     written.series = series_files(std::span(&file, 1));
     written.meshes = meshes_of(written.series);
+    for (std::size_t n = 0; n < written.meshes.size(); ++n)
+        CHECK(written.meshes[n].time == written.series.times[n]);
     CHECK(folder.entry_count() == written.series.files.size() + 1);
     return written;
 }

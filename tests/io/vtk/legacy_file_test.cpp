@@ -34,7 +34,7 @@ TEST_CASE("words and bytes of each version of the legacy format give the same me
         for (const bool is_version_5 : {false, true}) {
             CAPTURE(is_binary);
             CAPTURE(is_version_5);
-            CHECK(parse_legacy_vtk(sample_legacy(is_binary, is_version_5), "a.vtk") == sample_mesh());
+            CHECK(parse_legacy_vtk(sample_legacy(is_binary, is_version_5), "a.vtk") == legacy_sample_mesh());
         }
 }
 
@@ -50,11 +50,22 @@ TEST_CASE("a legacy file that is cut off is refused, or has lost a field at its 
                 const std::string error = input_error_of(
                     [&] { mesh = parse_legacy_vtk(std::string_view(whole).substr(0, size), "a.vtk"); });
                 if (mesh)
-                    CHECK(*mesh != sample_mesh());
+                    CHECK(*mesh != legacy_sample_mesh());
                 else
                     CHECK(error.starts_with("a.vtk: "));
             }
         }
+}
+
+TEST_CASE("the time of a legacy file is the one number TIME or TimeValue of the data set") {
+    const std::string polygon = "POLYGONS 1 5\n4 0 1 2 3\n";
+    CHECK_FALSE(square_with(polygon).time);
+    const std::string field = "FIELD FieldData 2\nCYCLE 1 1 int\n7\nTIME 1 1 double\n0.25\n";
+    CHECK(square_with(field + polygon).time == 0.25);
+    CHECK(square_with("FIELD FieldData 1\nTimeValue 1 1 float\n-2\n" + polygon).time == -2.0);
+    CHECK_FALSE(square_with("FIELD FieldData 1\nTIME 1 2 double\n0 1\n" + polygon).time);
+    CHECK_FALSE(square_with("FIELD FieldData 1\nTIME 1 1 double\ninf\n" + polygon).time);
+    CHECK_FALSE(square_with(polygon + "POINT_DATA 4\nFIELD FieldData 1\nTIME 1 4 double\n0 1 2 3\n").time);
 }
 
 TEST_CASE("polygons, strips, vertices and lines are numbered in the order of VTK") {

@@ -225,4 +225,10 @@ FieldMesh sample_mesh() {
     return mesh;
 }
 
+FieldMesh legacy_sample_mesh() {
+    FieldMesh mesh = sample_mesh();
+    mesh.time = 0.5;
+    return mesh;
+}
+
 }  // namespace interleaf

@@ -29,7 +29,10 @@ std::string sample_grid(const XmlStyle& style);
 /// The same mesh in the legacy format, of version 4 (cells in one list) or 5 (offsets and points).
 std::string sample_legacy(bool is_binary, bool is_version_5);
 
-/// What a reader makes of each of these files.
+/// What a reader makes of sample_grid().
 FieldMesh sample_mesh();
+
+/// What a reader makes of sample_legacy(), which has a time, too.
+FieldMesh legacy_sample_mesh();
 
 }  // namespace interleaf

@@ -167,6 +167,24 @@ TEST_CASE("a field may have values that are not finite, points may not") {
     CHECK(std::isnan(mesh.point_fields.front().values[1]));
 }
 
+TEST_CASE("the time of a file is its one finite TimeValue") {
+    const auto time_of_grid = [](std::string_view array) {
+        const std::string text = with(grid_of_type(5, 3), "<UnstructuredGrid>",
+                                      fmt::format("<UnstructuredGrid><FieldData>{}</FieldData>", array));
+        return parse_vtk_xml(text, "a.vtu").time;
+    };
+    const auto array = [](std::string_view name, std::string_view tuples, std::string_view value) {
+        return fmt::format("<DataArray type='Float64' Name='{}' {} format='ascii'>{}</DataArray>", name,
+                           tuples, value);
+    };
+    CHECK_FALSE(parse_vtk_xml(grid_of_type(5, 3), "a.vtu").time);
+    CHECK(time_of_grid(array("CYCLE", "", "7") + array("TimeValue", "NumberOfTuples='1'", "0.25")) == 0.25);
+    CHECK(time_of_grid(array("TIME", "", "-2")) == -2.0);
+    CHECK_FALSE(time_of_grid(array("TimeValue", "NumberOfTuples='2'", "0 1")));
+    CHECK_FALSE(time_of_grid(array("TimeValue", "NumberOfTuples='0'", "")));
+    CHECK_FALSE(time_of_grid(array("TimeValue", "NumberOfTuples='1'", "nan")));
+}
+
 TEST_CASE("faults are named with their place") {
     const std::string words = sample_grid({});
     CHECK(xml_error(with(words, "-2", "two")) ==
