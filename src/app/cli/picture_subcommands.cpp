@@ -113,8 +113,7 @@ void add_render(CLI::App& program) {
         ->type_name("WxH")
         ->default_str(fmt::format("{}x{}", options->size.width, options->size.height));
     add_display(*command, options->display);
-    command->add_flag("--legend", options->display.legend,
-                      "Draw at the right side what the colors mean");
+    command->add_flag("--legend", options->display.legend, "Draw at the right side what the colors mean");
     command->add_flag("--transparent", options->display.transparent, "Draw no background; only for .png");
     add_theme(*command, "Background of the picture: dark or light",
               [options](Theme theme) { options->display.light_background = theme == Theme::light; });

@@ -12,8 +12,8 @@
 
 #include "fit/correspondence/moving_mesh.h"
 #include "fit/sphere_map/orientation.h"
-#include "hierarchy/rotation_fit.h"
 #include "fit/sphere_map/spherical_star.h"
+#include "hierarchy/rotation_fit.h"
 
 namespace interleaf {
 namespace {

@@ -17,8 +17,8 @@
 #include "fit/sphere_map/alignment.h"
 #include "fit/sphere_map/orientation.h"
 #include "fit/sphere_map/progressive_mapping.h"
-#include "hierarchy/rotation_fit.h"
 #include "fit/sphere_map/spherical_map.h"
+#include "hierarchy/rotation_fit.h"
 
 namespace interleaf {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "hierarchy/rotation_fit.h"
 #include "hierarchy/error.h"
+#include "hierarchy/rotation_fit.h"
 
 namespace interleaf {
 namespace {
