@@ -83,19 +83,24 @@ SeriesFiles read_collection(const fs::path& collection) {
     if (document.type() != "Collection")
         document.fail(fmt::format("data of type {}, expected Collection", in_quotes(document.type())));
     std::vector<TimedFile> steps;
+    std::set<double> times;
     for (const pugi::xml_node element : document.data_set().children("DataSet")) {
         const std::string name = element.attribute("file").value();
         const std::string_view word = without_blanks(element.attribute("timestep").value());
-        const std::optional<double> time =
-            word.empty() ? static_cast<double>(steps.size()) : parse_double(word);
+        const std::size_t part = document.count(element, "part", 0);
+        const bool belongs_to_last = part > 0 && !steps.empty();
+        const std::optional<double> time = !word.empty()     ? parse_double(word)
+                                           : belongs_to_last ? steps.back().time
+                                                             : static_cast<double>(times.size());
         if (!time)
             document.fail(fmt::format("DataSet {} (counted from 0): timestep {}, expected a number",
                                       steps.size(), in_quotes(word)));
+        times.insert(*time);
         const std::optional<fs::path> file = listed_file(collection.parent_path(), name);
         if (!file)
             document.fail(fmt::format("DataSet {} (counted from 0): there is no file {}", steps.size(),
                                       in_quotes(name)));
-        steps.push_back({*file, *time, document.count(element, "part", 0)});
+        steps.push_back({*file, *time, part});
     }
     if (steps.empty()) document.fail("has no files, expected DataSet elements");
     return in_order_of_time(std::move(steps), collection.string(),
@@ -223,6 +228,13 @@ SeriesFiles series_files(std::span<const fs::path> paths) {
         series.times.push_back(static_cast<double>(n));
     series.further_parts.resize(series.files.size());
     return series;
+}
+
+std::string series_name(const fs::path& path) {
+    const fs::path name = path.stem();
+    const bool is_list_of_files =
+        lower_case_extension(path) == ".series" && is_called(name, &Format::holds_series);
+    return (is_list_of_files ? name.stem() : name).string();
 }
 
 FieldMesh read_field_mesh(const fs::path& file) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "hierarchy/field_mesh.h"
@@ -21,12 +22,16 @@ struct SeriesFiles {
 /// (.vtu.series, .vtk.series, ...); or the files of meshes, of which each path may be a pattern (file/file_pattern.h).
 ///
 /// The times of a list are in it, and its files are relative to its folder. Files of a collection at one time with
-/// different numbers (attribute part) are parts of one step. The times of files are the numbers in their names, if
+/// different numbers (attribute part) are parts of one step. A file of a collection without a time belongs to the step
+/// of the file before it if its part is not 0; else its time is the number of steps before it. The times of files are the numbers in their names, if
 /// the names differ in one number alone; otherwise they are 0, 1, 2, ...
 /// \throw InputError   naming the file and the place, if a list is damaged, names a file that is not there, or has
 ///                     two files at one time that are no different parts of a step; or if no file matches a pattern
 /// \throw MachineError if a file or folder cannot be read
 SeriesFiles series_files(std::span<const std::filesystem::path> paths);
+
+/// The name of the family of a series whose first path is \p path: "run" for run.pvd, run.vtu.series and run.vtu.
+std::string series_name(const std::filesystem::path& path);
 
 /// Reads one step of a series, of any format with triangles: .vtu, .pvtu, .vtp, .pvtp, .vtk, and the formats of
 /// meshes. Colors become the point field "color".

@@ -152,6 +152,20 @@ TEST_CASE("units are named on the command line, kept, and printed; a series has 
     CHECK(contains(outcome.output, "timeline, steps, linear"));
 }
 
+TEST_CASE("info counts the bytes of all parts of a step") {
+    const ScratchFolder folder;
+    const std::string head = "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n";
+    put(folder / "lower.vtk", head + "0 0 0 1 0 0 1 1 0\nPOLYGONS 1 4\n3 1 2 0\n");
+    put(folder / "upper.vtk", head + "0.0 0.0 0 1 1 0 0 1 0\nPOLYGONS 1 4\n3 2 0 1\n");
+    put(folder / "run.pvd",
+        "<VTKFile type='Collection'><Collection><DataSet file='lower.vtk'/>"
+        "<DataSet part='1' file='upper.vtk'/></Collection></VTKFile>");
+    const Outcome outcome = run_interleaf({"info", folder / "run.pvd", "--json"});
+    REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
+    CHECK(nlohmann::json::parse(outcome.output)["bytes"]["file"] ==
+          content(folder / "lower.vtk").size() + content(folder / "upper.vtk").size());
+}
+
 TEST_CASE("a key of a field far from 0 is written without its offset, and a word says so") {
     const ScratchFolder folder;
     put(folder / "run-1.vtk", square_file(false, 300));

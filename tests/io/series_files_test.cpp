@@ -52,6 +52,35 @@ TEST_CASE("a collection gives the files and their times, in the order of time") 
               .ends_with("DataSet: part: \"x\", expected a whole number in [0, 2^32 - 2]"));
 }
 
+TEST_CASE("files of a collection without times are numbered by steps, and parts belong to the file before") {
+    const ScratchFolder folder;
+    for (const char* const name : {"a", "b", "c", "d", "e"}) put(folder / name, "");
+    const fs::path file = folder / "run.pvd";
+    const auto read = [&](std::string_view steps) {
+        put(file, collection(steps));
+        return series_files(std::span(&file, 1));
+    };
+    using Files = std::vector<fs::path>;
+    const SeriesFiles untimed = read(
+        "<DataSet part='1' file='a'/><DataSet part='2' file='b'/><DataSet file='c'/>"
+        "<DataSet part='1' file='d'/><DataSet part='0' file='e'/>");
+    CHECK(untimed.times == std::vector<double>{0, 1, 2});
+    CHECK(untimed.files == Files{folder / "a", folder / "c", folder / "e"});
+    CHECK(untimed.further_parts == std::vector<Files>{{folder / "b"}, {folder / "d"}, {}});
+    const SeriesFiles timed = read("<DataSet timestep='2.5' file='a'/><DataSet part='1' file='b'/>");
+    CHECK(timed.times == std::vector<double>{2.5});
+    CHECK(timed.further_parts == std::vector<Files>{{folder / "b"}});
+}
+
+TEST_CASE("a series is called as its list or first file, without the endings") {
+    CHECK(series_name("a/run.pvd") == "run");
+    CHECK(series_name("a/run.vtu.series") == "run");
+    CHECK(series_name("a/run.1.VTK.Series") == "run.1");
+    CHECK(series_name("a/run.series") == "run");
+    CHECK(series_name("a/run.x.series") == "run.x");
+    CHECK(series_name("a/run.vtu.vtk") == "run.vtu");
+}
+
 TEST_CASE("parts of a collection at one time become one mesh, in the order of their numbers") {
     const ScratchFolder folder;
     const auto legacy = [](std::string_view rest) {

@@ -32,9 +32,9 @@ def read_by_vtk(families, scratch, kept):
 def read_by_paraview(families, scratch):
     command = ["pvpython", HERE / "paraview_reader.py"]
     read_series("ParaView", command, os.environ, families, scratch)
-    for family in families:
-        if family.name == "fields":
-            read_steps("ParaView", command, os.environ, family, scratch)
+    named = {family.name: family for family in families}
+    expect("fields" in named, f"ParaView: no family is called fields, but {', '.join(named)}")
+    read_steps("ParaView", command, os.environ, named["fields"], scratch)
 
 
 def read_steps(reader, command, environment, family, scratch):
@@ -47,8 +47,7 @@ def read_steps(reader, command, environment, family, scratch):
     family.run("-o", file, "--fps", 60, "--union", "all")
     read = read_job(reader, command, environment, steps, {"file": str(file), "steps": True}, folder)
     times = numpy.array([float(found["time"]) for found in read])
-    expect(len(times) == len(steps.times) and numpy.abs(times - steps.times).max() < 1e-9,
-           f"{family.name}: {reader} has the times {times}")
+    expect(numpy.abs(times - steps.times).max() < 1e-9, f"{family.name}: {reader} has the times {times}")
     print(f"{reader}: {family.name}, 60 frames per unit of time: {compared(reader, steps, 'all', read)}")
 
 
@@ -57,7 +56,10 @@ def read_job(reader, command, environment, family, job, folder):
     (folder / "job.json").write_text(json.dumps(job | {"times": family.times, "folder": str(folder)}))
     done = subprocess.run([*command, folder / "job.json"], env=environment, capture_output=True, text=True)
     expect(done.returncode == 0, f"{family.name}: {reader}: {(done.stdout + done.stderr)[-2000:]}")
-    return [numpy.load(folder / f"time-{n}.npz") for n in range(len(list(folder.glob("time-*.npz"))))]
+    read = [numpy.load(folder / f"time-{n}.npz") for n in range(len(list(folder.glob("time-*.npz"))))]
+    expect(len(read) == len(family.times),
+           f"{family.name}: {reader} has {len(read)} times, expected {len(family.times)}")
+    return read
 
 
 def read_series(reader, command, environment, families, scratch):

@@ -57,6 +57,15 @@ std::vector<Figures> figures_of(const Family& family, std::span<const std::files
     return figures;
 }
 
+/// The figures of the key of each step of \p series. A step of several parts has the size of all their files.
+std::vector<Figures> figures_of(const Family& family, const SeriesFiles& series) {
+    std::vector<Figures> figures = figures_of(family, series.files);
+    for (std::size_t step = 0; step < figures.size(); ++step)
+        for (const std::filesystem::path& part : series.further_parts[step])
+            figures[step].file += std::filesystem::file_size(part);
+    return figures;
+}
+
 /// The figures of all keys together.
 Figures figures_of_keys(std::span<const Figures> keys) {
     Figures whole = total(keys);
@@ -371,9 +380,8 @@ void run_info(const InfoOptions& options) {
     const bool is_family = std::holds_alternative<OpenedFamily>(opened);
     const bool is_series = std::holds_alternative<SeriesToImport>(opened);
     const Family family = family_of(std::move(opened));
-    const std::vector<Figures> keys = figures_of(family, is_family   ? key_files(first)
-                                                         : is_series ? series_files(files).files
-                                                                     : files);
+    const std::vector<Figures> keys = is_series ? figures_of(family, series_files(files))
+                                                : figures_of(family, is_family ? key_files(first) : files);
     const auto print = options.json ? print_json : print_text;
     if (is_family || (has_family && files.size() == 1))
         print(Kind::family, family, keys, figures_of_family(first, keys));

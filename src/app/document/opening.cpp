@@ -135,7 +135,7 @@ Opening open_files(std::span<const std::filesystem::path> paths, const Progress&
 
 OpenedKeys import_steps(const SeriesToImport& series) {
     ImportedSeries imported =
-        import_series(series_files(series.files), series.files.front().stem().string(), {}, {});
+        import_series(series_files(series.files), series_name(series.files.front()), {}, {});
     return {std::move(imported.family), std::move(imported.report.notes), series.files};
 }
 

@@ -11,7 +11,7 @@ namespace interleaf {
 BackgroundJob<ImportedSeries>::Work import_work(std::vector<std::filesystem::path> files,
                                                 ImportChoices choices) {
     return [files = std::move(files), choices = std::move(choices)](const Progress& progress) {
-        return import_series(every_step(series_files(files), choices.every), files.front().stem().string(),
+        return import_series(every_step(series_files(files), choices.every), series_name(files.front()),
                              choices, [&](std::string_view stage, double part) {
                                  if (!progress(stage, part)) throw Cancelled();
                              });

@@ -34,10 +34,14 @@ std::string with_file(std::string text, const SeriesFiles& series) {
     if (!text.starts_with(word) || number.ec != std::errc() || step >= series.files.size())
         return fmt::format("{}: {}", series.files.front().string(), text);
     std::string_view rest(number.ptr, end);
-    const std::string file = series.files[step].string();
     rest.remove_prefix(std::min(rest.find_first_not_of(":, "), rest.size()));
-    if (rest.starts_with(file + ": ")) return std::string(rest);
-    return fmt::format("{}: {}", file, rest);
+    const auto is_named = [rest](const std::filesystem::path& file) {
+        return rest.starts_with(file.string() + ": ");
+    };
+    const std::filesystem::path& first = series.files[step];
+    if (is_named(first) || std::ranges::any_of(series.further_parts[step], is_named))
+        return std::string(rest);
+    return fmt::format("{}: {}", first.string(), rest);
 }
 
 /// What is subtracted from all steps.
@@ -167,7 +171,8 @@ std::optional<std::string> note_about_cell_fields(const FieldMesh& first) {
 Timeline timeline_of(const SeriesFiles& series, std::span<const std::optional<double>> in_files) {
     const auto does_not_increase = [](const auto& a, const auto& b) { return !(a && b && *a < *b); };
     const bool are_in_files = series.are_steps && in_files.size() > 1 &&
-                              std::ranges::adjacent_find(in_files, does_not_increase) == in_files.end();
+                              std::ranges::adjacent_find(in_files, does_not_increase) == in_files.end() &&
+                              std::isfinite(*in_files.back() - *in_files.front());
     std::vector<TimelineKey> keys;
     keys.reserve(series.times.size());
     for (std::size_t step = 0; step < series.times.size(); ++step)

@@ -270,7 +270,7 @@ class LegacyReader {
             place.element = association_ == Association::points ? "point" : "cell";
             const NumberArray array = numbers(next_type(name), place);
             if (association_ == Association::none) {
-                if (is_time_array(name)) time_ = time_in(array);
+                if (is_time_array(name) && !time_) time_ = time_in(array);
                 continue;
             }
             if (place.tuples != tuples_)

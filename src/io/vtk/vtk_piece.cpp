@@ -170,13 +170,16 @@ void append_all(std::vector<Value>& values, const std::vector<Value>& more) {
 
 void append_fields(std::vector<MeshField>& fields, const std::vector<MeshField>& more,
                    std::string_view file) {
-    for (MeshField& field : fields) {
-        const auto found = std::ranges::find(more, field.name, &MeshField::name);
-        if (found == more.end() || found->components != field.components || fields.size() != more.size())
-            throw InputError(
-                fmt::format("{}: a piece has other fields, expected those of the first piece", file));
-        append_all(field.values, found->values);
-    }
+    const auto same_field = [&more](const MeshField& field) {
+        return std::ranges::find_if(more, [&field](const MeshField& other) {
+            return other.name == field.name && other.components == field.components;
+        });
+    };
+    const auto is_in_both = [&](const MeshField& field) { return same_field(field) != more.end(); };
+    if (fields.size() != more.size() || !std::ranges::all_of(fields, is_in_both))
+        throw InputError(
+            fmt::format("{}: a piece has other fields, expected those of the first piece", file));
+    for (MeshField& field : fields) append_all(field.values, same_field(field)->values);
 }
 
 }  // namespace
@@ -186,8 +189,9 @@ bool is_time_array(std::string_view name) {
 }
 
 std::optional<double> time_in(const NumberArray& array) {
-    const std::vector<double> values = doubles_of(array);
-    return values.size() == 1 && std::isfinite(values.front()) ? std::optional(values.front()) : std::nullopt;
+    if (array.bytes.size() != size_of(array.type)) return std::nullopt;
+    const double time = doubles_of(array).front();
+    return std::isfinite(time) ? std::optional(time) : std::nullopt;
 }
 
 void append_cells(VtkCells& cells, const VtkCells& more, std::string_view file) {
@@ -228,7 +232,11 @@ void append(FieldMesh& mesh, FieldMesh more, std::string_view file) {
         return;
     }
     append_fields(mesh.point_fields, more.point_fields, file);
-    append_fields(mesh.triangle_fields, more.triangle_fields, file);
+    // A piece without cells has no fields of cells, whatever the other pieces have.
+    if (mesh.triangles.empty())
+        mesh.triangle_fields = std::move(more.triangle_fields);
+    else if (!more.triangles.empty())
+        append_fields(mesh.triangle_fields, more.triangle_fields, file);
     const std::size_t first_point = mesh.points.size();
     const Index first_cell = mesh.cell_of.empty() ? 0 : mesh.cell_of.back() + 1;
     if (more.points.size() >= no_index - first_point)

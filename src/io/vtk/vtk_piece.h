@@ -57,8 +57,8 @@ std::vector<bool> left_out_cells(const std::vector<std::uint8_t>& marks, bool ar
 FieldMesh mesh_of(VtkPiece piece, std::string_view file);
 
 /// Appends the points, triangles and values of \p more to \p mesh. Its cells get the numbers behind the cells of
-/// \p mesh. The time stays.
-/// \throw InputError naming \p file, unless both have the same fields
+/// \p mesh. The time stays, unless \p mesh is empty: then \p more replaces it.
+/// \throw InputError naming \p file, unless both have the same fields at points, and, if both have triangles, at these
 void append(FieldMesh& mesh, FieldMesh more, std::string_view file);
 
 }  // namespace interleaf

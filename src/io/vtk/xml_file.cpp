@@ -12,6 +12,7 @@
 #include "hierarchy/error.h"
 #include "io/file/input_file.h"
 #include "io/text/json_place.h"
+#include "io/text/words.h"
 #include "io/vtk/vtk_piece.h"
 #include "io/vtk/xml_document.h"
 
@@ -141,12 +142,28 @@ class XmlPieceReader {
     VtkPiece piece_;
 };
 
+/// The time that \p array is; none if it is not one finite number. A damaged time does not spoil the mesh.
+std::optional<double> time_of_array(XmlDocument& document, const pugi::xml_node& array) {
+    try {
+        if (document.count(array, "NumberOfTuples", 1) != 1 ||
+            document.count(array, "NumberOfComponents", 1) > 1)
+            return std::nullopt;
+        // Without a number of values, the words tell it.
+        Words words(array.text().get());
+        words.next();
+        const bool has_number = !without_blanks(array.attribute("NumberOfTuples").value()).empty();
+        if (!has_number && !words.next().empty()) return std::nullopt;
+        return time_in(document.numbers(array, {document.file(), "TimeValue", "value", 1}));
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+/// The first time among the arrays of the data set.
 std::optional<double> time_of(XmlDocument& document) {
     for (const pugi::xml_node array : document.data_set().child("FieldData").children("DataArray"))
-        if (is_time_array(array.attribute("Name").value()) &&
-            document.count(array, "NumberOfTuples", 1) == 1 &&
-            document.count(array, "NumberOfComponents", 1) <= 1)
-            return time_in(document.numbers(array, {document.file(), "TimeValue", "value", 1}));
+        if (is_time_array(array.attribute("Name").value()))
+            if (const std::optional<double> time = time_of_array(document, array)) return time;
     return std::nullopt;
 }
 

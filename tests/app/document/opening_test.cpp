@@ -91,6 +91,7 @@ TEST_CASE("steps of a series are to be imported, which commands do at once") {
         R"({"file-series-version": "1.0", "files": [{"name": "s1.vtk", "time": 0.5}]})");
     CHECK(std::holds_alternative<SeriesToImport>(samples.open({"s.vtk.series"})));
     const Family listed = open_family(samples.paths({"s.vtk.series"}));
+    CHECK(listed.name == "s");
     CHECK(listed.keys.front().name == "s1");
     REQUIRE(listed.timeline);
     CHECK(listed.timeline->begin() == 0.5);

@@ -35,7 +35,8 @@ void wait_for(const std::function<bool()>& condition) {
 
 }  // namespace
 
-TEST_CASE("a job imports a series, and names its family after the first file") {
+TEST_CASE(
+    "a job imports a series, and names its family after the first file, or the list without its endings") {
     const ScratchFolder folder;
     put(folder / "a.vtk", square(false));
     put(folder / "b.vtk", square(false));
@@ -45,6 +46,12 @@ TEST_CASE("a job imports a series, and names its family after the first file") {
     CHECK(imported.family.name == "a");
     CHECK(imported.family.keys.size() == 2);
     CHECK(sentences_of(imported.report).starts_with("2 steps over 1 roots, found by "));
+
+    put(folder / "run.vtk.series",
+        R"({"file-series-version": "1.0", "files": [{"name": "a.vtk", "time": 0}]})");
+    BackgroundJob<ImportedSeries> listed(import_work({folder / "run.vtk.series"}, {}));
+    wait_for([&] { return listed.state().is_done; });
+    CHECK(listed.take().family.name == "run");
 }
 
 TEST_CASE("a job that is cancelled ends, and says so") {

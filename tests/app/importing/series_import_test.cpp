@@ -256,6 +256,22 @@ TEST_CASE("the parts of a step become one key, also where only every second step
     }
 }
 
+TEST_CASE("an error in a further part of a step names that part first") {
+    const ScratchFolder folder;
+    const std::string head = "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n";
+    put(folder / "lower.vtk", head + "0 0 0 1 0 0 1 1 0\nPOLYGONS 1 4\n3 1 2 0\n");
+    put(folder / "broken.vtk", head + "0 0 0 1 1 0 0 one 0\n");
+    const std::filesystem::path file = folder / "run.pvd";
+    put(file,
+        "<VTKFile type='Collection'><Collection><DataSet file='lower.vtk'/><DataSet file='lower.vtk'/>"
+        "<DataSet part='1' file='broken.vtk'/></Collection></VTKFile>");
+    const std::string error =
+        input_error_of([&] { import_series(series_files(std::span(&file, 1)), "parts", {}, {}); });
+    CAPTURE(error);
+    CHECK(error.starts_with((folder / "broken.vtk").string() + ": "));
+    CHECK_FALSE(contains(error, "lower.vtk"));
+}
+
 TEST_CASE("the report names fields of cells that are left out, once, but not those of our own exports") {
     const ScratchFolder folder;
     const auto notes = [&](std::initializer_list<const char*> cell_fields, const ImportChoices& choices) {
@@ -307,8 +323,12 @@ TEST_CASE(
     CHECK(timed.keys()[1].time == 0.75);
     CHECK(timed.keys()[2].time == 2);
     CHECK(timed.unit() == TimeUnit::seconds);
-    for (const auto& times : std::vector<std::vector<const char*>>{
-             {"0.5", "", "2"}, {"", "1", "2"}, {"0.5", "0.5", "2"}, {"2", "1", "0"}, {"7"}}) {
+    for (const auto& times : std::vector<std::vector<const char*>>{{"0.5", "", "2"},
+                                                                   {"", "1", "2"},
+                                                                   {"0.5", "0.5", "2"},
+                                                                   {"2", "1", "0"},
+                                                                   {"7"},
+                                                                   {"-1e308", "0", "1e308"}}) {
         const Timeline named = timeline(times);
         CHECK(named.begin() == (times.size() == 1 ? 0 : 3));
         CHECK(named.unit() == TimeUnit::steps);

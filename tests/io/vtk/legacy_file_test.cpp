@@ -64,6 +64,9 @@ TEST_CASE("the time of a legacy file is the one number TIME or TimeValue of the 
     CHECK(square_with(field + polygon).time == 0.25);
     CHECK(square_with("FIELD FieldData 1\nTimeValue 1 1 float\n-2\n" + polygon).time == -2.0);
     CHECK_FALSE(square_with("FIELD FieldData 1\nTIME 1 2 double\n0 1\n" + polygon).time);
+    const std::string several =
+        "FIELD FieldData 3\nTIME 1 2 double\n0 1\nTimeValue 1 1 double\n2\nTIME 1 1 double\n3\n";
+    CHECK(square_with(several + polygon).time == 2.0);
     CHECK_FALSE(square_with("FIELD FieldData 1\nTIME 1 1 double\ninf\n" + polygon).time);
     CHECK_FALSE(square_with(polygon + "POINT_DATA 4\nFIELD FieldData 1\nTIME 1 4 double\n0 1 2 3\n").time);
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scratch_folder.h"
 #include "thrown_errors.h"
@@ -183,6 +184,14 @@ TEST_CASE("the time of a file is its one finite TimeValue") {
     CHECK_FALSE(time_of_grid(array("TimeValue", "NumberOfTuples='2'", "0 1")));
     CHECK_FALSE(time_of_grid(array("TimeValue", "NumberOfTuples='0'", "")));
     CHECK_FALSE(time_of_grid(array("TimeValue", "NumberOfTuples='1'", "nan")));
+    CHECK_FALSE(time_of_grid(array("TimeValue", "NumberOfTuples='1'", "")));
+    CHECK_FALSE(time_of_grid(array("TimeValue", "NumberOfTuples='one'", "1")));
+    CHECK_FALSE(time_of_grid(array("TimeValue", "NumberOfComponents='-1'", "1")));
+    CHECK_FALSE(time_of_grid(array("TimeValue", "", "0 1")));
+    CHECK_FALSE(time_of_grid(array("TimeValue", "NumberOfTuples=' '", "0 1")));
+    CHECK_FALSE(time_of_grid("<DataArray type='String' Name='TIME' NumberOfTuples='1'>49 0</DataArray>"));
+    CHECK(time_of_grid(array("TIME", "", "0 1") + array("TimeValue", "", "2") + array("TIME", "", "3")) ==
+          2.0);
 }
 
 TEST_CASE("faults are named with their place") {
@@ -238,6 +247,43 @@ TEST_CASE("a mesh of several pieces in one file, or in several, is one mesh") {
     CHECK(input_error_of([&] { parallel(first + first); }).ends_with("the piece \"a0.vtp\" is there twice"));
     CHECK(machine_error_of([&] { parallel("<Piece Source='b.vtp'/>"); }).find("b.vtp: cannot open") !=
           std::string::npos);
+}
+
+TEST_CASE(
+    "pieces with different fields are refused in any order, but pieces without cells need no fields of "
+    "cells") {
+    const auto piece = [](std::string_view point_fields, bool has_cells) {
+        return fmt::format(
+            "<Piece NumberOfPoints='3' NumberOfPolys='{}'><PointData>{}</PointData>"
+            "<Points><DataArray type='Float32' NumberOfComponents='3'>0 0 0 1 0 0 1 1 0</DataArray></Points>"
+            "<CellData><DataArray type='Int8' Name='n'>7</DataArray></CellData>"
+            "<Polys><DataArray type='Int32' Name='connectivity'>0 1 2</DataArray>"
+            "<DataArray type='Int32' Name='offsets'>3</DataArray></Polys></Piece>",
+            has_cells ? 1 : 0, point_fields);
+    };
+    const auto grid = [](const std::string& first, const std::string& second) {
+        return fmt::format("<VTKFile type='PolyData'><PolyData>{}{}</PolyData></VTKFile>", first, second);
+    };
+    const std::string u = "<DataArray type='Int8' Name='u'>1 2 3</DataArray>";
+    const std::string v = "<DataArray type='Int8' Name='v'>4 5 6</DataArray>";
+    const std::vector<std::string> pieces = {piece("", true), piece(u, true), piece(v, true),
+                                             piece(u + v, true)};
+    for (const std::string& first : pieces)
+        for (const std::string& second : pieces)
+            CHECK(xml_error(grid(first, second)) ==
+                  (first == second
+                       ? ""
+                       : "grid.vtu: a piece has other fields, expected those of the first piece"));
+    CHECK(parse_vtk_xml(grid(piece(u + v, true), piece(v + u, true)), "a.vtp").point_fields[1].values ==
+          std::vector<double>{4, 5, 6, 4, 5, 6});
+
+    for (const bool is_first : {false, true}) {
+        const FieldMesh mesh = parse_vtk_xml(grid(piece(u, is_first), piece(u, !is_first)), "a.vtp");
+        CHECK(mesh.points.size() == 6);
+        CHECK(mesh.triangles.size() == 1);
+        REQUIRE(mesh.triangle_fields.size() == 1);
+        CHECK(mesh.triangle_fields.front().values == std::vector<double>{7});
+    }
 }
 
 TEST_CASE("sizes that lie take no memory") {
