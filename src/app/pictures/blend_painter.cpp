@@ -89,6 +89,7 @@ void BlendPainter::draw_surface(const Weights& weights, const Camera& camera) {
 std::optional<PictureLegend> BlendPainter::legend_of_union() const {
     if (!display_.legend || !has_picture_legend(display_, fields_)) return std::nullopt;
     std::vector<std::string> names;
+    names.reserve(family_.keys.size());
     for (const Key& key : family_.keys) names.push_back(key.name);
     return picture_legend(display_, fields_, names, keys_, mesh_);
 }

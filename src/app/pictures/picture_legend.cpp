@@ -183,6 +183,7 @@ void draw_contents(PixelCanvas& canvas, glm::vec2 top, const LegendLayout& layou
 std::vector<LegendEntry> origin_entries(std::span<const std::string> names, std::span<const std::size_t> keys,
                                         const UnionMesh& mesh) {
     std::vector<std::string> active;
+    active.reserve(keys.size());
     for (const std::size_t key : keys) active.push_back(names[key]);
     std::vector<LegendEntry> entries;
     for (const KeySet origin : origins_of(mesh))
