@@ -15,7 +15,8 @@ namespace interleaf {
 /// \throw InputError  if the roots differ
 double half_way_area(const Hierarchy& key, const Hierarchy& other, const glm::dmat3& turn);
 
-/// Why a matched key is not taken, in words; empty if it keeps about as much area half way as the unmatched key, or more.
+/// Why a matched key is not taken, in words; empty if it keeps about as much area half way as the unmatched key, or
+/// more.
 /// \param matched, unmatched  half_way_area() of these keys and the model's
 std::string fault_of_half_way(double matched, double unmatched);
 

@@ -23,8 +23,8 @@ struct SeriesFiles {
 ///
 /// The times of a list are in it, and its files are relative to its folder. Files of a collection at one time with
 /// different numbers (attribute part) are parts of one step. A file of a collection without a time belongs to the step
-/// of the file before it if its part is not 0; else its time is the number of steps before it. The times of files are the numbers in their names, if
-/// the names differ in one number alone; otherwise they are 0, 1, 2, ...
+/// of the file before it if its part is not 0; else its time is the number of steps before it. The times of files are
+/// the numbers in their names, if the names differ in one number alone; otherwise they are 0, 1, 2, ...
 /// \throw InputError   naming the file and the place, if a list is damaged, names a file that is not there, or has
 ///                     two files at one time that are no different parts of a step; or if no file matches a pattern
 /// \throw MachineError if a file or folder cannot be read

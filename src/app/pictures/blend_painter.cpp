@@ -70,6 +70,7 @@ void BlendPainter::unite_keys(const Weights& weights) {
         if (const auto range = display_.kept_range()) display_.scale.range = *range;
     }
     keys_ = std::move(keys);
+    legend_ = legend_of_union();
 }
 
 void BlendPainter::draw_surface(const Weights& weights, const Camera& camera) {
@@ -98,9 +99,8 @@ std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Came
     unite_keys(weights);
     const int width = target_.width();
     const int height = target_.height();
-    const std::optional<PictureLegend> legend = legend_of_union();
     Camera beside_legend = camera;
-    if (legend) beside_legend.show_in_left(1 - legend_part(width, height, *legend));
+    if (legend_) beside_legend.show_in_left(1 - legend_part(width, height, *legend_));
     draw_surface(weights, beside_legend);
     std::vector<std::uint8_t> rgba = target_.read_rgba();
     if (display_.transparent) make_alpha_straight(rgba);
@@ -112,7 +112,7 @@ std::vector<std::uint8_t> BlendPainter::paint(const Weights& weights, const Came
                     arrows_.arrows(mesh_, united, beside_legend, {width, height, depths},
                                    arrow_cell_of(width, height)));
     }
-    if (legend) draw_legend(rgba, width, height, *legend);
+    if (legend_) draw_legend(rgba, width, height, *legend_);
     return rgba;
 }
 

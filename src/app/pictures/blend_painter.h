@@ -59,8 +59,9 @@ class BlendPainter {
     WarpedFamily warped_;
     UnionMesh mesh_;
     VectorArrows arrows_;
-    std::size_t unions_ = 0;         ///< number of unions so far
-    std::vector<std::size_t> keys_;  ///< whose union the renderer has
+    std::size_t unions_ = 0;               ///< number of unions so far
+    std::vector<std::size_t> keys_;        ///< whose union the renderer has
+    std::optional<PictureLegend> legend_;  ///< of that union; none if it is not shown
 };
 
 }  // namespace interleaf

@@ -40,9 +40,9 @@ bool belongs_to_domain(Shortcut shortcut, const ViewerState& state);
 /// Whether the brush reads \p shortcut: [ and ], while it is in use.
 bool belongs_to_brush(Shortcut shortcut, const ViewerState& state);
 
-/// Runs the commands of \p pressed in their order, up to one that asks something or opens a menu or a search field: what
-/// is pressed after it is not for the document. During a slow frame, many keys are pressed.
-/// \return the shortcuts after that command, for the next frame
+/// Runs the commands of \p pressed in their order, while nothing is asked and no menu or search field is to open: what
+/// is pressed after that is not for the document. During a slow frame, many keys are pressed.
+/// \return the other shortcuts, for the next frame
 std::vector<Shortcut> run_pressed(std::span<const Shortcut> pressed, const Shortcuts& shortcuts,
                                   ViewerState& state, double now);
 

@@ -34,8 +34,8 @@ struct SmoothingLimits {
 
 /// Moves vertices of \p surface so that its least angle does not fall and no more leaves are turned over
 /// (surface_sampling.h). The mesh over a changed star is nearer to the star than the farthest place of the
-/// mesh was before, unless limits.needle_angle says otherwise. This is measured at the vertices of the mesh and on a grid over the leaves; between these
-/// places the mesh may be a little farther away.
+/// mesh was before, unless limits.needle_angle says otherwise. This is measured at the vertices of the mesh and on a
+/// grid over the leaves; between these places the mesh may be a little farther away.
 /// \param surface         sampled from \p mapped
 /// \param fixed_vertices  number of vertices at the beginning that do not move: the root vertices
 /// \throw Cancelled
