@@ -141,6 +141,8 @@ RunningViewer::State RunningViewer::wait_for(const std::string& what, const Cond
         throw std::runtime_error(
             fmt::format("timed out waiting for: {}; the state is {}", what, last.dump()));
     }
+    if (!last["opengl_messages"].empty())
+        throw std::runtime_error(fmt::format("OpenGL says: {}", last["opengl_messages"].dump()));
     return last;
 }
 

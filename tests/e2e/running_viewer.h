@@ -1,5 +1,6 @@
 // A running `interleaf view` with a user before it: does what the user does, and sees what the user sees. A
-// wait of more than a minute fails the test, with a message that names the missing event.
+// wait of more than a minute fails the test, with a message that names the missing event, and so does a
+// message of OpenGL (KHR_debug).
 #pragma once
 
 #include <filesystem>
@@ -39,6 +40,7 @@ class RunningViewer {
     std::vector<State> states() const;
 
     /// Waits until the state fulfills \p condition.
+    /// \throw std::runtime_error if it does not within a minute, or if OpenGL has complained
     State wait_for(const std::string& what, const Condition& condition) const;
 
     /// The picture in the view, once it has stopped changing.

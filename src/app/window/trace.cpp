@@ -1,5 +1,7 @@
 #include "app/window/trace.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -165,6 +167,10 @@ void Trace::record(std::size_t frame, double seconds, const ViewerState& state, 
                      {"popup", record.popup ? json_of(*record.popup) : Json()}};
     json["panels"] = {{"weights", json_of(record.shown.weights, *record.shown.family)},
                       {"legend", record.shown.legend_keys}};
+    for (const std::string& message : record.opengl_messages)
+        if (std::ranges::find(opengl_messages_, message) == opengl_messages_.end())
+            opengl_messages_.push_back(message);
+    json["opengl_messages"] = opengl_messages_;
     std::string members = json.dump(-1, ' ', false, Json::error_handler_t::replace).substr(1);
     if (members == last_) return;
     last_ = std::move(members);

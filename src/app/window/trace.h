@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -34,9 +35,10 @@ struct FrameRecord {
     bool takes_text;            ///< whether a text field receives the typed text
     std::optional<Rect> popup;  ///< the frontmost menu or question
     std::optional<std::filesystem::path> browsed;  ///< the file browser's cursor, or its folder
-    std::string_view picture_row;      ///< of the dialog of a picture or a film that has the keyboard
-    const FitDialog* offer;            ///< the offer to fit meshes; null for none
-    const LandmarkEditing* landmarks;  ///< the landmark window; null unless it is open
+    std::string_view picture_row;              ///< of the dialog of a picture or a film that has the keyboard
+    const FitDialog* offer;                    ///< the offer to fit meshes; null for none
+    const LandmarkEditing* landmarks;          ///< the landmark window; null unless it is open
+    std::vector<std::string> opengl_messages;  ///< complaints of OpenGL since the last record
 };
 
 class Trace {
@@ -44,7 +46,8 @@ class Trace {
     /// \throw MachineError if the file cannot be written
     explicit Trace(const std::filesystem::path& path);
 
-    /// Writes a line, unless it differs from the last line only in \p frame and \p seconds.
+    /// Writes a line, unless it differs from the last line only in \p frame and \p seconds. Each line has the
+    /// complaints of OpenGL so far, so that a reader of some lines misses none.
     /// \param frame    number of the frame
     /// \param seconds  time at which the frame was shown, seconds since GLFW was ready
     /// \throw MachineError if the file cannot be written
@@ -55,6 +58,7 @@ class Trace {
     std::filesystem::path path_;
     std::ofstream file_;
     std::string last_;
+    std::vector<std::string> opengl_messages_;  ///< so far, each once
 };
 
 }  // namespace interleaf

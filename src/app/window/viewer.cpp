@@ -376,7 +376,8 @@ void Viewer::record() {
          .browsed = files_.browsed(),
          .picture_row = film_.dialog().is_open() ? film_.dialog().row() : "",
          .offer = files_.fitting().offered(),
-         .landmarks = files_.fitting().landmarks().is_open() ? &files_.fitting().landmarks() : nullptr});
+         .landmarks = files_.fitting().landmarks().is_open() ? &files_.fitting().landmarks() : nullptr,
+         .opengl_messages = take_debug_messages()});
 }
 
 /// Saves the picture of the window, which no longer changes, and closes the window.
