@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "text/characters.h"
 #include "text/natural_order.h"
 #include <fmt/core.h>
 

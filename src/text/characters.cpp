@@ -1,5 +1,6 @@
 #include "text/characters.h"
 
+#include <algorithm>
 #include <cwctype>
 
 #include <locale.h>
@@ -81,6 +82,12 @@ bool is_utf8(std::string_view text) {
 
 bool is_printable(std::string_view text) {
     return consists_of(text, [](char32_t code) { return !is_control(code); });
+}
+
+std::string_view without_blanks(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
 std::string folded(std::string_view text) {

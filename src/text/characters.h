@@ -40,6 +40,9 @@ bool is_utf8(std::string_view text);
 /// terminal's cursor. Names of families, keys and fields must be. An empty text is printable.
 bool is_printable(std::string_view text);
 
+/// \p text without the spaces, tabs and ends of lines around it.
+std::string_view without_blanks(std::string_view text);
+
 /// \p text in lower case, letter by letter. Bytes that are not UTF-8 stay as they are.
 std::string folded(std::string_view text);
 

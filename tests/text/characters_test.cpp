@@ -55,6 +55,13 @@ TEST_CASE("every control character makes a text unprintable, those of terminals 
     }
 }
 
+TEST_CASE("blanks around a text go, blanks in it stay") {
+    CHECK(without_blanks(" \t12 \r\n") == "12");
+    CHECK(without_blanks("a b\n\nc ") == "a b\n\nc");
+    CHECK(without_blanks("a") == "a");
+    for (const std::string_view blank : {"", " ", "\r\n\t "}) CHECK(without_blanks(blank).empty());
+}
+
 TEST_CASE("folding ignores case in every script, and keeps what is not UTF-8") {
     CHECK(folded("Flow.ILH") == "flow.ilh");
     CHECK(folded("ÄΩЖ") == "äωж");

@@ -15,6 +15,7 @@
 #include "render/surface_values.h"
 #include "ui/widgets/outline_marks.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/swatch.h"
 
 namespace interleaf {
 namespace {
@@ -137,13 +138,10 @@ void KeyViews::draw_name(const View& view) {
     const Rect& place = view.place;
     list.AddLine({place.x, place.y}, {place.x, place.bottom()}, colors::dark);
     list.AddLine({place.x, place.y}, {place.right(), place.y}, colors::dark);
-    const float swatch = scaled(8);
     const glm::vec2 corner(place.x + scaled(8), place.y + scaled(6));
-    const float top = corner.y + std::round((ImGui::GetTextLineHeight() - swatch) / 2);
-    list.AddRectFilled({corner.x, top}, {corner.x + swatch, top + swatch}, to_color(key_color(view.key)),
-                       scaled(2));
+    draw_swatch(list, corner, ImGui::GetTextLineHeight(), key_color(view.key));
     list.PushClipRect({place.x, place.y}, {place.right() - scaled(6), place.bottom()}, true);
-    list.AddText({corner.x + swatch + scaled(6), corner.y}, colors::text, view.name.c_str());
+    list.AddText({corner.x + swatch_side() + scaled(6), corner.y}, colors::text, view.name.c_str());
     list.PopClipRect();
 }
 

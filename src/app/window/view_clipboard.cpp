@@ -8,6 +8,7 @@
 #include <system_error>
 #include <vector>
 
+#include "text/characters.h"
 #include "text/shown_text.h"
 #include <fmt/core.h>
 #include <imgui.h>
@@ -18,13 +19,6 @@
 namespace interleaf {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    constexpr const char* blanks = " \t\r\n";
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 /// The text of the clipboard as a view; also what follows "--camera" in a copied command.
 Viewpoint pasted_viewpoint(std::string_view text) {
     constexpr std::string_view option = "--camera";
@@ -33,7 +27,7 @@ Viewpoint pasted_viewpoint(std::string_view text) {
         text.remove_prefix(std::min(found + option.size() + 1, text.size()));
         text = text.substr(0, text.find_first_of(" \n'"));
     }
-    text = trimmed(text);
+    text = without_blanks(text);
     if (text.empty()) throw UsageError("the clipboard has no text");
     if (text.size() > longest_shown && text.find('\n') != std::string_view::npos)
         throw UsageError("the text is none that Copy view has copied");

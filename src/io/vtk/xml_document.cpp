@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "text/characters.h"
 #include "text/parsed_number.h"
 #include <fmt/core.h>
 
@@ -24,12 +25,6 @@ std::size_t block_budget(std::size_t size, bool is_compressed) {
 }
 
 }  // namespace
-
-std::string_view without_blanks(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n";
-    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-    return text.substr(0, text.find_last_not_of(blanks) + 1);
-}
 
 XmlDocument::XmlDocument(std::string text, std::string file)
     : text_(std::move(text)), file_(std::move(file)) {
@@ -82,6 +77,7 @@ void XmlDocument::read_format() {
 
 std::size_t XmlDocument::count(const pugi::xml_node& node, const char* attribute,
                                std::optional<std::size_t> fallback) const {
+    // Some programs write numbers of a fixed width into attributes.
     const std::string_view value = without_blanks(node.attribute(attribute).value());
     if (value.empty() && fallback) return *fallback;
     const auto number = parsed_number<std::uint32_t>(value);

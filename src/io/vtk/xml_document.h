@@ -13,9 +13,6 @@
 
 namespace interleaf {
 
-/// \p text without the blanks and lines around it. Some programs write numbers of a fixed width into attributes.
-std::string_view without_blanks(std::string_view text);
-
 class XmlDocument {
   public:
     /// Parses \p text, the content of the file that messages call \p file.

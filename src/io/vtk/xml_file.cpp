@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "text/characters.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"

@@ -15,11 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string_view without_blanks(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n";
-    const std::size_t begin = text.find_first_not_of(blanks);
-    if (begin == std::string_view::npos) return {};
-    text = text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+/// \p text without blanks and one pair of quotes around it.
+std::string_view bare(std::string_view text) {
+    text = without_blanks(text);
     const bool quoted =
         text.size() >= 2 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
     return quoted ? text.substr(1, text.size() - 2) : text;
@@ -60,7 +58,7 @@ fs::path home_folder() {
 }
 
 fs::path typed_path(std::string_view text, const fs::path& folder, const fs::path& home) {
-    text = without_blanks(text);
+    text = bare(text);
     if (text == "~") return home;
     fs::path path = text.starts_with("~/") ? home / text.substr(2) : folder / text;
     path = path.lexically_normal();

@@ -18,6 +18,7 @@
 #include "ui/widgets/section.h"
 #include "ui/widgets/short_name.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/swatch.h"
 #include "ui/widgets/tooltip.h"
 
 namespace interleaf {
@@ -107,13 +108,10 @@ void level_legend(const LevelRange& levels) {
 /// A line with a square of \p color before it, and a tooltip.
 void swatch_row(glm::vec3 color, const std::string& text, const std::string& tooltip) {
     const float width = ImGui::GetContentRegionAvail().x;
-    const float swatch = scaled(10);
     const float indent = scaled(18);
     const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
     const float height = ImGui::GetTextLineHeight();
-    const float top = corner.y + std::round((height - swatch) / 2);
-    ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + swatch, top + swatch},
-                                              to_color(color), scaled(2));
+    draw_swatch(*ImGui::GetWindowDrawList(), corner, height, color);
     draw_text({corner.x + indent, corner.y}, width - indent, colors::text, text);
     ImGui::Dummy({width, height});
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tooltip.c_str());
@@ -134,13 +132,10 @@ std::size_t lines_in_view() {
 
 /// One row of the legend. A long name is cut; the tooltip has all of it.
 void origin_row(KeySet origin, const Legend& legend, float width) {
-    const float swatch = scaled(10);
     const float indent = scaled(16);
     const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
     const float height = ImGui::GetTextLineHeight();
-    const float top = corner.y + std::round((height - swatch) / 2);
-    ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + swatch, top + swatch},
-                                              to_color(origin_color(origin, legend.active_keys)), scaled(2));
+    draw_swatch(*ImGui::GetWindowDrawList(), corner, height, origin_color(origin, legend.active_keys));
     const std::string name = origin_name(origin, legend.active_names);
     draw_text({corner.x + indent, corner.y}, width - indent, colors::text, shortened(name, width - indent));
     ImGui::Dummy({width, height});

@@ -14,6 +14,7 @@
 #include "ui/widgets/command_keys.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"
+#include "ui/widgets/swatch.h"
 
 namespace interleaf {
 namespace {
@@ -175,12 +176,7 @@ void surface_heading(std::string_view name, std::optional<glm::vec3> color, cons
     const float width = ImGui::GetContentRegionAvail().x;
     const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
     const float line = ImGui::GetTextLineHeight();
-    const float swatch = scaled(10);
-    if (color)
-        ImGui::GetWindowDrawList()->AddRectFilled(
-            {corner.x, corner.y + std::round((line - swatch) / 2)},
-            {corner.x + swatch, corner.y + std::round((line - swatch) / 2) + swatch}, to_color(*color),
-            scaled(2));
+    if (color) draw_swatch(*ImGui::GetWindowDrawList(), corner, line, *color);
     const float indent = color ? scaled(18) : 0;
     const float remark_width = text_size(remark).x;
     draw_text({corner.x + indent, corner.y}, width - indent - remark_width - scaled(8), colors::text, name);

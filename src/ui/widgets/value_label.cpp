@@ -6,15 +6,15 @@
 #include <imgui.h>
 
 #include "ui/widgets/style.h"
+#include "ui/widgets/swatch.h"
 
 namespace interleaf {
 
 void value_label(glm::vec2 pointer, const Rect& area, glm::vec3 color, std::string_view text) {
     ImGui::PushFont(small_font());
     const glm::vec2 padding(scaled(8), scaled(4));
-    const float swatch = scaled(10);
-    const float gap = scaled(6);
-    const glm::vec2 size = text_size(text) + 2.0F * padding + glm::vec2(swatch + gap, 0);
+    const float indent = swatch_side() + scaled(6);
+    const glm::vec2 size = text_size(text) + 2.0F * padding + glm::vec2(indent, 0);
     // Place the label to the right of the pointer and below it, if it fits there into the area.
     const glm::vec2 offset(scaled(14), scaled(16));
     const auto place = [](float at, float shift, float length, float begin, float end) {
@@ -25,9 +25,8 @@ void value_label(glm::vec2 pointer, const Rect& area, glm::vec3 color, std::stri
                            place(pointer.y, offset.y, size.y, area.y, area.bottom()));
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     list.AddRectFilled(to_imgui(corner), to_imgui(corner + size), colors::label, scaled(4));
-    const glm::vec2 square(corner.x + padding.x, corner.y + std::round((size.y - swatch) / 2));
-    list.AddRectFilled(to_imgui(square), to_imgui(square + swatch), to_color(color), scaled(2));
-    list.AddText(to_imgui(corner + padding + glm::vec2(swatch + gap, 0)), colors::text, text.data(),
+    draw_swatch(list, {corner.x + padding.x, corner.y}, size.y, color);
+    list.AddText(to_imgui(corner + padding + glm::vec2(indent, 0)), colors::text, text.data(),
                  text.data() + text.size());
     ImGui::PopFont();
 }
