@@ -177,8 +177,11 @@ std::string title_of(const Interpolation& interpolation) {
 }
 
 void choose_interpolation(const TransportState& state, TransportResult& result) {
-    combo("##interpolation", title_of(state.interpolation),
-          with_keys("How the keys are blended", {"Interpolation"}), scaled(118), [&] {
+    const bool turns = state.blend == BlendKind::turning;
+    combo("##interpolation", title_of(state.interpolation) + (turns ? " ↻" : ""),
+          with_keys(turns ? "How the keys are blended (↻ parts turn)" : "How the keys are blended",
+                    {"Interpolation"}),
+          scaled(118), [&] {
               for (const auto& [basis, title, description] : basis_titles) {
                   const bool is_chosen =
                       basis == state.interpolation.basis && state.interpolation.degree == 0;
@@ -191,7 +194,6 @@ void choose_interpolation(const TransportState& state, TransportResult& result) 
               if (ImGui::IsItemHovered())
                   ImGui::SetTooltip("Polynomials of a degree that you type, joined at keys");
               ImGui::Separator();
-              const bool turns = state.blend == BlendKind::turning;
               if (ImGui::Selectable("Turn parts", turns))
                   result.blend = turns ? BlendKind::straight : BlendKind::turning;
               tooltip(with_keys("Parts that turn from key to key turn on the way, instead of shrinking",
