@@ -95,7 +95,7 @@ bool SurfaceBuffers::send(std::size_t max_bytes) {
         Piece& piece = pieces_.front();
         glBindBuffer(copy_target, piece.buffer->name());
         if (piece.sent == 0)
-            glBufferData(copy_target, static_cast<GLsizeiptr>(piece.size), nullptr, GL_STATIC_DRAW);
+            glBufferData(copy_target, static_cast<GLsizeiptr>(piece.size), nullptr, GL_DYNAMIC_DRAW);
         const std::size_t part = std::min(max_bytes, piece.size - piece.sent);
         if (part > 0)
             glBufferSubData(copy_target, static_cast<GLintptr>(piece.sent), static_cast<GLsizeiptr>(part),

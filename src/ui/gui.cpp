@@ -36,6 +36,13 @@ bool is_modifier(int key) {
     return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
 }
 
+/// Gives the fonts to OpenGL. Everything else of Dear ImGui's backend stays: buffers that it makes anew would have
+/// no room for the next frame (1.86).
+void renew_font_texture() {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
 bool mouse_does_something() {
     const ImGuiIO& io = ImGui::GetIO();
     const auto changed = [](const bool(&flags)[5]) {
@@ -60,6 +67,7 @@ Gui::Gui(GLFWwindow* window) : window_(window) {
         ImGui::DestroyContext();
         throw MachineError("cannot draw the user interface: no OpenGL library that Dear ImGui can load");
     }
+    ImGui_ImplOpenGL3_CreateDeviceObjects();
     follow_display();
 }
 
@@ -89,8 +97,7 @@ std::vector<std::string> Gui::closed_sections() const {
 void Gui::add_glyphs() {
     if (!state_.lacks_glyphs) return;
     make_fonts(scale_, density_);
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
+    renew_font_texture();
 }
 
 void Gui::begin_frame(std::span<const int> pressed) {
@@ -239,7 +246,7 @@ void Gui::follow_display() {
     scale_ = scale;
     density_ = density;
     apply_style(scale, density);
-    ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame recreates them with the new typeface
+    renew_font_texture();
 }
 
 }  // namespace interleaf

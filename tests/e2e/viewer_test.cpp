@@ -474,6 +474,21 @@ TEST_CASE("the mouse in the view moves only the camera, and F shows the whole mo
     CHECK(viewer.shows(framed_picture));
 }
 
+TEST_CASE("larger text moves the panels, which are drawn whole") {
+    const RunningViewer viewer;
+    const State start = viewer.state();
+    viewer.point_at(view_pixel(start));
+    const Picture before = viewer.settled_picture();
+    viewer.press(XK_equal, XK_Control_L);
+    viewer.wait_for("wider panels", [&](const State& s) {
+        return s["rects"]["keys"][2].get<float>() > start["rects"]["keys"][2].get<float>();
+    });
+    viewer.settled_picture();
+    viewer.press(XK_minus, XK_Control_L);
+    viewer.wait_for("the panels as before", [&](const State& s) { return s["rects"] == start["rects"]; });
+    CHECK(viewer.shows(before));
+}
+
 TEST_CASE("the help covers the view until it is closed") {
     const RunningViewer viewer;
     const Picture before = viewer.settled_picture();
