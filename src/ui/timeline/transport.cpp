@@ -9,6 +9,7 @@
 #include <imgui.h>
 
 #include "ui/widgets/command_keys.h"
+#include "ui/widgets/glyphs.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/tooltip.h"
 
@@ -140,6 +141,7 @@ void show_buttons(const TransportState& state, bool all, TransportResult& result
 template <typename Items>
 void combo(const char* name, const std::string& shown, const std::string& tooltip, float width,
            Items show_items) {
+    need_glyphs(shown);
     ImGui::SetNextItemWidth(width);
     const bool is_open = ImGui::BeginCombo(name, shown.c_str(), ImGuiComboFlags_HeightLargest);
     if (!is_open) tooltip_above(tooltip);
