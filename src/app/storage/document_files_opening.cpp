@@ -8,7 +8,6 @@
 #include <utility>
 #include <variant>
 
-#include "text/shown_text.h"
 #include <fmt/format.h>
 
 #include "app/document/edit_commands.h"
@@ -22,6 +21,7 @@
 #include "hierarchy/progress.h"
 #include "io/file/file_pattern.h"
 #include "io/formats.h"
+#include "text/shown_text.h"
 #include "ui/widgets/command_keys.h"
 
 namespace interleaf {

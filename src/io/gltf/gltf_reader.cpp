@@ -6,7 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "text/characters.h"
 #include <fmt/core.h>
 
 #include "family/origin.h"
@@ -25,6 +24,7 @@
 #include "io/gltf/vertex_welding.h"
 #include "io/gltf/weight_timeline.h"
 #include "io/mesh/polygon_mesh.h"
+#include "text/characters.h"
 
 namespace interleaf {
 
