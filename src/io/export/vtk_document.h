@@ -28,7 +28,7 @@ struct VtkSurface {
     std::span<const FieldScale>
         scales{};                     ///< offsets, which make fields doubles, and units, as VTK's UNITS_LABEL
     std::span<const LeafTag> tags{};  ///< per triangle: its level and its root
-    std::span<const KeySet> origins{};  ///< per triangle: the keys in which it is a node
+    std::span<const KeySet> leaf_origins{};  ///< per triangle: the keys in which it is a node
     std::optional<double> time{};
 };
 

@@ -4,7 +4,7 @@
 
 namespace interleaf {
 
-class PanelKeys {
+class PanelKeyboard {
   public:
     /// Gives the keyboard to the next shown panel (\p step 1) or to the previous one (-1). Between the last panel and
     /// the first one, no panel has the keyboard. With \p step 0 nothing happens.
