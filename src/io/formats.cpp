@@ -11,7 +11,7 @@
 #include "io/gltf/glb_export.h"
 #include "io/gltf/gltf_reader.h"
 #include "io/hierarchy/hierarchy_file.h"
-#include "io/mesh/mesh_file.h"
+#include "io/mesh/obj_keys.h"
 #include "io/page/page_export.h"
 #include "io/text/joined_text.h"
 

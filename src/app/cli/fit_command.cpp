@@ -23,7 +23,6 @@
 #include "io/family/family_file.h"
 #include "io/formats.h"
 #include "io/landmarks/landmark_file.h"
-#include "io/mesh/mesh_file.h"
 #include "text/shown_text.h"
 
 namespace interleaf {

@@ -20,7 +20,6 @@
 #include "io/family/family_file.h"
 #include "io/formats.h"
 #include "io/hierarchy/hierarchy_file.h"
-#include "io/mesh/mesh_file.h"
 #include "io/series_files.h"
 #include "text/shown_text.h"
 #include "text/value_text.h"

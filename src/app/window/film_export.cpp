@@ -14,7 +14,7 @@
 #include "hierarchy/progress.h"
 #include "io/file/file_pattern.h"
 #include "io/file/safe_write.h"
-#include "io/mesh/mesh_file.h"
+#include "io/film/png_bytes.h"
 #include "render/image_texture.h"
 #include "text/shown_text.h"
 #include "ui/dialogs/progress_dialog.h"

@@ -33,7 +33,7 @@
 #include "app/window/window_input.h"
 #include "app/window/window_panels.h"
 #include "io/file/safe_write.h"
-#include "io/mesh/mesh_file.h"
+#include "io/film/png_bytes.h"
 #include "render/context.h"
 #include "ui/gui.h"
 
