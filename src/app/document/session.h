@@ -135,10 +135,6 @@ class Session {
     /// Gives playback the interval of the family's time.
     void follow_interval(double now);
 
-    /// The times of the keys or of the path's points, ascending.
-    /// \pre has_time()
-    std::vector<double> marked_times() const;
-
     std::shared_ptr<const Family> family_;
     double now_ = 0;           ///< wall time of the last advance(), seconds
     Playback playback_{0, 0};  ///< of the family's time; without one it rests at 0 and keeps repeat and speed

@@ -75,7 +75,6 @@ class FilmDialog {
     void show_text_row(std::size_t row, const FilmOfferShown& shown);
     void show_check_row(std::size_t row);
     void draw_pattern(glm::vec2 corner, glm::vec2 size) const;
-    void show_buttons(const FilmOfferShown& shown);
 
     static constexpr std::size_t text_row_count = 6;
 
