@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "json_line.h"
-#include "text/parsed_number.h"
 
 #include "fit/clean_up/clean_up.h"
 #include "fit/sampling/surface_sampling.h"
@@ -17,6 +16,7 @@
 #include "fit/sphere_map/spherical_map.h"
 #include "hierarchy/hierarchy.h"
 #include "shapes/shapes.h"
+#include "text/parsed_number.h"
 
 namespace {
 

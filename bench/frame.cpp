@@ -6,12 +6,12 @@
 
 #include "json_line.h"
 #include "keys.h"
-#include "text/parsed_number.h"
 #include <glad/gl.h>
 
 #include "hierarchy/measure.h"
 #include "render/context.h"
 #include "render/renderer.h"
+#include "text/parsed_number.h"
 
 namespace {
 

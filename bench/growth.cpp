@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "json_line.h"
-#include "text/parsed_number.h"
 #include "triad.h"
 #include <glm/geometric.hpp>
 #include <sys/resource.h>
@@ -19,6 +18,7 @@
 #include "hierarchy/union_mesh.h"
 #include "io/hierarchy/hierarchy_file.h"
 #include "shapes/icosahedron.h"
+#include "text/parsed_number.h"
 
 namespace {
 

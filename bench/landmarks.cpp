@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "json_line.h"
-#include "text/parsed_number.h"
 
 #include "fit/fit.h"
 #include "fit/landmarks/landmark_insertion.h"
@@ -25,6 +24,7 @@
 #include "fit/placement.h"
 #include "hierarchy/error.h"
 #include "io/mesh/surface_file.h"
+#include "text/parsed_number.h"
 
 namespace {
 

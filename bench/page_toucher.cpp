@@ -3,8 +3,9 @@
 // page fault of the guest. Running this program right before a measurement keeps the host out of it.
 #include <cstddef>
 
-#include "text/parsed_number.h"
 #include <sys/mman.h>
+
+#include "text/parsed_number.h"
 
 int main(int argc, char** argv) {
     const std::size_t bytes = (argc == 2 ? interleaf::parsed_number<std::size_t>(argv[1]).value_or(0) : 0)

@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "json_line.h"
-#include "text/parsed_number.h"
 #include <malloc.h>
 #include <sys/resource.h>
 
 #include "hierarchy/adaptive_mesh.h"
+#include "text/parsed_number.h"
 
 namespace {
 

@@ -21,7 +21,6 @@
 #include <vector>
 
 #include "closest_surface.h"
-#include "text/parsed_number.h"
 #include <CGAL/version.h>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -29,6 +28,7 @@
 
 #include "hierarchy/union_mesh.h"
 #include "shapes/shapes.h"
+#include "text/parsed_number.h"
 
 namespace {
 

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstddef>
 
-#include "text/characters.h"
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 #include "family/names.h"
 #include "hierarchy/checker.h"
 #include "hierarchy/field.h"
+#include "text/characters.h"
 
 namespace interleaf {
 namespace {

@@ -63,7 +63,8 @@ std::optional<std::size_t> find_key(const Family& family, std::string_view name)
 
 /// Every violation of a family's invariants, one sentence per violation. There is at least one key. Names are
 /// unique and not empty. All keys have the same root complex (constraints (B); the violation names the keys).
-/// Landmarks have unique names and unit vectors. Scales have fields of their own, finite offsets and units. Timeline and domain refer to existing keys. A path goes through a domain, and drives only where there is one.
+/// Landmarks have unique names and unit vectors. Scales have fields of their own, finite offsets and units. Timeline
+/// and domain refer to existing keys. A path goes through a domain, and drives only where there is one.
 std::vector<std::string> check(const Family& family);
 
 /// The union of the active keys of \p weights, with one position stream per weight, in their order. It blends

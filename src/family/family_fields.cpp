@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "text/value_text.h"
-
 #include "hierarchy/union_fields.h"
+#include "text/value_text.h"
 
 namespace interleaf {
 namespace {

@@ -40,6 +40,18 @@ TimeRange interval_of(const Family& family, TimeSource source) {
     return {family.timeline->begin(), family.timeline->end()};
 }
 
+std::vector<double> marked_times(const Family& family, TimeSource source) {
+    std::vector<double> times;
+    if (source == TimeSource::path) {
+        times.reserve(family.path->points().size());
+        for (const PathPoint& point : family.path->points()) times.push_back(point.time);
+    } else {
+        times.reserve(family.timeline->keys().size());
+        for (const TimelineKey& key : family.timeline->keys()) times.push_back(key.time);
+    }
+    return times;
+}
+
 Weights weights_at(const Family& family, double time, TimeSource source) {
     if (source == TimeSource::keys) return family.timeline->at(time);
     return family.domain->weights(place_on_path(family, time));

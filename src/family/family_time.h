@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "family/family.h"
 #include "family/playback.h"
@@ -35,6 +36,10 @@ std::string unit_name_of(const Family& family, TimeSource source);
 /// The times of \p source from its begin to its end.
 /// \pre has_source(family, source)
 TimeRange interval_of(const Family& family, TimeSource source);
+
+/// The times of the keys of the timeline, or of the points of the path, ascending.
+/// \pre has_source(family, source)
+std::vector<double> marked_times(const Family& family, TimeSource source);
 
 /// The weights at \p time, clamped to the interval. Those of the path are the weights of place_on_path().
 /// \throw InputError if \p time is not a number

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "text/characters.h"
 #include "text/value_text.h"
-#include <fmt/core.h>
 
 namespace interleaf {
 

@@ -9,11 +9,11 @@
 namespace interleaf {
 
 struct FrameTimes {
-    double begin = 0;       ///< time of frame 0, seconds
+    double begin = 0;       ///< time of frame 0
     double rate = 30;       ///< frames per second
     std::size_t count = 1;  ///< number of frames, at least 1
 
-    /// The time of frame \p number, seconds.
+    /// The time of frame \p number.
     double at(std::size_t number) const { return begin + static_cast<double>(number) / rate; }
 };
 

@@ -15,19 +15,21 @@ namespace {
 /// Smaller weights of Basis::spline are left out.
 constexpr double negligible_weight = 1e-7;
 
-Weights linear_weights(std::span<const double> times, double time) {
+using Times = std::span<const double>;
+
+Weights linear_weights(Times times, double time, std::size_t /*degree*/) {
     const std::size_t place = interval_at(times, time);
     const double s = (time - times[place]) / (times[place + 1] - times[place]);
     return {{place, 1 - s}, {place + 1, s}};
 }
 
-Weights hold_weights(std::span<const double> times, double time) {
+Weights hold_weights(Times times, double time, std::size_t /*degree*/) {
     const bool is_end = time == times.back();
     return {{is_end ? times.size() - 1 : interval_at(times, time), 1}};
 }
 
 /// The Bernstein polynomials of degree times.size() - 1 over all times, by the recursion of de Casteljau.
-Weights bernstein_weights(std::span<const double> times, double time) {
+Weights bernstein_weights(Times times, double time) {
     const double s = (time - times.front()) / (times.back() - times.front());
     Weights weights{{0, 1}};
     for (std::size_t degree = 1; degree < times.size(); ++degree) {
@@ -40,7 +42,7 @@ Weights bernstein_weights(std::span<const double> times, double time) {
 }
 
 /// The weights of bernstein_weights() for the piece of \p degree that contains \p time.
-Weights piecewise_bernstein_weights(std::span<const double> times, double time, std::size_t degree) {
+Weights piecewise_bernstein_weights(Times times, double time, std::size_t degree) {
     if (degree == 0 || degree >= times.size()) return bernstein_weights(times, time);
     const std::size_t first = interval_at(times, time) / degree * degree;
     Weights weights =
@@ -49,41 +51,44 @@ Weights piecewise_bernstein_weights(std::span<const double> times, double time, 
     return weights;
 }
 
-struct NamedBasis {
+struct BasisRow {
     Basis basis;
     std::string_view name;
+
+    /// The weights at \p time by place in \p times, of which there are two or more.
+    /// \param degree  that of the Interpolation; only Basis::bernstein has one
+    Weights (*weights)(Times times, double time, std::size_t degree);
 };
 
-constexpr std::array named_bases{
-    NamedBasis{Basis::linear, "linear"},       NamedBasis{Basis::hold, "hold"},
-    NamedBasis{Basis::bernstein, "bernstein"}, NamedBasis{Basis::catmull_rom, "catmull-rom"},
-    NamedBasis{Basis::b_spline, "b-spline"},   NamedBasis{Basis::spline, "spline"},
-};
+constexpr std::array<BasisRow, basis_count> table = {{
+    {Basis::linear, "linear", linear_weights},
+    {Basis::hold, "hold", hold_weights},
+    {Basis::bernstein, "bernstein", piecewise_bernstein_weights},
+    {Basis::catmull_rom, "catmull-rom",
+     [](Times times, double time, std::size_t) { return catmull_rom_weights(times, time); }},
+    {Basis::b_spline, "b-spline",
+     [](Times times, double time, std::size_t) { return b_spline_weights(times, time); }},
+    {Basis::spline, "spline",
+     [](Times times, double time, std::size_t) {
+         return local_spline_weights(times, time, negligible_weight);
+     }},
+}};
 
 constexpr auto offered = [] {
-    std::array<Basis, named_bases.size()> all{};
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = named_bases[i].basis;
+    std::array<Basis, table.size()> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = table[i].basis;
     return all;
 }();
 
-/// The weights by place.
-/// \pre there are two times or more
-Weights place_weights(const Interpolation& interpolation, std::span<const double> times, double time) {
-    switch (interpolation.basis) {
-        case Basis::linear:
-            return linear_weights(times, time);
-        case Basis::hold:
-            return hold_weights(times, time);
-        case Basis::bernstein:
-            return piecewise_bernstein_weights(times, time, interpolation.degree);
-        case Basis::catmull_rom:
-            return catmull_rom_weights(times, time);
-        case Basis::b_spline:
-            return b_spline_weights(times, time);
-        case Basis::spline:
-            return local_spline_weights(times, time, negligible_weight);
-    }
-    return {};
+constexpr bool has_order_of_enumeration() {
+    for (std::size_t i = 0; i < table.size(); ++i)
+        if (table[i].basis != static_cast<Basis>(i) || table[i].weights == nullptr) return false;
+    return true;
+}
+static_assert(has_order_of_enumeration());
+
+const BasisRow& row_of(Basis basis) {
+    return table.at(static_cast<std::size_t>(basis));
 }
 
 /// Makes the sum of \p weights exactly 1, in whatever order they are added. All values become multiples of one
@@ -109,12 +114,12 @@ std::span<const Basis> bases() {
 }
 
 std::string_view name_of(Basis basis) {
-    return std::ranges::find(named_bases, basis, &NamedBasis::basis)->name;
+    return row_of(basis).name;
 }
 
 std::optional<Basis> basis_named(std::string_view name) {
-    const auto* const found = std::ranges::find(named_bases, name, &NamedBasis::name);
-    return found == named_bases.end() ? std::nullopt : std::optional(found->basis);
+    const auto* const found = std::ranges::find(table, name, &BasisRow::name);
+    return found == table.end() ? std::nullopt : std::optional(found->basis);
 }
 
 Weights weights_at(const Interpolation& interpolation, std::span<const TimelineKey> keys, double time) {
@@ -122,7 +127,7 @@ Weights weights_at(const Interpolation& interpolation, std::span<const TimelineK
     std::vector<double> times;
     times.reserve(keys.size());
     for (const TimelineKey& key : keys) times.push_back(key.time);
-    Weights weights = place_weights(interpolation, times, time);
+    Weights weights = row_of(interpolation.basis).weights(times, time, interpolation.degree);
     for (Weight& weight : weights) weight.key = keys[weight.key].key;
     weights = sorted_weights(std::move(weights));
     make_sum_one(weights);

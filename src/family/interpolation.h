@@ -1,5 +1,5 @@
-// Interpolation bases: the weights of keys at given times (paper, sections 3.1 and 4.1). One table holds
-// their names and functions.
+// Interpolation bases: the weights of keys at given times (paper, sections 3.1 and 4.1). One table holds their
+// names and functions (interpolation.cpp).
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 namespace interleaf {
 
 struct TimelineKey {
-    double time;      ///< seconds
+    double time;      ///< in the unit of the timeline (TimeUnit)
     std::size_t key;  ///< index of the key in its family
     bool operator==(const TimelineKey&) const = default;
 };
@@ -27,7 +27,10 @@ enum class Basis : std::uint8_t {
     spline,       ///< cubic through all keys, twice continuously differentiable (spline_weights.h)
 };
 
-/// All bases, in the order in which they are offered.
+/// The number of bases: that of the last enumerator, plus one.
+inline constexpr std::size_t basis_count = static_cast<std::size_t>(Basis::spline) + 1;
+
+/// All bases, in the order of the enumeration, in which they are offered.
 std::span<const Basis> bases();
 
 /// "catmull-rom".
@@ -52,7 +55,7 @@ struct Interpolation {
 /// Of Basis::spline, keys whose weights stay below 1e-7 between the two surrounding keys are left out, and
 /// the remaining weights are divided by their sum.
 /// \param keys  times strictly ascending
-/// \param time  seconds
+/// \param time  in the unit of the keys' times
 /// \pre there is a key, and \p time is from the first key's time to the last one's
 Weights weights_at(const Interpolation& interpolation, std::span<const TimelineKey> keys, double time);
 

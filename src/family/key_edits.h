@@ -51,7 +51,7 @@ Family with_family_renamed(Family family, std::string name);
 Family with_key_moved(Family family, std::size_t from, std::size_t to);
 
 /// The family with another timeline entry of \p key at \p time. Creates the timeline if there is none.
-/// \param time  in seconds
+/// \param time  in the unit of the timeline
 /// \throw InputError if the time is taken or not finite
 Family with_time_added(Family family, std::size_t key, double time);
 

@@ -1,8 +1,9 @@
 #include "family/names.h"
 
+#include <fmt/core.h>
+
 #include "text/characters.h"
 #include "text/shown_text.h"
-#include <fmt/core.h>
 
 namespace interleaf {
 

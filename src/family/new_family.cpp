@@ -5,9 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "text/shown_text.h"
-
 #include "family/names.h"
+#include "text/shown_text.h"
 
 namespace interleaf {
 

@@ -21,23 +21,23 @@ std::span<const Repeat> repeats();
 /// "back and forth".
 std::string_view name_of(Repeat repeat);
 
-/// A range of the animation's time, in seconds.
+/// A range of the animation's time, in its unit: that of the timeline (TimeUnit), or seconds of a path.
 struct TimeRange {
     double begin;
     double end;
     bool operator==(const TimeRange&) const = default;
 };
 
-/// Limits of the speed: seconds of the animation per second.
+/// Limits of the speed: units of the animation's time per second.
 inline constexpr double min_speed = 1.0 / 64;
 inline constexpr double max_speed = 8;
 
 class Playback {
   public:
-    /// Paused at the beginning of the animation's interval [\p begin, \p end], in seconds.
+    /// Paused at the beginning of the animation's interval [\p begin, \p end].
     Playback(double begin, double end);
 
-    /// The animation's time at wall time \p now, in seconds.
+    /// The animation's time at wall time \p now; wall times are seconds.
     double time(double now) const;
 
     /// Whether the animation is moving at \p now. It is not if it has stopped at the end of the range.

@@ -14,7 +14,7 @@ constexpr std::size_t cubic = 3;
 /// A time in its interval.
 struct Location {
     std::size_t place;  ///< where the interval begins
-    double length;      ///< of the interval, seconds
+    double length;      ///< of the interval
     double after;       ///< part of the interval after the time, 0 to 1
     double before;      ///< part before it
 };

@@ -46,8 +46,8 @@ struct FitOptions {
     MatchOptions matching{};
 
     /// Points of the surface or near it. Either all have directions, and the map brings them exactly there; then
-    /// \a rotation turns only the body that is matched to a model. Or none has, and the map is the same as without landmarks; the report then says
-    /// where the map has put them.
+    /// \a rotation turns only the body that is matched to a model. Or none has, and the map is the same as without
+    /// landmarks; the report then says where the map has put them.
     std::vector<Landmark> landmarks{};
     /// Names of landmarks that mirror each other. Pairs without both landmarks mean nothing.
     std::vector<std::array<std::string, 2>> symmetric{};

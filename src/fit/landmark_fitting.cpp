@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
@@ -13,6 +12,7 @@
 #include "fit/mesh/space_triangle.h"
 #include "fit/mesh/surface_distance.h"
 #include "hierarchy/error.h"
+#include "text/shown_text.h"
 
 namespace interleaf {
 

@@ -17,6 +17,16 @@ std::vector<FieldName> labels(std::span<const Field> fields) {
     return result;
 }
 
+Field renumbered(const Field& field, std::span<const Index> vertices) {
+    Field result{field.name, field.kind, {}};
+    result.values.reserve(component_count(field.kind) * vertices.size());
+    for (const Index vertex : vertices) {
+        const std::span<const float> values = field.at(vertex);
+        result.values.insert(result.values.end(), values.begin(), values.end());
+    }
+    return result;
+}
+
 const Field* find_field(std::span<const Field> fields, const FieldName& label) {
     const auto found =
         std::ranges::find_if(fields, [&](const Field& field) { return field.label() == label; });

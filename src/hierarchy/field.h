@@ -60,6 +60,9 @@ bool is_field_name(std::string_view text);
 /// The names and kinds of \p fields.
 std::vector<FieldName> labels(std::span<const Field> fields);
 
+/// A copy of \p field with the values of \p vertices, in their order.
+Field renumbered(const Field& field, std::span<const Index> vertices);
+
 /// The field with the name and kind of \p label; null if there is none.
 const Field* find_field(std::span<const Field> fields, const FieldName& label);
 

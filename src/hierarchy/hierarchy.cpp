@@ -47,17 +47,6 @@ void write_preorder(Hierarchy& hierarchy, const std::vector<Leaf>& leaves) {
     assert(open.empty() && bit_count == hierarchy.node_count());
 }
 
-/// A copy of \p field with the values of the vertices \p old_numbers, in that order.
-Field renumbered(const Field& field, std::span<const Index> old_numbers) {
-    Field result{field.name, field.kind, {}};
-    result.values.reserve(component_count(field.kind) * old_numbers.size());
-    for (const Index old : old_numbers) {
-        const std::span<const float> values = field.at(old);
-        result.values.insert(result.values.end(), values.begin(), values.end());
-    }
-    return result;
-}
-
 }  // namespace
 
 std::size_t Hierarchy::byte_count() const {

@@ -11,7 +11,7 @@
 #include "io/gltf/glb_export.h"
 #include "io/gltf/gltf_reader.h"
 #include "io/hierarchy/hierarchy_file.h"
-#include "io/mesh/mesh_file.h"
+#include "io/mesh/obj_keys.h"
 #include "io/page/page_export.h"
 #include "io/text/joined_text.h"
 
@@ -26,7 +26,7 @@ std::variant<FileKeys, Misfit> read_hierarchies(std::span<const std::filesystem:
     return read;
 }
 
-constexpr std::array<Format, 16> table = {{
+constexpr auto table = std::to_array<Format>({
     {.extension = ".json",
      .title = "family file",
      .read = Carried{.fields = true, .colors = true, .hierarchy = true, .origin = true, .time = true},
@@ -108,7 +108,7 @@ constexpr std::array<Format, 16> table = {{
      .title = "ParaView file series",
      .read = Carried{.fields = true, .origin = true, .time = true},
      .is_step = true},
-}};
+});
 
 }  // namespace
 

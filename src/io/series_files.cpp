@@ -10,8 +10,6 @@
 #include <system_error>
 #include <utility>
 
-#include "text/characters.h"
-#include "text/natural_order.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
@@ -26,6 +24,8 @@
 #include "io/vtk/vtk_piece.h"
 #include "io/vtk/xml_document.h"
 #include "io/vtk/xml_file.h"
+#include "text/characters.h"
+#include "text/natural_order.h"
 
 namespace interleaf {
 namespace {

@@ -15,7 +15,7 @@ namespace interleaf {
 
 enum class Shading { smooth, flat };
 
-/// Keys of at most so many leaves are shaded flat where nothing else is chosen: their leaves are large.
+/// Unless a shading is chosen, keys of at most this number of leaves are shaded flat: their leaves are large.
 inline constexpr std::size_t few_leaves = 100;
 
 /// The shading of a key of \p leaves, unless another one is chosen.

@@ -1,8 +1,9 @@
 // Colors by level and by origin. The shader and the legend both use them, so they agree. No GL.
 //
 // Levels use the lighter part of viridis (color_map.h), so that shading stays visible. Where many leaves have nearly
-// the same level, their levels get larger steps of color. Keys use the colors of Okabe and Ito (2008), which color-blind people can
-// distinguish. A set of keys has the mean color of its keys; the set of all active keys is neutral.
+// the same level, their levels get larger steps of color. Keys use the colors of Okabe and Ito (2008), which
+// color-blind people can distinguish. A set of keys has the mean color of its keys; the set of all active keys is
+// neutral.
 #pragma once
 
 #include <cstddef>

@@ -19,7 +19,7 @@
 namespace interleaf {
 namespace {
 
-const std::array<Shape, 6> all_shapes = {{
+const auto all_shapes = std::to_array<Shape>({
     {"icosahedron", "the 20 roots alone, on the unit sphere", unit_sphere, nullptr},
     {"bone", "a bone with two knobs at each end", unit_sphere, PlainSurface(bone_surface), bone_constants,
      bone_surface},
@@ -29,7 +29,7 @@ const std::array<Shape, 6> all_shapes = {{
      star_surface},
     {"sphere", "the unit sphere", unit_sphere, sphere_surface},
     {"brezel", "a brezel with two holes, over 144 roots of its own", brezel, brezel_surface},
-}};
+});
 
 constexpr std::array<ShippedKey, 5> shipped_keys = {{
     {"icosahedron", {20, {}}},

@@ -2,8 +2,9 @@
 
 #include <cstdint>
 
-#include "text/characters.h"
 #include <fmt/core.h>
+
+#include "text/characters.h"
 
 namespace interleaf {
 

@@ -107,7 +107,7 @@ void Gui::begin_frame(std::span<const int> pressed) {
     ImGui_ImplGlfw_NewFrame();
     follow_menu();
     hold_taps(pressed);
-    panel_keys_.follow();
+    panel_keyboard_.follow();
     give_keys();
     ImGui::NewFrame();
     has_mouse_input_ = mouse_does_something();
@@ -140,7 +140,7 @@ void Gui::follow_menu() {
 void Gui::give_keys() {
     ImGuiIO& io = ImGui::GetIO();
     ImGuiContext& context = *ImGui::GetCurrentContext();
-    if (!has_menu_ && !panel_keys_.has_keyboard()) {
+    if (!has_menu_ && !panel_keyboard_.has_keyboard()) {
         io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
         return;
     }

@@ -11,7 +11,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "ui/panel_keys.h"
+#include "ui/panel_keyboard.h"
 #include "ui/widgets/appearance.h"
 #include "ui/widgets/gui_state.h"
 #include "ui/widgets/rect.h"
@@ -80,7 +80,7 @@ class Gui {
     bool has_menu() const { return has_menu_; }
 
     /// The keyboard in the panels.
-    PanelKeys& panel_keys() { return panel_keys_; }
+    PanelKeyboard& panel_keyboard() { return panel_keyboard_; }
 
     /// The rectangle of the frontmost menu or question, in screen coordinates; none if it is not shown.
     std::optional<Rect> popup() const;
@@ -105,7 +105,7 @@ class Gui {
     float scale_ = 0;  ///< scale of the user interface, in screen coordinates; includes text_scale_
     float density_ = 0;
     bool has_menu_ = false;
-    PanelKeys panel_keys_;
+    PanelKeyboard panel_keyboard_;
     bool has_mouse_input_ = false;
     std::vector<int> taps_;          ///< keys held down for this frame
     std::vector<int> waiting_taps_;  ///< keys for the next frames, in order

@@ -9,7 +9,8 @@
 
 #include "io/family/family_file.h"
 #include "io/hierarchy/hierarchy_file.h"
-#include "io/mesh/mesh_file.h"
+#include "io/mesh/mesh_writer.h"
+#include "io/mesh/obj_keys.h"
 
 namespace interleaf {
 namespace {

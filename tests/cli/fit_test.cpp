@@ -16,7 +16,7 @@
 #include "hierarchy/measure.h"
 #include "io/family/family_file.h"
 #include "io/hierarchy/hierarchy_file.h"
-#include "io/mesh/mesh_file.h"
+#include "io/mesh/obj_keys.h"
 
 namespace interleaf {
 namespace {

@@ -13,7 +13,7 @@
 #include <X11/keysym.h>
 #include <fmt/core.h>
 
-#include "io/mesh/mesh_file.h"
+#include "io/film/png_bytes.h"
 
 namespace interleaf {
 namespace {

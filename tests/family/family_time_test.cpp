@@ -2,6 +2,7 @@
 #include "family/family_time.h"
 
 #include <cmath>
+#include <vector>
 
 #include "numbers.h"
 #include <doctest/doctest.h>
@@ -54,6 +55,12 @@ TEST_CASE("the family's choice drives where there is a choice, and otherwise the
                 if (!has_keys && !has_path) CHECK_FALSE(source);
                 CHECK(check(family).empty() == (has_path || choice == TimeSource::keys));
             }
+}
+
+TEST_CASE("the marked times are those of the keys or of the points of the path") {
+    const Family family = family_with_path();
+    CHECK(marked_times(family, TimeSource::keys) == std::vector<double>{0, 1, 2});
+    CHECK(marked_times(family, TimeSource::path) == std::vector<double>{10, 12, 14});
 }
 
 TEST_CASE("the interval is that of the keys or of the path") {

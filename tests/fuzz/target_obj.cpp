@@ -6,7 +6,8 @@
 #include "fuzz/target.h"
 
 #include "hierarchy/checker.h"
-#include "io/mesh/mesh_file.h"
+#include "io/mesh/mesh_writer.h"
+#include "io/mesh/obj_keys.h"
 
 namespace interleaf::fuzz {
 

@@ -2,10 +2,10 @@
 #include <string>
 
 #include "fuzz/target.h"
-#include "text/characters.h"
 
 #include "app/storage/recovery.h"
 #include "io/family/family_format.h"
+#include "text/characters.h"
 
 namespace interleaf::fuzz {
 

@@ -1,11 +1,14 @@
 """The web page in Chromium: its vertices, its requests, its size, and how it stands on a phone's screen."""
 
 import json
+import re
+import subprocess
+from dataclasses import replace
 
 import numpy
 
 from chromium import Chromium
-from samples import SAMPLES, expect
+from samples import SAMPLES, expect, make
 
 TOLERANCE = 2e-5  # of the diagonal of the box
 LARGEST_FIVE_KEYS = 150_000  # bytes
@@ -27,6 +30,9 @@ def check_pages(families, scratch, pictures=None):
         browser.call("Network.setBlockedURLs", urls=["http://*", "https://*", "ws://*", "wss://*", "data:*"])
         for family in families:
             check_page(browser, family, scratch)
+            if family.name == "five-keys":
+                for other in of_all_interpolations(family, scratch):
+                    check_page(browser, other, scratch)
         for name, (width, height, phone) in SCREENS.items():
             for dark in (False, True):
                 browser.screen(width, height, dark, phone)
@@ -65,6 +71,20 @@ def check_page(browser, family, scratch):
         count += 1
     expect(worst < TOLERANCE, f"{family.name}: the page is off by {worst:.2g} of the box")
     print(f"page: {family.name}: {count} blends to {worst:.1e} of the box, {file.stat().st_size} bytes")
+
+
+def of_all_interpolations(family, scratch):
+    """The family with each interpolation that the program knows: the page computes the weights by itself."""
+    refused = subprocess.run([family.program, "family", family.path, "--interpolation", "?", "-o", scratch / "none"],
+                             capture_output=True, text=True)
+    listed = re.search(r"expected (.*), got", refused.stderr)
+    expect(listed, f"no list of interpolations: {refused.stderr}")
+    names = re.split(", | or ", listed[1])
+    expect("linear" in names and "bernstein" in names, f"unusual interpolations: {names}")
+    for options in [[name] for name in names] + [["bernstein", "--degree", 2]]:
+        name = f"{family.name}-{'-'.join(map(str, options))}"
+        make(family.program, "family", family.path, "--interpolation", *options, "-o", scratch / name)
+        yield replace(family, name=name, path=scratch / name, blends=[])
 
 
 def points_of(family):

@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "numbers.h"
-#include "text/natural_order.h"
 #include <doctest/doctest.h>
 
 #include "hierarchy/error.h"
 #include "sequence/catenoid.h"
 #include "sequence/flow.h"
+#include "text/natural_order.h"
 
 namespace interleaf {
 namespace {

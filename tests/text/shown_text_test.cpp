@@ -1,8 +1,9 @@
 // Tests of texts and names from outside, as they are shown.
 #include "text/shown_text.h"
 
-#include "text/characters.h"
 #include <doctest/doctest.h>
+
+#include "text/characters.h"
 
 namespace interleaf {
 

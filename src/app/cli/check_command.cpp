@@ -8,13 +8,13 @@
 #include <variant>
 #include <vector>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 
 #include "app/cli/error_message.h"
 #include "app/cli/mesh_figures.h"
 #include "app/document/opening.h"
 #include "hierarchy/error.h"
+#include "text/shown_text.h"
 
 namespace interleaf {
 namespace {

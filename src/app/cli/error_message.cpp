@@ -2,8 +2,9 @@
 
 #include <cstdio>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
+
+#include "text/shown_text.h"
 
 namespace interleaf {
 

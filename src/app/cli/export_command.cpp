@@ -30,7 +30,7 @@ void run_export(const ExportOptions& options) {
     if ((options.series.has_times() || !options.times.empty() || options.series.mesh) && name != "pvd")
         throw UsageError(
             fmt::format("--fps, --every, --times and --union: expected the format pvd, got '{}'", name));
-    if (options.series.frames_per_second.has_value() + options.series.interval.has_value() +
+    if (options.series.frames_per_second.has_value() + options.series.time_step.has_value() +
             !options.times.empty() >
         1)
         throw UsageError("--fps, --every and --times exclude each other");

@@ -8,7 +8,6 @@
 #include <utility>
 #include <variant>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -24,7 +23,7 @@
 #include "io/family/family_file.h"
 #include "io/formats.h"
 #include "io/landmarks/landmark_file.h"
-#include "io/mesh/mesh_file.h"
+#include "text/shown_text.h"
 
 namespace interleaf {
 namespace {

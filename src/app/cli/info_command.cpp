@@ -8,8 +8,6 @@
 #include <variant>
 #include <vector>
 
-#include "text/shown_text.h"
-#include "text/value_text.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -22,8 +20,9 @@
 #include "io/family/family_file.h"
 #include "io/formats.h"
 #include "io/hierarchy/hierarchy_file.h"
-#include "io/mesh/mesh_file.h"
 #include "io/series_files.h"
+#include "text/shown_text.h"
+#include "text/value_text.h"
 #include "ui/widgets/number_text.h"
 
 namespace interleaf {

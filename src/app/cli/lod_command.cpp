@@ -5,7 +5,6 @@
 #include <variant>
 #include <vector>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
@@ -21,6 +20,7 @@
 #include "hierarchy/progress.h"
 #include "io/family/family_file.h"
 #include "io/formats.h"
+#include "text/shown_text.h"
 #include "ui/widgets/number_text.h"
 
 namespace interleaf {

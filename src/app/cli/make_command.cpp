@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -12,6 +15,7 @@
 #include "hierarchy/error.h"
 #include "hierarchy/progress.h"
 #include "io/family/family_file.h"
+#include "io/text/joined_text.h"
 #include "sequence/catenoid.h"
 #include "sequence/flow.h"
 
@@ -47,11 +51,19 @@ constexpr std::array sequences = {
                   catenoid_of},
 };
 
+/// "flow or catenoid": the sequences, or those that have a distance.
+std::string sequences_in_words(bool with_distance) {
+    std::vector<std::string> names;
+    for (const SequenceMaker& sequence : sequences)
+        if (sequence.has_distance || !with_distance) names.emplace_back(sequence.name);
+    return either_of(names);
+}
+
 /// \throw UsageError if an option is only for sequences
 void refuse_sequence_options(const MakeOptions& options) {
     if (options.steps || options.distance) {
-        throw UsageError(fmt::format("make {}: --{} is for sequences: flow or catenoid", options.name,
-                                     options.steps ? "steps" : "distance"));
+        throw UsageError(fmt::format("make {}: --{} is for sequences: {}", options.name,
+                                     options.steps ? "steps" : "distance", sequences_in_words(false)));
     }
 }
 
@@ -70,7 +82,8 @@ void make_sequence(const SequenceMaker& sequence, const MakeOptions& options) {
     if (options.budget.leaves)
         throw UsageError(fmt::format("make {}: --leaves is for single shapes", sequence.name));
     if (options.distance && !sequence.has_distance)
-        throw UsageError(fmt::format("make {}: --distance is for catenoid", sequence.name));
+        throw UsageError(
+            fmt::format("make {}: --distance is for {}", sequence.name, sequences_in_words(true)));
     if (options.output == "-") throw UsageError(fmt::format("make {}: -o must name a folder", sequence.name));
     SequenceOptions steps;
     steps.steps = options.steps.value_or(steps.steps);

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "text/parsed_number.h"
 #include <fmt/core.h>
 
 #include "app/document/expected_text.h"
@@ -15,6 +14,7 @@
 #include "family/field_scale.h"
 #include "hierarchy/error.h"
 #include "io/text/joined_text.h"
+#include "text/parsed_number.h"
 
 namespace interleaf {
 namespace {

@@ -75,8 +75,8 @@ Material parse_material(std::string_view text);
 
 Theme parse_theme(std::string_view text);
 
-/// A coloring: "plain", "level", "origin", "checker", or the name of a field. "field:NAME" means a field with
-/// one of the first four names.
+/// A coloring: one of coloring_names_in_words(), or the name of a field. "field:NAME" means a field, also one that is
+/// called like a coloring.
 void parse_coloring(std::string_view text, Display& display);
 
 /// The name of a color map.
@@ -92,7 +92,7 @@ BlendKind parse_blend_kind(std::string_view text);
 /// What drives the blend over time: "keys" or "path".
 TimeSource parse_time_source(std::string_view text);
 
-/// The names of all interpolation bases: "linear, hold or bernstein".
+/// The names of all interpolation bases: "linear, hold, ... or spline".
 std::string bases_in_words();
 
 /// A range "MIN,MAX", ascending.
@@ -105,7 +105,8 @@ void parse_shown_edges(std::string_view text, Display& display);
 /// surface, above 0 and up to 1.
 void parse_height(std::string_view text, Display& display);
 
-/// Shows the arrows of a vector of scalars: "X,Y" or "X,Y,Z". In a name, "\," stands for a comma and "\\" for a backslash.
+/// Shows the arrows of a vector of scalars: "X,Y" or "X,Y,Z". In a name, "\," stands for a comma and "\\" for a
+/// backslash.
 void parse_arrows(std::string_view text, Display& display);
 
 /// The names of all lines and points that can be shown: "wireframe, ... or normals".

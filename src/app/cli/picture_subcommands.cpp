@@ -32,11 +32,11 @@ void add_film(CLI::App& command, FilmOptions& film) {
         ->type_name("N")
         ->default_str("30")
         ->group(group);
-    add_text_option(command, "--from", "Begin at this time, seconds; by default, where the timeline begins",
+    add_text_option(command, "--from", "Begin at this time; by default, where the timeline begins",
                     [&film](const std::string& text) { film.from = parse_number(text); })
         ->type_name("T")
         ->group(group);
-    add_text_option(command, "--to", "End at this time, seconds; by default, where the timeline ends",
+    add_text_option(command, "--to", "End at this time; by default, where the timeline ends",
                     [&film](const std::string& text) { film.to = parse_number(text); })
         ->type_name("T")
         ->group(group);
@@ -72,7 +72,7 @@ void add_view(CLI::App& program) {
         add_text_option(*command, "--at", "Begin at this point of the parameter domain",
                         [options](const std::string& text) { options->viewer.at = parse_point(text); });
     at->type_name("U,V");
-    add_text_option(*command, "--time", "Begin at this time of the timeline or the path, seconds",
+    add_text_option(*command, "--time", "Begin at this time of the timeline or the path",
                     [options](const std::string& text) { options->viewer.time = parse_number(text); })
         ->type_name("T")
         ->excludes(at);

@@ -8,7 +8,7 @@
 #include "app/pictures/blend_painter.h"
 #include "hierarchy/error.h"
 #include "io/film/film_encoder.h"
-#include "io/mesh/mesh_file.h"
+#include "io/film/png_bytes.h"
 #include "render/context.h"
 
 namespace interleaf {

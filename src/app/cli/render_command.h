@@ -31,8 +31,8 @@ struct FrameRange {
 /// What only a film has.
 struct FilmOptions {
     std::optional<double> rate;        ///< frames per second
-    std::optional<double> from;        ///< seconds; by default, where the timeline or the path begins
-    std::optional<double> to;          ///< seconds; by default, where it ends
+    std::optional<double> from;        ///< time; by default, where the timeline or the path begins
+    std::optional<double> to;          ///< time; by default, where it ends
     std::optional<FrameRange> frames;  ///< the frames to draw; by default all
     std::optional<double> turn;        ///< degrees that the camera turns in the whole film
     bool is_loop = false;

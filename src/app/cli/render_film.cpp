@@ -20,7 +20,7 @@
 #include "hierarchy/error.h"
 #include "hierarchy/progress.h"
 #include "io/film/film_encoder.h"
-#include "io/mesh/mesh_file.h"
+#include "io/film/png_bytes.h"
 #include "render/context.h"
 
 namespace interleaf {

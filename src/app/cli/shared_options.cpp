@@ -61,7 +61,7 @@ void add_morph_selection(CLI::App& command, MorphSelection& morph) {
         [&morph](const std::string& text) { morph.at = parse_point(text); });
     CLI::Option* time = add_text_option(
         command, "--time",
-        "A time on the timeline or the path, in seconds; a time outside moves to the nearest end",
+        "A time on the timeline or the path, in its unit; a time outside moves to the nearest end",
         [&morph](const std::string& text) { morph.time = parse_number(text); });
     CLI::Option* weights =
         add_text_option(command, "--weights", "Weights of keys, used as given",

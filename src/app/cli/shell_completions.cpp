@@ -2,9 +2,10 @@
 
 #include <vector>
 
-#include "text/shell_word.h"
 #include <fmt/core.h>
 #include <fmt/format.h>
+
+#include "text/shell_word.h"
 
 namespace interleaf {
 namespace {

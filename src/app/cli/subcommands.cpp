@@ -34,7 +34,7 @@ void add_export(CLI::App& program) {
         [options](const std::string& text) { options->series.frames_per_second = parse_number(text); })
         ->type_name("N");
     add_text_option(*command, "--every", "Of pvd: a file at every DT units of the time",
-                    [options](const std::string& text) { options->series.interval = parse_number(text); })
+                    [options](const std::string& text) { options->series.time_step = parse_number(text); })
         ->type_name("DT");
     command
         ->add_option_function<std::string>(

@@ -27,8 +27,8 @@ bool needs_keys(const ViewerOptions& options) {
 }
 
 /// Opens the window on the keys of a series, colored by their field unless the display says otherwise. The window
-/// imports the series itself, over the built-in family, unless an option needs the keys; likewise where the series needs
-/// a tolerance, for which the window asks.
+/// imports the series itself, over the built-in family, unless an option needs the keys; likewise where the series
+/// needs a tolerance, for which the window asks.
 void show_series(const SeriesToImport& series, const ViewOptions& view) {
     ViewerOptions options = view.viewer;
     if (!needs_keys(options)) return run_viewer(open_family({}), {}, series.files, options);

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "text/characters.h"
 #include "text/shown_text.h"
-#include <fmt/core.h>
 
 namespace interleaf {
 

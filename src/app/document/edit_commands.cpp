@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "text/parsed_number.h"
 #include <fmt/core.h>
 
 #include "family/domain_edits.h"
@@ -18,6 +17,7 @@
 #include "family/synchronize_keys.h"
 #include "hierarchy/error.h"
 #include "hierarchy/morph.h"
+#include "text/parsed_number.h"
 
 namespace interleaf {
 

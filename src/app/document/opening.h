@@ -1,10 +1,10 @@
 // Opening: looks at files and determines what they are. The command line, a drop, the file browser, *Reopen*
 // and *Add keys* all use these functions.
 //
-// A new kind of source is one more alternative of Opening. Users that open name all alternatives
-// (std::visit), so the compiler lists the places that must say what to do with the new one. `check` and
-// `info` look for meshes alone and treat everything else as a family. Commands import series at once, the window
-// does so on a worker.
+// A new kind of source is one more alternative of Opening. The window and family_of() name all alternatives
+// (std::visit), so the compiler lists the places that must say what to do with the new one. Commands use family_of(),
+// which imports a series at once; the window imports it on a worker. Three commands first look for one alternative:
+// `check` for meshes to fit, `lod` for keys, and `info` for families and series.
 #pragma once
 
 #include <filesystem>

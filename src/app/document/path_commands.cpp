@@ -6,12 +6,12 @@
 #include <string_view>
 #include <utility>
 
-#include "text/parsed_number.h"
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 #include "app/document/edit_commands.h"
 #include "family/family_time.h"
+#include "text/parsed_number.h"
 
 namespace interleaf {
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "text/shell_word.h"
 #include <fmt/core.h>
 
 #include "app/document/family_extent.h"
@@ -14,6 +13,7 @@
 #include "family/family_fields.h"
 #include "family/family_time.h"
 #include "io/text/joined_text.h"
+#include "text/shell_word.h"
 
 namespace interleaf {
 namespace {

@@ -4,13 +4,13 @@
 #include <optional>
 #include <string>
 
-#include "text/parsed_number.h"
 #include <fmt/core.h>
 
 #include "app/document/edit_commands.h"
 #include "family/family_time.h"
 #include "family/key_edits.h"
 #include "hierarchy/triangle.h"
+#include "text/parsed_number.h"
 
 namespace interleaf {
 

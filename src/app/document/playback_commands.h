@@ -22,7 +22,7 @@ void change_speed(ViewerState& state, int direction, double now);
 void cycle_repeat(ViewerState& state, double now);
 
 /// Sets the in or the out point. A point beyond the other one takes that one along to the end of the interval.
-/// \param time  seconds
+/// \param time  in the unit of the timeline or the path
 void set_in_point(ViewerState& state, double time, double now);
 void set_out_point(ViewerState& state, double time, double now);
 

@@ -239,7 +239,7 @@ void Session::seek(double time, double now) {
 
 void Session::seek_key(int direction, double now) {
     if (!has_time()) return;
-    const std::vector<double> times = marked_times();
+    const std::vector<double> times = marked_times(*family_, *source_of_time(*family_));
     if (direction > 0) {
         const auto next = std::ranges::upper_bound(times, time());
         seek(next == times.end() ? playback_.end() : *next, now);
@@ -247,16 +247,6 @@ void Session::seek_key(int direction, double now) {
         const auto here = std::ranges::lower_bound(times, time());
         seek(here == times.begin() ? playback_.begin() : *(here - 1), now);
     }
-}
-
-std::vector<double> Session::marked_times() const {
-    std::vector<double> times;
-    if (source_of_time(*family_) == TimeSource::path) {
-        for (const PathPoint& point : family_->path->points()) times.push_back(point.time);
-    } else {
-        for (const TimelineKey& key : family_->timeline->keys()) times.push_back(key.time);
-    }
-    return times;
 }
 
 void Session::step_frame(int direction, double now) {

@@ -1,8 +1,8 @@
 // The session: the open family with its present time and its point in the parameter domain. No window, no GL.
 //
-// The time, the point, a single key or weights set by hand drive the morph. The time is that of the timeline's keys or of the path
-// through the domain, whichever the family chooses. While the keys drive, the point follows them; there is no
-// point while their weights are not those of a point of the domain. Moving the point does not change the time.
+// The time, the point, a single key or weights set by hand drive the morph. The time is that of the timeline's keys or
+// of the path through the domain, whichever the family chooses. While the keys drive, the point follows them; there is
+// no point while their weights are not those of a point of the domain. Moving the point does not change the time.
 #pragma once
 
 #include <memory>
@@ -52,8 +52,10 @@ class Session {
     Driver driver() const { return driver_; }
     const Weights& weights() const { return weights_; }
 
-    /// The sets of active keys that the next borders lead to, the likeliest first: the neighboring intervals of
-    /// the timeline, or the neighboring triangles of the point.
+    /// The sets of active keys that may be shown next. While the keys of the timeline drive: those of the next two
+    /// intervals in the direction of playback, then of the previous one. Otherwise those of the triangles that share
+    /// an edge with the triangle of the point, in no special order; none without a point, or while a single key
+    /// drives.
     std::vector<std::vector<std::size_t>> next_key_sets() const;
 
     /// The point with the present weights; none without a domain, or if no point has these weights.
@@ -85,7 +87,7 @@ class Session {
     /// Whether the family has a timeline or a path.
     bool has_time() const;
 
-    /// Time on the timeline or the path that drives at the last advance(), seconds; 0 without either.
+    /// Time on the timeline or the path that drives at the last advance(), in its unit; 0 without either.
     double time() const { return playback_.time(now_); }
     bool is_playing() const { return playback_.is_playing(now_); }
     bool plays_back() const { return playback_.goes_back(now_); }
@@ -100,7 +102,7 @@ class Session {
     void seek(double time, double now);
 
     /// Goes to the next frame (\p direction 1) or to the previous one (-1). Frames begin at playback's
-    /// begin and last 1 / frame_rate seconds.
+    /// begin and last 1 / frame_rate units of the time.
     void step_frame(int direction, double now);
 
     /// Goes to the next key of the timeline (\p direction 1) or to the previous one (-1); while the path drives
@@ -109,14 +111,14 @@ class Session {
 
     void set_repeat(Repeat repeat, double now);
 
-    /// \param speed  seconds of the time per second of wall time
+    /// \param speed  units of the time per second of wall time
     void set_speed(double speed, double now);
 
     /// The in and out points; none for the whole interval.
     void set_range(std::optional<TimeRange> range, double now);
 
     Display display;
-    double frame_rate = 30;  ///< frames per second, for step_frame(); above 0
+    double frame_rate = 30;  ///< frames per unit of the time, for step_frame(); above 0
 
   private:
     /// Parts of next_key_sets().
@@ -132,10 +134,6 @@ class Session {
 
     /// Gives playback the interval of the family's time.
     void follow_interval(double now);
-
-    /// The times of the keys or of the path's points, ascending.
-    /// \pre has_time()
-    std::vector<double> marked_times() const;
 
     std::shared_ptr<const Family> family_;
     double now_ = 0;           ///< wall time of the last advance(), seconds

@@ -13,8 +13,8 @@
 namespace interleaf {
 
 /// Checks that \p fields have the field that \p display shows, and those that raise it and give it arrows.
-/// \throw UsageError naming the option and the existing fields, if a field is not among \p fields; or if the wanted
-/// range is none of floats
+/// \throw UsageError naming the option and the existing fields if a field is not among \p fields; or if the ends of the
+///                   wanted range, as floats, do not ascend
 void require_field(const Display& display, std::span<const FamilyField> fields);
 
 /// The field that \p display shows; null if it shows none.

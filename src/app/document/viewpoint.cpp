@@ -4,12 +4,12 @@
 #include <cmath>
 #include <vector>
 
-#include "text/parsed_number.h"
 #include <fmt/core.h>
 
 #include "app/document/expected_text.h"
 #include "app/document/family_extent.h"
 #include "io/text/joined_text.h"
+#include "text/parsed_number.h"
 
 namespace interleaf {
 namespace {

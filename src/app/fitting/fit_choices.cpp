@@ -3,12 +3,12 @@
 #include <cmath>
 #include <optional>
 
-#include "text/parsed_number.h"
 #include <fmt/core.h>
 #include <glm/matrix.hpp>
 
 #include "app/document/typed_count.h"
 #include "app/fitting/axis_turn.h"
+#include "text/parsed_number.h"
 
 namespace interleaf {
 

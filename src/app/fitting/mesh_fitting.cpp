@@ -5,13 +5,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 
 #include "app/document/message.h"
 #include "app/fitting/tile_places.h"
 #include "fit/landmarks/landmark_report.h"
 #include "fit/preview.h"
+#include "text/shown_text.h"
 #include "ui/dialogs/progress_dialog.h"
 #include "ui/widgets/number_text.h"
 

@@ -1,8 +1,8 @@
 // Fits a key to each step of a series of closed surfaces that move and are meshed anew, such as those of Surface
 // Evolver or of bubbles in a fluid, where no bisection connects the meshes of two steps.
 //
-// The maps of all steps to the sphere belong together: each one continues that of the step before, or where that gives no
-// good key is matched to it (fit/correspondence). So a part of the surface stays the same part while it moves.
+// The maps of all steps to the sphere belong together: each one continues that of the step before, or where that gives
+// no good key is matched to it (fit/correspondence). So a part of the surface stays the same part while it moves.
 #pragma once
 
 #include <string>

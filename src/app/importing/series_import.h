@@ -1,5 +1,6 @@
-// Imports a series of flat meshes, one file per time step, as a family with a timeline (sequence/series), for the
-// window and the command line.
+// Imports a series of meshes, one file per time step, as a family with a timeline, for the window and the command line.
+// Keys of bisected meshes are recovered (sequence/series); to closed surfaces that are meshed anew, keys are fitted
+// (fitted_series.h).
 #pragma once
 
 #include <cstddef>
@@ -33,8 +34,11 @@ struct ImportChoices {
     std::optional<ChosenWarp> warp{};
     std::vector<NamedUnit> units{};  ///< of scalars of the keys, in place of those in the files
     std::string time_unit{};         ///< of the times; empty if unknown
-    std::size_t every =
-        1;  ///< takes the steps 0, every, 2 every, ... (every_step(); only import_work() does)
+
+    /// Only the steps 0, every, 2 every, ... are imported. import_work() leaves out the others; callers of
+    /// import_series() do so by every_step().
+    std::size_t every = 1;
+
     std::filesystem::path roots{};  ///< a key whose roots are those of all keys; none if empty
 
     bool operator==(const ImportChoices&) const = default;

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "text/characters.h"
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
+
+#include "text/characters.h"
 
 namespace interleaf {
 

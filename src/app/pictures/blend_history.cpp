@@ -57,23 +57,13 @@ class BlendMeter {
     Buffer<glm::vec3> positions_;
 };
 
-/// The times of the keys or of the path's points, unless they are many.
-std::vector<double> marks_of(const Family& family, TimeSource source) {
-    std::vector<double> times;
-    if (source == TimeSource::keys)
-        for (const TimelineKey& key : family.timeline->keys()) times.push_back(key.time);
-    else
-        for (const PathPoint& point : family.path->points()) times.push_back(point.time);
-    if (times.size() > max_marks) times.clear();
-    return times;
-}
-
 void measure_blends(const Family& family, TimeSource source, const std::stop_token& stop,
                     const MeasuredSeries<BlendCurves>::Publish& publish) {
     const TimeRange range = interval_of(family, source);
     BlendMeter meter(family, source);
-    const std::vector<double> marks = marks_of(family, source);
-    std::set<double> wanted(marks.begin(), marks.end());
+    const std::vector<double> marks = marked_times(family, source);
+    std::set<double> wanted;
+    if (marks.size() <= max_marks) wanted.insert(marks.begin(), marks.end());
     std::set<double> known;
     for (int intervals = first_intervals; intervals <= last_intervals; intervals *= 2) {
         for (int n = 0; n <= intervals; ++n)

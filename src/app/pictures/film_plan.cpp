@@ -3,12 +3,12 @@
 #include <cmath>
 #include <optional>
 
-#include "text/parsed_number.h"
 #include <fmt/core.h>
 #include <glm/common.hpp>
 
 #include "family/family_time.h"
 #include "hierarchy/error.h"
+#include "text/parsed_number.h"
 
 namespace interleaf {
 namespace {

@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "text/value_text.h"
 #include <fmt/core.h>
 
 #include "app/document/shown_field.h"
 #include "app/pictures/pixel_canvas.h"
+#include "text/value_text.h"
 #include "ui/widgets/legend_text.h"
 #include "ui/widgets/scale_ticks.h"
 

@@ -6,9 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "text/characters.h"
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "text/characters.h"
 
 #define STB_TRUETYPE_IMPLEMENTATION
 #define STBTT_STATIC

@@ -1,5 +1,6 @@
-// The unions of the last sets of keys, and those that will be needed soon, which a worker thread makes ahead. A
-// union that is needed at once is made on the worker, too, so that the window need not wait for it.
+// The unions of the last sets of keys, and those that will be needed soon, which a worker thread makes ahead. The
+// worker also makes a union that get_within() asks for, so that the window waits only as long as it wants to. get()
+// makes a missing union on the caller's thread.
 #pragma once
 
 #include <chrono>
@@ -43,7 +44,7 @@ class UnionCache {
 
     struct Result {
         Prepared united;  ///< null if it is not made yet
-        bool is_ready;    ///< whether the union was there already; otherwise the caller has waited for it
+        bool is_ready;    ///< whether the union was there already, so that the caller has not waited
     };
 
     /// \param max_bytes  memory of all unions together; the least recently used ones go first. The last

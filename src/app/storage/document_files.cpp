@@ -64,9 +64,9 @@ std::optional<fs::path> family_folder(const std::vector<fs::path>& sources) {
     return std::nullopt;
 }
 
-DocumentFiles::DocumentFiles(ViewerState& state, std::vector<fs::path> sources, bool is_alone)
-    : state_(state), is_alone_(is_alone) {
-    if (!is_alone) {
+DocumentFiles::DocumentFiles(ViewerState& state, std::vector<fs::path> sources, bool is_unattended)
+    : state_(state), is_unattended_(is_unattended) {
+    if (!is_unattended) {
         settings_file_ = settings_file();
         if (settings_file_) {
             LoadedSettings loaded = load_settings(*settings_file_);

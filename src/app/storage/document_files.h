@@ -35,10 +35,10 @@ std::optional<std::filesystem::path> family_folder(const std::vector<std::filesy
 
 class DocumentFiles {
   public:
-    /// \param sources   the files that the document in \p state was read from; empty for the built-in family
-    /// \param is_alone  whether nobody is before the window: no settings and recoveries of the user are touched, and
-    ///     opening waits for the files
-    DocumentFiles(ViewerState& state, std::vector<std::filesystem::path> sources, bool is_alone);
+    /// \param sources        the files that the document in \p state was read from; empty for the built-in family
+    /// \param is_unattended  whether the window runs without a user: then no settings and recoveries of the user are
+    ///                       touched, and opening waits for the files
+    DocumentFiles(ViewerState& state, std::vector<std::filesystem::path> sources, bool is_unattended);
 
     /// Carries out the request of a command.
     void grant(FileWish wish);
@@ -139,8 +139,8 @@ class DocumentFiles {
     void offer_to_open(const MeshesToFit& meshes);
     void offer_to_add(const MeshesToFit& meshes);
     void open_fitted(const std::vector<std::filesystem::path>& meshes, const FittedMeshes& fitted);
-    void import(std::vector<std::filesystem::path> files, const ImportChoices& choices,
-                SeriesImporting::Receiver receiver);
+    void start_import(std::vector<std::filesystem::path> files, const ImportChoices& choices,
+                      SeriesImporting::Receiver receiver);
     SeriesImporting::Receiver opener_of(std::vector<std::filesystem::path> files);
     ImportChoices remembered_choices(const std::filesystem::path& file) const;
     void add_fitted(const FittedMeshes& fitted);
@@ -162,7 +162,7 @@ class DocumentFiles {
     };
 
     ViewerState& state_;
-    bool is_alone_;
+    bool is_unattended_;
     std::vector<std::filesystem::path> sources_;
     ImportChoices imported_by_;  ///< if the sources are a series, the options of its import
     FileStamps stamps_;

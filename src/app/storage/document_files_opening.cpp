@@ -8,7 +8,6 @@
 #include <utility>
 #include <variant>
 
-#include "text/shown_text.h"
 #include <fmt/format.h>
 
 #include "app/document/edit_commands.h"
@@ -22,6 +21,7 @@
 #include "hierarchy/progress.h"
 #include "io/file/file_pattern.h"
 #include "io/formats.h"
+#include "text/shown_text.h"
 #include "ui/widgets/command_keys.h"
 
 namespace interleaf {
@@ -107,7 +107,7 @@ void DocumentFiles::read(std::vector<fs::path> paths, std::function<void(Opening
             return opened;
         },
         now_, hidden_opening);
-    if (is_alone_) opening_.wait();
+    if (is_unattended_) opening_.wait();
     if (opening_.is_over_within(awaited_opening)) take_opened();
 }
 
@@ -170,7 +170,7 @@ bool DocumentFiles::show_opened(Opening& found, const std::vector<fs::path>& pat
                                 return false;
                             },
                             [&](SeriesToImport& series) {
-                                import(series.files, choices, opener_of(series.files));
+                                start_import(series.files, choices, opener_of(series.files));
                                 return false;
                             }},
                       found);
@@ -195,26 +195,23 @@ void DocumentFiles::add_opened(Opening& found) {
         tell_added(before->keys.size());
         return true;
     };
-    std::visit(Cases{[&](OpenedFamily& family) {
-        add(family.family); },
-                     [&](OpenedKeys& keys) {
+    const auto add_family = [&](OpenedFamily& opened) { add(opened.family); };
+    const auto add_or_fit = [&](OpenedKeys& keys) {
         if (add(keys.family) || !keys.can_be_fitted()) return;
         // Only the fit puts a mesh over the family's roots.
         offer_to_add({keys.files, std::exchange(state_.message, {}).text});
-                     },
-                     [&](const MeshesToFit& meshes) {
-        offer_to_add(meshes); },
-                     [&](SeriesToImport& series) {
-                         import(std::move(series.files), {},
-                                [add](ImportedSeries imported, const ImportChoices&) { add(imported.family); });
-}
-},
-               found);
+    };
+    const auto offer_fit = [&](const MeshesToFit& meshes) { offer_to_add(meshes); };
+    const auto import_and_add = [&](SeriesToImport& series) {
+        start_import(std::move(series.files), {},
+                     [add](ImportedSeries imported, const ImportChoices&) { add(imported.family); });
+    };
+    std::visit(Cases{add_family, add_or_fit, offer_fit, import_and_add}, found);
 }
 
 /// Imports a series on a worker, and shows the progress.
-void DocumentFiles::import(std::vector<fs::path> files, const ImportChoices& choices,
-                           SeriesImporting::Receiver receiver) {
+void DocumentFiles::start_import(std::vector<fs::path> files, const ImportChoices& choices,
+                                 SeriesImporting::Receiver receiver) {
     if (!is_asking()) importing_.start(std::move(files), choices, std::move(receiver), now_);
 }
 

@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 
 #include "hierarchy/progress.h"
 #include "io/formats.h"
+#include "text/shown_text.h"
 
 namespace interleaf {
 namespace {

@@ -6,13 +6,13 @@
 #include <optional>
 #include <system_error>
 
-#include "text/parsed_number.h"
-#include "text/shown_text.h"
 #include <fmt/core.h>
 
 #include "app/storage/import_settings.h"
 #include "hierarchy/field_mesh.h"
 #include "io/series_files.h"
+#include "text/parsed_number.h"
+#include "text/shown_text.h"
 #include "ui/widgets/number_text.h"
 
 namespace interleaf {

@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "text/characters.h"
 #include <nlohmann/json.hpp>
 
 #include "io/family/family_format.h"
+#include "text/characters.h"
 
 namespace interleaf {
 namespace {

@@ -4,8 +4,6 @@
 #include <cerrno>
 #include <system_error>
 
-#include "text/characters.h"
-#include "text/parsed_number.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
@@ -15,6 +13,8 @@
 #include "io/family/family_format.h"
 #include "io/file/input_file.h"
 #include "io/text/json_place.h"
+#include "text/characters.h"
+#include "text/parsed_number.h"
 
 namespace interleaf {
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <system_error>
 
-#include "text/parsed_number.h"
 #include <fmt/core.h>
 #include <unistd.h>
 
 #include "hierarchy/error.h"
+#include "text/parsed_number.h"
 
 namespace interleaf {
 

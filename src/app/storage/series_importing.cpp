@@ -4,7 +4,6 @@
 #include <string_view>
 #include <utility>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 
 #include "app/document/message.h"
@@ -12,6 +11,7 @@
 #include "app/storage/import_offer.h"
 #include "hierarchy/progress.h"
 #include "io/text/words.h"
+#include "text/shown_text.h"
 
 namespace interleaf {
 namespace {

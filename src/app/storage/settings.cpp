@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <system_error>
 
-#include "text/characters.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +13,7 @@
 #include "io/file/input_file.h"
 #include "io/file/safe_write.h"
 #include "io/text/json_place.h"
+#include "text/characters.h"
 
 namespace interleaf {
 

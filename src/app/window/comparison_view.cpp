@@ -6,7 +6,6 @@
 #include <span>
 #include <utility>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
@@ -14,6 +13,7 @@
 #include "hierarchy/vertex_normals.h"
 #include "render/pick.h"
 #include "render/plain_mesh.h"
+#include "text/shown_text.h"
 #include "ui/panels/comparison_panel.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/style.h"

@@ -181,7 +181,7 @@ void DocumentViews::reload_shaders(ViewerState& state) {
     }
 }
 
-bool DocumentViews::draw_portrait(const ShownWindow& shown, const Gui& gui) {
+bool DocumentViews::draw_portrait(const WindowResult& shown, const Gui& gui) {
     if (!shown.actions.keys) return false;
     const int side = static_cast<int>(std::lround(key_picture_side() * gui.density()));
     const auto draw_missing = [&](std::size_t key) { return portraits_.draw_next(key, key + 1, side); };

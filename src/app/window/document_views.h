@@ -50,7 +50,7 @@ class DocumentViews {
     /// Draws a missing picture of a key whose row, or whose vertex with room for it, is visible in \p shown.
     /// Each call draws at most one picture, so that the window stays responsive.
     /// \return whether a picture was missing
-    bool draw_portrait(const ShownWindow& shown, const Gui& gui);
+    bool draw_portrait(const WindowResult& shown, const Gui& gui);
 
     /// Draws the surface or the comparison behind the panels, and the value under the pointer.
     /// \param view  the mouse input over the surface

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <glm/common.hpp>
 
@@ -15,8 +14,9 @@
 #include "hierarchy/progress.h"
 #include "io/file/file_pattern.h"
 #include "io/file/safe_write.h"
-#include "io/mesh/mesh_file.h"
+#include "io/film/png_bytes.h"
 #include "render/image_texture.h"
+#include "text/shown_text.h"
 #include "ui/dialogs/progress_dialog.h"
 #include "ui/widgets/number_text.h"
 

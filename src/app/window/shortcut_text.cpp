@@ -6,11 +6,11 @@
 #include <string_view>
 #include <utility>
 
-#include "text/characters.h"
 #include <GLFW/glfw3.h>
 #include <fmt/core.h>
 
 #include "app/window/commands.h"
+#include "text/characters.h"
 
 namespace interleaf {
 

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <utility>
 
-#include "text/characters.h"
 #include <fmt/core.h>
 
 #include "io/text/json_place.h"
+#include "text/characters.h"
 
 namespace interleaf {
 

@@ -113,8 +113,8 @@ void SurfaceView::follow(const Session& session, const FamilyField* field,
     const bool showed_view = shows_view_;
     const bool can_follow = !needs_whole(session, fields);
     holds_view_ = false;
-    shows_view_ =
-        can_follow && wants_view(session, now) && view_.follow(session.family(), session.weights(), details_);
+    shows_view_ = can_follow && wants_view(session, now) &&
+                  detail_surface_.follow(session.family(), session.weights(), details_);
     if (shows_view_) return;
     waits_ = false;
     if (showed_view && can_follow && session.display.detail >= 1 &&
@@ -206,7 +206,8 @@ void SurfaceView::aim(ViewTarget view_target, const Rect& view) {
     if (std::exchange(must_frame_, false) && view_target == ViewTarget::none)
         view_target = ViewTarget::all_keys;
     if (view_target == ViewTarget::surface || (view_target != ViewTarget::none && warped_.is_warped())) {
-        const Extent shown = shows_view_ && view_.version() > 0 ? view_.extent() : surface_.extent();
+        const Extent shown =
+            shows_view_ && detail_surface_.version() > 0 ? detail_surface_.extent() : surface_.extent();
         camera_.keep_unclipped(together(scene(), shown));
         camera_.frame(shown, aspect_of(view));
     } else if (view_target == ViewTarget::all_keys)
@@ -222,9 +223,9 @@ void SurfaceView::look(const Viewpoint& viewpoint, const Rect& view) {
 void SurfaceView::refine(const Session& session, const FamilyField* field, const Rect& view) {
     if (!shows_view_) follow_measured(session);
     if (!shows_view_ || holds_view_) return;
-    view_.refine(session.family(), session.weights(), camera_, aspect_of(view),
-                 field != nullptr ? &field->label : nullptr);
-    view_figures_ = view_.figures();
+    detail_surface_.refine(session.family(), session.weights(), camera_, aspect_of(view),
+                           field != nullptr ? &field->label : nullptr);
+    view_figures_ = detail_surface_.figures();
     view_figures_.rebuilds = surface_.figures().rebuilds;
     view_figures_.waits = surface_.figures().waits;
     follow_measured(session);
@@ -237,19 +238,19 @@ void SurfaceView::follow_measured(const Session& session) {
     measured_.keep_range(session.display.kept_range());
     const MeasuredColoring::Subject subject{
         .coloring = coloring,
-        .mesh = {shows_view_, shows_view_ ? view_.version() : surface_.figures().rebuilds},
+        .mesh = {shows_view_, shows_view_ ? detail_surface_.version() : surface_.figures().rebuilds},
         .weights = shows_view_ ? std::vector<float>{} : surface_.weights(),
         .keys = figures().keys};
     if (measured_.has(subject)) return;
-    measured_.take(subject, shows_view_ ? view_.mesh() : surface_.mesh(), blend_positions(),
-                   shows_view_ ? view_.renderer() : surface_.renderer());
+    measured_.take(subject, shows_view_ ? detail_surface_.mesh() : surface_.mesh(), blend_positions(),
+                   shows_view_ ? detail_surface_.renderer() : surface_.renderer());
     picture_.forget();
 }
 
 /// Of the shown surface.
 Buffer<glm::vec3> SurfaceView::blend_positions() const {
     if (!shows_view_) return morph(surface_.mesh(), surface_.weights());
-    const auto positions = view_.positions();
+    const auto positions = detail_surface_.positions();
     return {positions.begin(), positions.end()};
 }
 
@@ -264,14 +265,15 @@ bool SurfaceView::draw(const Session& session, const Rect& view, const Gui& gui,
                 .display = session.display,
                 .surface = surface_.figures().rebuilds,
                 .box = box,
-                .view = shows_view_ ? view_.version() : 0};
+                .view = shows_view_ ? detail_surface_.version() : 0};
     // What the renderer is given has its detail already.
     scene.display.detail = 1;
     scene.display.follows_camera = false;
     scene.display.shading = shown_shading(session);
     if (is_measured(scene.display.coloring)) scene.display.scale = measured_.scale();
     scene.display.line_width *= gui.scale() * gui.density();
-    const bool is_good = picture_.update(shows_view_ ? view_.renderer() : surface_.renderer(), scene);
+    const bool is_good =
+        picture_.update(shows_view_ ? detail_surface_.renderer() : surface_.renderer(), scene);
     if (!shows_view_ && session.display.detail >= 1) is_slow_ = picture_.milliseconds() > slow_whole_from;
     picture_.target()->blit_to_window(pixels(view.x), pixels(window_height - view.bottom()));
     return is_good && (shows_view_ || !surface_.figures().is_late);
@@ -288,12 +290,13 @@ void SurfaceView::draw_arrows(const Rect& view, const Gui& gui) {
 }
 
 void SurfaceView::draw_outline(const NodePath& node, bool has_numbers, const Rect& view, const Gui& gui) {
-    const UnionMesh& mesh = shows_view_ ? view_.mesh() : surface_.mesh();
+    const UnionMesh& mesh = shows_view_ ? detail_surface_.mesh() : surface_.mesh();
     if (node.root >= mesh.roots.triangle_count()) return;
-    outline_.follow(mesh, {shows_view_, shows_view_ ? view_.version() : surface_.figures().rebuilds}, node);
+    outline_.follow(
+        mesh, {shows_view_, shows_view_ ? detail_surface_.version() : surface_.figures().rebuilds}, node);
     const Buffer<glm::vec3> turned = mesh.turning ? blend_positions() : Buffer<glm::vec3>{};
     const auto position = [&](Index vertex) {
-        if (shows_view_) return view_.positions()[vertex];
+        if (shows_view_) return detail_surface_.positions()[vertex];
         if (mesh.turning) return turned[vertex];
         glm::vec3 sum(0);
         for (std::size_t key = 0; key < mesh.key_count(); ++key)
@@ -325,13 +328,14 @@ const std::vector<float>& SurfaceView::depths() {
 
 std::optional<NodePath> SurfaceView::leaf_at(glm::vec2 pointer, const Rect& view) const {
     const Ray ray = ray_at(pointer, view);
-    return shows_view_ ? view_.leaf_at(ray) : surface_.leaf_at(ray);
+    return shows_view_ ? detail_surface_.leaf_at(ray) : surface_.leaf_at(ray);
 }
 
 void SurfaceView::show_value(const Session& session, const FamilyField& field, glm::vec2 pointer,
                              const Rect& view) {
     const Ray ray = ray_at(pointer, view);
-    const std::optional<glm::vec3> value = shows_view_ ? view_.field_at(ray) : surface_.field_at(ray);
+    const std::optional<glm::vec3> value =
+        shows_view_ ? detail_surface_.field_at(ray) : surface_.field_at(ray);
     if (!value) return;
     const bool is_scalar = field.label.kind == FieldKind::scalar;
     const glm::vec3 color =
@@ -346,7 +350,7 @@ void SurfaceView::show_value(const Session& session, const FamilyField& field, g
 void SurfaceView::show_measured(const Session& session, glm::vec2 pointer, const Rect& view) {
     const Coloring coloring = session.display.coloring;
     if (!is_measured(coloring)) return;
-    const UnionMesh& mesh = shows_view_ ? view_.mesh() : surface_.mesh();
+    const UnionMesh& mesh = shows_view_ ? detail_surface_.mesh() : surface_.mesh();
     const std::optional<Hit> hit = first_hit(mesh.triangles, blend_positions(), ray_at(pointer, view));
     if (!hit) return;
     const std::optional<float> value = measured_.value_at(*hit, mesh);
@@ -384,7 +388,7 @@ float SurfaceView::shown_length(float length, const glm::vec3& point, const Rect
 
 void SurfaceView::reload_shaders() {
     surface_.renderer().reload_shaders();
-    view_.renderer().reload_shaders();
+    detail_surface_.renderer().reload_shaders();
     picture_.reload_shaders();
 }
 

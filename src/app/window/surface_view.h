@@ -10,6 +10,7 @@
 #include "app/document/session.h"
 #include "app/document/viewer_state.h"
 #include "app/document/viewpoint.h"
+#include "app/pictures/detail_surface.h"
 #include "app/pictures/detailed_family.h"
 #include "app/pictures/key_details.h"
 #include "app/pictures/measured_coloring.h"
@@ -17,7 +18,6 @@
 #include "app/pictures/node_outline.h"
 #include "app/pictures/scene_picture.h"
 #include "app/pictures/vector_arrows.h"
-#include "app/pictures/view_surface.h"
 #include "app/pictures/warped_family.h"
 #include "family/family_fields.h"
 #include "family/warp.h"
@@ -144,7 +144,7 @@ class SurfaceView {
     DetailedFamily detailed_;
     WarpedFamily warped_;
     MorphSurface surface_;
-    ViewSurface view_;
+    DetailSurface detail_surface_;
     SurfaceFigures view_figures_;
     VectorArrows arrows_;
     MeasuredColoring measured_;
@@ -154,13 +154,14 @@ class SurfaceView {
     ScenePicture picture_;
     Camera camera_;
 
-    bool shows_view_ = false;  ///< view_, not surface_
-    bool holds_view_ = false;  ///< shows view_ as it was, until the whole surface has been made and sent
-    bool waits_ = false;       ///< shows view_ only until the surface rests and its union is made
-    bool is_slow_ = false;     ///< whether the whole surface is too slow to move
-    double moved_at_ = -1;     ///< wall time when camera or weights last changed, seconds
-    Camera last_camera_;       ///< of the last frame
-    Weights last_weights_;     ///< of the last frame
+    bool shows_view_ = false;  ///< detail_surface_, not surface_
+    bool holds_view_ =
+        false;            ///< shows detail_surface_ as it was, until the whole surface has been made and sent
+    bool waits_ = false;  ///< shows detail_surface_ only until the surface rests and its union is made
+    bool is_slow_ = false;  ///< whether the whole surface is too slow to move
+    double moved_at_ = -1;  ///< wall time when camera or weights last changed, seconds
+    Camera last_camera_;    ///< of the last frame
+    Weights last_weights_;  ///< of the last frame
 };
 
 }  // namespace interleaf

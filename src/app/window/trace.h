@@ -24,7 +24,7 @@ namespace interleaf {
 
 /// The input that a frame has read, and the content that it has shown.
 struct FrameRecord {
-    const ShownWindow& shown;
+    const WindowResult& shown;
     glm::vec3 eye;              ///< of the camera
     const Camera& camera;       ///< of the document's surface
     glm::vec2 pointer;          ///< its position for Dear ImGui, screen coordinates

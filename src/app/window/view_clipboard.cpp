@@ -8,13 +8,13 @@
 #include <system_error>
 #include <vector>
 
-#include "text/characters.h"
-#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <imgui.h>
 
 #include "app/document/picture_command.h"
 #include "hierarchy/error.h"
+#include "text/characters.h"
+#include "text/shown_text.h"
 
 namespace interleaf {
 namespace {

@@ -33,7 +33,7 @@
 #include "app/window/window_input.h"
 #include "app/window/window_panels.h"
 #include "io/file/safe_write.h"
-#include "io/mesh/mesh_file.h"
+#include "io/film/png_bytes.h"
 #include "render/context.h"
 #include "ui/gui.h"
 
@@ -93,7 +93,7 @@ class Viewer {
 
     void draw(const std::optional<ViewInput>& view);
 
-    ShownWindow show_panels();
+    WindowResult show_panels();
     FrameLayout layout() const { return lay_out_frame(size_, menu_bar_height(), gui_.scale(), state_); }
     void record();
     void save_picture();
@@ -116,7 +116,7 @@ class Viewer {
 
     // The last drawn frame.
     glm::ivec2 size_{0};  ///< of the window, screen coordinates
-    ShownWindow drawn_;
+    WindowResult drawn_;
     FrameRest rest_;
     Redraw redraw_;
     std::size_t frame_ = 0;
@@ -222,7 +222,7 @@ void Viewer::frame() {
 // ---- input ----
 
 FrameInput Viewer::read_input() {
-    const bool has_panel = gui_.panel_keys().has_keyboard();  // Esc takes it away in this frame
+    const bool has_panel = gui_.panel_keyboard().has_keyboard();  // Esc takes it away in this frame
     gui_.follow(state_.appearance);
     gui_.begin_frame(std::exchange(input_.keyboard_keys, {}));
     FrameInput input;
@@ -231,7 +231,7 @@ FrameInput Viewer::read_input() {
     if (!has_keyboard()) input.pressed.clear();
     if (has_panel) std::erase_if(input.pressed, belongs_to_panel);
     if (is_asking()) input.dropped.clear();
-    const ShownWindow shown = show_panels();
+    const WindowResult shown = show_panels();
     input.drops_on_keys = !input.dropped.empty() && is_pointer_over(shown.layout.keys, window_.handle());
     input.actions = shown.actions;
     return input;
@@ -250,7 +250,7 @@ void Viewer::update(const FrameInput& input, double now) {
     input_.pressed = run_pressed(input.pressed, input_.shortcuts, state_, now);
     if (!input_.pressed.empty()) redraw_.settle();
     if (const auto file = search_.act(state_, now)) files_.open_recent(*file);
-    if (gui_.panel_keys().step(std::exchange(state_.panel_step, 0))) redraw_.settle();
+    if (gui_.panel_keyboard().step(std::exchange(state_.panel_step, 0))) redraw_.settle();
     update_files(input, now);
     update_clipboard(now);
     follow_state(now);
@@ -326,31 +326,31 @@ void Viewer::draw(const std::optional<ViewInput>& view) {
 
 // ---- the panels, for input and for drawing ----
 
-ShownWindow Viewer::show_panels() {
+WindowResult Viewer::show_panels() {
     const FrameLayout frame = layout();
-    ShownWindow shown = show_window({.state = state_,
-                                     .recent_files = files_.recent_files(),
-                                     .shortcuts = input_.shortcuts,
-                                     .title = title_,
-                                     .portraits = views_.portraits(),
-                                     .fields = views_.fields(),
-                                     .field_curves = &views_.field_curves(),
-                                     .measured_scale = views_.measured_scale(),
-                                     .blend_curves = &views_.blend_curves(),
-                                     .is_flat = views_.is_flat(),
-                                     .curves = views_.curves(),
-                                     .figures = views_.figures(),
-                                     .camera_axes = views_.camera().axes(),
-                                     .follows_camera = views_.follows_camera(),
-                                     .measured_part = views_.measured_part(),
-                                     .pictures = views_.message_pictures(),
-                                     .frame_milliseconds = frame_milliseconds_,
-                                     .is_over_surface = views_.is_over_surface(),
-                                     .holds = holds_,
-                                     .layout = frame,
-                                     .inspected = views_.inspected(),
-                                     .comparison = views_.comparison(),
-                                     .has_keyboard = has_keyboard() && !gui_.panel_keys().has_keyboard()});
+    auto shown = show_window({.state = state_,
+                              .recent_files = files_.recent_files(),
+                              .shortcuts = input_.shortcuts,
+                              .title = title_,
+                              .portraits = views_.portraits(),
+                              .fields = views_.fields(),
+                              .field_curves = &views_.field_curves(),
+                              .measured_scale = views_.measured_scale(),
+                              .blend_curves = &views_.blend_curves(),
+                              .is_flat = views_.is_flat(),
+                              .curves = views_.curves(),
+                              .figures = views_.figures(),
+                              .camera_axes = views_.camera().axes(),
+                              .follows_camera = views_.follows_camera(),
+                              .measured_part = views_.measured_part(),
+                              .pictures = views_.message_pictures(),
+                              .frame_milliseconds = frame_milliseconds_,
+                              .is_over_surface = views_.is_over_surface(),
+                              .holds = holds_,
+                              .layout = frame,
+                              .inspected = views_.inspected(),
+                              .comparison = views_.comparison(),
+                              .has_keyboard = has_keyboard() && !gui_.panel_keyboard().has_keyboard()});
     files_.show(frame.content, now_);
     if (!files_.is_asking()) film_.show(frame.content, now_);  // there is room for one dialog
     search_.show(frame.content, state_, input_.shortcuts, files_.recent_files());

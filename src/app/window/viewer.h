@@ -17,7 +17,7 @@ namespace interleaf {
 struct ViewerOptions {
     std::optional<glm::ivec2> size;   ///< of the window, screen coordinates; by default the last size
     std::optional<glm::dvec2> at;     ///< initial point of the domain; needs a domain
-    std::optional<double> time;       ///< initial time, seconds; needs a timeline
+    std::optional<double> time;       ///< initial time, in the unit of the timeline or the path; needs either
     std::optional<TimeSource> along;  ///< what drives the blend; another choice than the family's is an edit
     Display display;                  ///< initial display
     std::optional<Theme> theme{};     ///< of the window; by default the last one

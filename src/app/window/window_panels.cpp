@@ -8,7 +8,7 @@
 
 #include "app/brushing/brush_stroke.h"
 #include "app/document/shown_shading.h"
-#include "app/pictures/view_surface.h"
+#include "app/pictures/detail_surface.h"
 #include "family/family_time.h"
 #include "family/new_family.h"
 #include "ui/panels/detail_panel.h"
@@ -62,7 +62,7 @@ const char* remark_of(const Session& session) {
                : "Point moved off the timeline's path: scrub or press Space to follow it again";
 }
 
-KeysPanelResult show_keys(const WindowShown& shown) {
+KeysPanelResult show_keys(const WindowContent& shown) {
     const ViewerState& state = shown.state;
     const auto& keys = state.document.family().keys;
     std::vector<KeyRow> rows;
@@ -84,7 +84,7 @@ KeysPanelResult show_keys(const WindowShown& shown) {
                       0.5F * shown.layout.panels.view.height);
 }
 
-void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
+void show_keys_and_display(const WindowContent& shown, WindowResult& result) {
     result.actions.keys = show_keys(shown);
     result.layout.keys = result.actions.keys->list;
     section_gap();
@@ -106,7 +106,7 @@ void show_keys_and_display(const WindowShown& shown, ShownWindow& result) {
     result.legend_keys = figures.key_names;
 }
 
-void show_detail(const WindowShown& shown, ShownWindow& result) {
+void show_detail(const WindowContent& shown, WindowResult& result) {
     const Display& display = shown.state.session.display;
     const DetailChoice choice{display.detail, display.follows_camera};
     const DetailChoice wanted = detail_panel(choice, shown.figures.leaves, shown.follows_camera);
@@ -116,7 +116,7 @@ void show_detail(const WindowShown& shown, ShownWindow& result) {
     result.actions.display->follows_camera = wanted.follows_camera;
 }
 
-void show_domain(const WindowShown& shown, ShownWindow& result) {
+void show_domain(const WindowContent& shown, WindowResult& result) {
     const ViewerState& state = shown.state;
     const std::vector<glm::dvec2> path = path_through_domain(state.document.family());
     std::vector<unsigned> pictures;
@@ -158,7 +158,7 @@ std::optional<TimeRange> in_and_out_of(const Playback& playback) {
     return playback.has_range() ? std::optional(playback.range()) : std::nullopt;
 }
 
-void show_timeline(const WindowShown& shown, ShownWindow& result) {
+void show_timeline(const WindowContent& shown, WindowResult& result) {
     const Session& session = shown.state.session;
     result.actions.timeline = timeline_panel(shown.layout.panels.timeline, shown.state.document.family(),
                                              {.transport = transport_of(session),
@@ -185,7 +185,7 @@ InspectorResult show_inspector(const InspectedNode& node, const Shortcuts& table
     return inspector_panel(node, shortcuts, view);
 }
 
-void show_brush(const WindowShown& shown, ShownWindow& result) {
+void show_brush(const WindowContent& shown, WindowResult& result) {
     const Brush& brush = shown.state.brush;
     result.actions.brush = brush_bar(shown.layout.panels.view,
                                      {.is_on = brush.is_on,
@@ -199,7 +199,7 @@ void show_brush(const WindowShown& shown, ShownWindow& result) {
                                      shown.holds.brush, *result.actions.view);
 }
 
-void show_document(const WindowShown& shown, ShownWindow& result) {
+void show_document(const WindowContent& shown, WindowResult& result) {
     const Family& family = shown.state.document.family();
     const Weights& weights = shown.state.session.weights();
     const Layout& panels = shown.layout.panels;
@@ -246,7 +246,7 @@ void show_document(const WindowShown& shown, ShownWindow& result) {
     result.actions.panel_sizes = splitters(panels, shown.state.appearance.panels, shown.layout.scale);
 }
 
-void show_message(const WindowShown& shown, const Rect& view, WindowActions& actions) {
+void show_message(const WindowContent& shown, const Rect& view, WindowActions& actions) {
     const Message& message = shown.state.message;
     if (message.is_fault()) {
         actions.dismisses_message = message_panel(message.text, shown.pictures, view);
@@ -279,8 +279,8 @@ std::vector<const Command*> key_commands() {
     return selected;
 }
 
-ShownWindow show_window(const WindowShown& shown) {
-    ShownWindow result;
+WindowResult show_window(const WindowContent& shown) {
+    WindowResult result;
     result.layout = shown.layout;
     result.layout.view = shown.comparison != nullptr ? shown.layout.content : shown.layout.panels.view;
     result.family = shown.state.document.snapshot();

@@ -45,7 +45,7 @@ struct MouseHolds {
 };
 
 /// The content that the panels show.
-struct WindowShown {
+struct WindowContent {
     const ViewerState& state;
     std::span<const std::filesystem::path> recent_files;
     const Shortcuts& shortcuts = table_shortcuts();
@@ -96,7 +96,7 @@ struct WindowActions {
 };
 
 /// The panels as shown: the user's actions, the layout and the content.
-struct ShownWindow {
+struct WindowResult {
     WindowActions actions;
     FrameLayout layout;
     std::shared_ptr<const Family> family;
@@ -106,7 +106,7 @@ struct ShownWindow {
 
 /// Shows all panels of the window except questions and the file browser.
 /// \pre a frame of Dear ImGui has begun
-ShownWindow show_window(const WindowShown& shown);
+WindowResult show_window(const WindowContent& shown);
 
 /// The menu entry of \p command.
 MenuEntry menu_entry(const Command& command, const ViewerState& state, const Shortcuts& shortcuts);

@@ -22,12 +22,13 @@ struct ContinuedMap {
     std::vector<glm::dvec3> points;  ///< of the unit sphere, one per vertex of that mesh
 };
 
-/// The surface before is compared as it is, or moved to the same center of area, or scaled to the same area, too: as
-/// the two surfaces are nearest to each other. Triangles that turn over are untangled.
+/// The map of \p mesh that continues the map of the surface before, \p before. The search for nearest places takes the
+/// surface before as it is, or moved to the center of area of \p mesh, or moved and scaled to the area of \p mesh:
+/// whichever is nearest to \p mesh. Triangles that turn over are untangled.
 /// \param before    clean
 /// \param points    the map of \p before: of the unit sphere, one per vertex, one to one
 /// \param mesh      clean
-/// \param vertices  at least wanted in the mesh, about evenly
+/// \param vertices  long edges of \p mesh are halved until it has at least this number of vertices
 /// \return          without points if the surfaces are too far from each other
 /// \throw InputError  if a surface has no area
 /// \throw Cancelled

@@ -63,8 +63,8 @@ std::unique_ptr<const MatchedBody> model_of(const SurfaceMesh& mesh, std::span<c
                                             const glm::dmat3& turn, std::span<const glm::dvec3> landmarks,
                                             const MatchOptions& options, const Progress& progress);
 
-/// Matches a map to that of \p model. The same input gives the same bits. Never rotate the result: it is in the
-/// position of the model's map.
+/// Matches a map to that of \p model. The same input gives the same bits. Never rotate the result: its points
+/// correspond to those of the model's map as they are.
 /// \param mesh    clean
 /// \param points  a map of \p mesh to the sphere, one to one and aligned: one point per vertex
 /// \param turn    applied to the body before it is compared: the rotation of its map after the alignment

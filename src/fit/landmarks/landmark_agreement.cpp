@@ -5,11 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
 #include "hierarchy/rotation_fit.h"
+#include "text/shown_text.h"
 
 namespace interleaf {
 namespace {

@@ -10,12 +10,12 @@
 #include <type_traits>
 #include <utility>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 
 #include "fit/mesh/space_triangle.h"
 #include "fit/mesh/surface_distance.h"
 #include "hierarchy/error.h"
+#include "text/shown_text.h"
 
 namespace interleaf {
 namespace {

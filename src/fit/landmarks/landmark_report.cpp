@@ -6,12 +6,12 @@
 #include <limits>
 #include <utility>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "hierarchy/union_mesh.h"
+#include "text/shown_text.h"
 
 namespace interleaf {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
+#include "text/shown_text.h"
 
 namespace interleaf {
 

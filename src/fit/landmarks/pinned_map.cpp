@@ -6,7 +6,6 @@
 #include <span>
 #include <utility>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
@@ -19,6 +18,7 @@
 #include "fit/sphere_map/progressive_mapping.h"
 #include "fit/sphere_map/spherical_map.h"
 #include "hierarchy/rotation_fit.h"
+#include "text/shown_text.h"
 
 namespace interleaf {
 namespace {

@@ -1,4 +1,4 @@
-// All that levels of detail of one key take. Measured once per key.
+// What is measured of a key, once, for its levels of detail.
 //
 // A refinement for a view reads bisections in any order, mostly those with large errors, and neighbors together.
 // Memory decides its speed. So bisections are sorted by the powers of two of their errors, and among these by

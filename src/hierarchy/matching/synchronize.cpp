@@ -78,17 +78,6 @@ Values reordered(const Values& values, std::span<const Index> sources) {
     return result;
 }
 
-/// \p field with the values of the vertices \p sources, in that order.
-Field reordered_field(const Field& field, std::span<const Index> sources) {
-    Field result{field.name, field.kind, {}};
-    result.values.reserve(component_count(field.kind) * sources.size());
-    for (const Index source : sources) {
-        const std::span<const float> values = field.at(source);
-        result.values.insert(result.values.end(), values.begin(), values.end());
-    }
-    return result;
-}
-
 }  // namespace
 
 Hierarchy with_roots_of(const RootComplex& roots, const Hierarchy& key, const RootMatch& match) {
@@ -98,7 +87,7 @@ Hierarchy with_roots_of(const RootComplex& roots, const Hierarchy& key, const Ro
     const std::vector<Index> sources =
         renumber_vertices(match.vertices, key.vertex_count(), result.midpoints);
     result.positions = reordered(key.positions, sources);
-    for (const Field& field : key.fields) result.fields.push_back(reordered_field(field, sources));
+    for (const Field& field : key.fields) result.fields.push_back(renumbered(field, sources));
     return result;
 }
 

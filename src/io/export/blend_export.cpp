@@ -1,7 +1,7 @@
 #include "io/export/blend_export.h"
 
 #include "hierarchy/morph.h"
-#include "io/mesh/mesh_file.h"
+#include "io/mesh/mesh_writer.h"
 
 namespace interleaf {
 

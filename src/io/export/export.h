@@ -26,11 +26,11 @@ enum class SeriesUnion : std::uint8_t {
 /// The files of a series, such as .pvd: one per key, unless one of the first three options is set.
 struct SeriesExportOptions {
     std::optional<double> frames_per_second{};
-    std::optional<double> interval{};   ///< between two files, in units of the time
+    std::optional<double> time_step{};  ///< between two files, in units of the time
     std::vector<double> times{};        ///< of the files
     std::optional<SeriesUnion> mesh{};  ///< none for all, unless that is much larger than interval
 
-    bool has_times() const { return frames_per_second || interval || !times.empty(); }
+    bool has_times() const { return frames_per_second || time_step || !times.empty(); }
 };
 
 /// A writer of one blend uses blend_of(). A writer of the whole family uses the keys and their timeline.

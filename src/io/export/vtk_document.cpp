@@ -187,7 +187,7 @@ std::string cell_data_element(const VtkSurface& surface, AppendedArrays& arrays)
         text += arrays.add("level", 1, std::span<const std::uint8_t>(levels));
         text += arrays.add("root", 1, std::span<const std::uint32_t>(roots));
     }
-    if (!surface.origins.empty()) text += arrays.add("origin", 1, surface.origins);
+    if (!surface.leaf_origins.empty()) text += arrays.add("origin", 1, surface.leaf_origins);
     return text + "</CellData>\n";
 }
 

@@ -21,12 +21,14 @@ struct VtkSurface {
     std::span<const Triangle> triangles;
     std::span<const glm::vec3> positions;  ///< one per vertex
     glm::dvec3 origin{0};                  ///< is added to all positions; unless it is 0, they become doubles
-    std::span<const Field>
-        fields{};  ///< per vertex: a float for a scalar, three bytes for a color; "u x", "u y" (and "u z") become a vector "u"
+
+    /// Per vertex: a float for a scalar, three bytes for a color; "u x", "u y" (and "u z") become a vector "u".
+    std::span<const Field> fields{};
+
     std::span<const FieldScale>
         scales{};                     ///< offsets, which make fields doubles, and units, as VTK's UNITS_LABEL
     std::span<const LeafTag> tags{};  ///< per triangle: its level and its root
-    std::span<const KeySet> origins{};  ///< per triangle: the keys in which it is a node
+    std::span<const KeySet> leaf_origins{};  ///< per triangle: the keys in which it is a node
     std::optional<double> time{};
 };
 

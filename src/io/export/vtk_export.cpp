@@ -28,30 +28,31 @@ constexpr std::size_t max_growth = 4;
 /// What is the same for all frames.
 struct FrameMesh {
     std::optional<Hierarchy> finest;  ///< none if each frame has its own union
-    std::vector<KeySet> origins;    ///< per leaf of the finest, the keys of the family in which it is a node
+    std::vector<KeySet>
+        leaf_origins;               ///< per leaf of the finest, the keys of the family in which it is a node
     std::vector<FieldName> fields;  ///< that all keys have
 };
 
 /// Per leaf of \p mesh, the keys of the family in which it is a node: bit i for key i.
 std::vector<KeySet> family_origins(const UnionMesh& mesh, std::span<const std::size_t> keys) {
-    std::vector<KeySet> origins(mesh.leaf_count(), 0);
-    for (std::size_t leaf = 0; leaf < origins.size(); ++leaf)
+    std::vector<KeySet> leaf_origins(mesh.leaf_count(), 0);
+    for (std::size_t leaf = 0; leaf < leaf_origins.size(); ++leaf)
         for (std::size_t n = 0; n < keys.size(); ++n)
-            if ((mesh.origins[leaf] & key_bit(n)) != 0) origins[leaf] |= key_bit(keys[n]);
-    return origins;
+            if ((mesh.origins[leaf] & key_bit(n)) != 0) leaf_origins[leaf] |= key_bit(keys[n]);
+    return leaf_origins;
 }
 
 /// The same over the leaves of \p finest, which contains all \p keys.
 std::vector<KeySet> origins_over(const Hierarchy& finest, const Family& family,
                                  std::span<const std::size_t> keys) {
-    std::vector<KeySet> origins(finest.leaf_count(), 0);
+    std::vector<KeySet> leaf_origins(finest.leaf_count(), 0);
     UnionMesh mesh;
     for (const std::size_t key : keys) {
         unite(std::array<const Hierarchy*, 2>{&finest, &*family.keys[key].hierarchy}, mesh);
-        for (std::size_t leaf = 0; leaf < origins.size(); ++leaf)
-            if ((mesh.origins[leaf] & key_bit(1)) != 0) origins[leaf] |= key_bit(key);
+        for (std::size_t leaf = 0; leaf < leaf_origins.size(); ++leaf)
+            if ((mesh.origins[leaf] & key_bit(1)) != 0) leaf_origins[leaf] |= key_bit(key);
     }
-    return origins;
+    return leaf_origins;
 }
 
 std::vector<FieldName> fields_of_all(const Family& family, std::span<const std::size_t> keys) {
@@ -113,7 +114,7 @@ std::optional<Hierarchy> finest_mesh(const Export& exported, std::span<const Fra
     return std::nullopt;
 }
 
-std::string blend_bytes(const Export& exported, const Blend& blend, std::span<const KeySet> origins,
+std::string blend_bytes(const Export& exported, const Blend& blend, std::span<const KeySet> leaf_origins,
                         std::optional<double> time, VtkDataSet data_set) {
     return vtk_bytes({.triangles = blend.mesh.triangles,
                       .positions = blend.positions,
@@ -121,15 +122,15 @@ std::string blend_bytes(const Export& exported, const Blend& blend, std::span<co
                       .fields = blend.fields,
                       .scales = exported.family.field_scales,
                       .tags = blend.mesh.tags,
-                      .origins = origins,
+                      .leaf_origins = leaf_origins,
                       .time = time},
                      data_set);
 }
 
 void export_blend(const Export& exported, const OutputTarget& target, VtkDataSet data_set) {
     const Blend blend = blend_of(exported);
-    const std::vector<KeySet> origins = family_origins(blend.mesh, active_keys(*exported.weights));
-    write_output(target, blend_bytes(exported, blend, origins, std::nullopt, data_set));
+    const std::vector<KeySet> leaf_origins = family_origins(blend.mesh, active_keys(*exported.weights));
+    write_output(target, blend_bytes(exported, blend, leaf_origins, std::nullopt, data_set));
 }
 
 std::string frame_bytes(const Export& exported, const FrameMesh& shared, BlendSeries& blends,
@@ -140,7 +141,7 @@ std::string frame_bytes(const Export& exported, const FrameMesh& shared, BlendSe
     });
     const std::vector<KeySet> own =
         !shared.finest ? family_origins(blend.mesh, active_keys(frame.weights)) : std::vector<KeySet>();
-    return blend_bytes(exported, blend, !shared.finest ? own : shared.origins, frame.time,
+    return blend_bytes(exported, blend, !shared.finest ? own : shared.leaf_origins, frame.time,
                        VtkDataSet::polygons);
 }
 
@@ -171,7 +172,7 @@ std::vector<Frame> frames_of(const Export& exported, bool are_of_intervals) {
     if (!source && !exported.weights) throw UsageError(no_default_blend);
     if (!source) return {{0, *exported.weights}};
     if (per_second) return frames_per_second(family, *source, *per_second);
-    if (exported.series.interval) return frames_every(family, *source, *exported.series.interval);
+    if (exported.series.time_step) return frames_every(family, *source, *exported.series.time_step);
     if (!exported.series.times.empty()) return frames_at(family, *source, exported.series.times);
     if (*source == TimeSource::path)
         throw UsageError("the time of the family is that of a path; say --fps, --every or --times");
@@ -195,7 +196,7 @@ void export_pvd(const Export& exported, const OutputTarget& target) {
     const std::vector<std::size_t> keys = keys_of(frames);
     FrameMesh shared{finest_mesh(exported, frames, keys), {}, fields_of_all(exported.family, keys)};
     if (shared.finest) {
-        shared.origins = origins_over(*shared.finest, exported.family, keys);
+        shared.leaf_origins = origins_over(*shared.finest, exported.family, keys);
         frames = frames_of(exported, false);
     }
     remark_interpolation(exported);

@@ -4,8 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "text/characters.h"
-#include "text/shown_text.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -24,6 +22,8 @@
 #include "io/landmarks/landmark_file.h"
 #include "io/text/joined_text.h"
 #include "io/text/json_place.h"
+#include "text/characters.h"
+#include "text/shown_text.h"
 
 namespace interleaf {
 

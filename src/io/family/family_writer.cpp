@@ -5,7 +5,6 @@
 #include <system_error>
 #include <vector>
 
-#include "text/characters.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -20,6 +19,7 @@
 #include "io/hierarchy/hierarchy_file.h"
 #include "io/text/joined_text.h"
 #include "io/text/json_place.h"
+#include "text/characters.h"
 
 namespace interleaf {
 

@@ -6,7 +6,6 @@
 #include <sstream>
 #include <utility>
 
-#include "text/characters.h"
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +14,7 @@
 #include "io/file/input_file.h"
 #include "io/file/safe_write.h"
 #include "io/text/json_place.h"
+#include "text/characters.h"
 
 namespace interleaf {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <system_error>
 
-#include "text/natural_order.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
+#include "text/natural_order.h"
 
 namespace interleaf {
 

@@ -6,7 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "text/characters.h"
 #include <fmt/core.h>
 
 #include "family/origin.h"
@@ -25,6 +24,7 @@
 #include "io/gltf/vertex_welding.h"
 #include "io/gltf/weight_timeline.h"
 #include "io/mesh/polygon_mesh.h"
+#include "text/characters.h"
 
 namespace interleaf {
 
@@ -188,6 +188,24 @@ glm::dvec3 origin_of(const std::optional<JsonPlace>& own) {
     return origin;
 }
 
+/// The meshes that a file shows, as one mesh.
+struct ShownMesh {
+    std::vector<MeshInstance> instances;  ///< at least one
+    GltfMesh mesh;                        ///< without remarks
+    std::optional<JsonPlace> own;         ///< what export_glb() has written beside it
+};
+
+/// \param remarks  receives sentences about everything that is left out or changed
+ShownMesh read_shown_mesh(const GltfFile& file, std::vector<std::string>& remarks) {
+    ShownMesh shown{.instances = chosen_instances(file, remarks), .mesh = {}, .own = {}};
+    if (shown.instances.empty()) file.root().fail("shows no mesh");
+    remark_on_ignored(file, remarks);
+    shown.mesh = read_meshes(file, shown.instances);
+    std::ranges::move(std::exchange(shown.mesh.remarks, {}), std::back_inserter(remarks));
+    shown.own = own_extras(file, shown.instances.front().mesh);
+    return shown;
+}
+
 /// The offsets and units of the fields of a file of export_glb().
 std::vector<FieldScale> scales_of(const std::optional<JsonPlace>& own) {
     const auto scales = own ? own->optional_member("scales") : std::nullopt;
@@ -214,12 +232,7 @@ std::variant<FileKeys, Misfit> keys_of_scene(const JsonPlace& own, const std::st
 std::variant<FileKeys, Misfit> keys_of_file(const GltfFile& file, std::optional<glm::dvec3> origin) {
     if (const auto own = own_scene_extras(file)) return keys_of_scene(*own, file.name, origin);
     FileKeys read;
-    const std::vector<MeshInstance> instances = chosen_instances(file, read.remarks);
-    if (instances.empty()) file.root().fail("shows no mesh");
-    remark_on_ignored(file, read.remarks);
-    GltfMesh mesh = read_meshes(file, instances);
-    std::ranges::move(mesh.remarks, std::back_inserter(read.remarks));
-    const auto own = own_extras(file, instances.front().mesh);
+    auto [instances, mesh, own] = read_shown_mesh(file, read.remarks);
     read.scales = scales_of(own);
     const glm::dvec3 own_origin = origin_of(own);
     read.origin = origin ? *origin : own ? own_origin : origin_for(mesh.positions, mesh.triangles);
@@ -314,12 +327,7 @@ std::variant<FileKeys, Misfit> read_gltf_keys(std::span<const fs::path> files,
 SurfaceFile parse_gltf(std::string_view bytes, std::string_view name) {
     const GltfFile file = parse_named(bytes, fs::path(name));
     SurfaceFile surface;
-    const std::vector<MeshInstance> instances = chosen_instances(file, surface.remarks);
-    if (instances.empty()) file.root().fail("shows no mesh");
-    remark_on_ignored(file, surface.remarks);
-    GltfMesh mesh = read_meshes(file, instances);
-    std::ranges::move(mesh.remarks, std::back_inserter(surface.remarks));
-    const auto own = own_extras(file, instances.front().mesh);
+    auto [instances, mesh, own] = read_shown_mesh(file, surface.remarks);
     const glm::dvec3 origin = origin_of(own);
     for (const GltfAttribute& attribute : mesh.attributes) {
         if (attribute.name != gltf::color) continue;

@@ -12,16 +12,6 @@ namespace {
 constexpr double samples_per_second = 30;
 constexpr double max_samples = 100'000;
 
-/// The times where the family itself has numbers.
-std::vector<double> given_times(const Family& family, TimeSource source) {
-    std::vector<double> times;
-    if (source == TimeSource::path)
-        for (const PathPoint& point : family.path->points()) times.push_back(point.time);
-    else
-        for (const TimelineKey& key : family.timeline->keys()) times.push_back(key.time);
-    return times;
-}
-
 /// \p times, with equal steps of at most 1/30 second between them. Long times have fewer samples.
 std::vector<double> sampled(const std::vector<double>& times) {
     std::vector<double> all{times.front()};
@@ -51,7 +41,7 @@ std::vector<float> target_weights(const Weights& weights, std::span<const std::s
 std::optional<WeightAnimation> weight_animation(const Family& family, std::span<const std::size_t> targets) {
     const std::optional<TimeSource> source = source_of_time(family);
     if (!source) return std::nullopt;
-    std::vector<double> times = given_times(family, *source);
+    std::vector<double> times = marked_times(family, *source);
     if (times.size() < 2) return std::nullopt;
     const bool is_path = *source == TimeSource::path;
     const Basis basis = is_path ? Basis::bernstein : family.timeline->interpolation().basis;

@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "text/characters.h"
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "io/file/input_file.h"
 #include "io/text/joined_text.h"
+#include "text/characters.h"
 
 namespace interleaf {
 namespace {

@@ -8,7 +8,6 @@
 #include <system_error>
 #include <utility>
 
-#include "text/parsed_number.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
@@ -16,6 +15,7 @@
 #include "io/text/json_place.h"
 #include "io/text/plain_text.h"
 #include "io/text/words.h"
+#include "text/parsed_number.h"
 
 namespace interleaf {
 

@@ -9,7 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "text/parsed_number.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
@@ -19,6 +18,7 @@
 #include "io/text/json_place.h"
 #include "io/text/plain_text.h"
 #include "io/text/words.h"
+#include "text/parsed_number.h"
 
 namespace interleaf {
 namespace {

@@ -10,7 +10,6 @@
 #include <optional>
 #include <string>
 
-#include "text/parsed_number.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
@@ -20,6 +19,7 @@
 #include "io/text/json_place.h"
 #include "io/text/plain_text.h"
 #include "io/text/words.h"
+#include "text/parsed_number.h"
 
 namespace interleaf {
 namespace {

@@ -56,7 +56,7 @@ SurfaceFile surface_of(PolygonMesh mesh, std::string_view name) {
 
 SurfaceFile parse_obj(std::string_view text, std::string_view name) {
     SurfaceFile surface = surface_of(read_obj_lines(std::string(text), name), name);
-    // The numbers of the key that the same file is (mesh_file.h): floats, unless it is far from 0.
+    // The numbers of the key that the same file is (obj_keys.h): floats, unless it is far from 0.
     if (origin_for(surface.positions, surface.triangles) == glm::dvec3(0))
         for (glm::dvec3& position : surface.positions) position = as_floats(position);
     return surface;

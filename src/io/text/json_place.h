@@ -14,8 +14,8 @@
 
 namespace interleaf {
 
-/// Every function but is_object() throws an InputError if the value is not what the function expects. The error names the
-/// place, what is there and what was expected.
+/// Every function but is_object() throws an InputError if the value is not what the function expects. The error names
+/// the place, what is there and what was expected.
 class JsonPlace {
   public:
     /// The whole \p document, which must outlive this object. Messages call it \p file.

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "text/parsed_number.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
@@ -18,6 +17,7 @@
 #include "io/text/words.h"
 #include "io/vtk/number_array.h"
 #include "io/vtk/vtk_piece.h"
+#include "text/parsed_number.h"
 
 namespace interleaf {
 namespace {

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "text/characters.h"
-#include "text/parsed_number.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
 #include "io/text/json_place.h"
 #include "io/text/words.h"
+#include "text/characters.h"
+#include "text/parsed_number.h"
 
 namespace interleaf {
 namespace {

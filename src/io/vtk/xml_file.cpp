@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "text/characters.h"
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
@@ -16,6 +15,7 @@
 #include "io/text/words.h"
 #include "io/vtk/vtk_piece.h"
 #include "io/vtk/xml_document.h"
+#include "text/characters.h"
 
 namespace interleaf {
 namespace {

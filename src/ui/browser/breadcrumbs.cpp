@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "text/shown_text.h"
 #include <imgui.h>
 
+#include "text/shown_text.h"
 #include "ui/widgets/modal.h"
 #include "ui/widgets/style.h"
 

@@ -4,10 +4,10 @@
 #include <system_error>
 #include <utility>
 
-#include "text/characters.h"
-#include "text/shown_text.h"
 #include <fmt/core.h>
 
+#include "text/characters.h"
+#include "text/shown_text.h"
 #include "ui/browser/typed_path.h"
 
 namespace interleaf {

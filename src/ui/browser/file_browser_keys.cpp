@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 
-#include "text/shown_text.h"
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include "text/shown_text.h"
 #include "ui/browser/breadcrumbs.h"
 #include "ui/browser/file_browser.h"
 #include "ui/browser/typed_path.h"

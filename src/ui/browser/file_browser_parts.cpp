@@ -3,10 +3,10 @@
 #include <cmath>
 #include <utility>
 
-#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include "text/shown_text.h"
 #include "ui/browser/breadcrumbs.h"
 #include "ui/browser/file_browser.h"
 #include "ui/browser/file_list.h"

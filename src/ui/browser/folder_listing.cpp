@@ -5,10 +5,11 @@
 #include <ctime>
 #include <system_error>
 
-#include "text/characters.h"
-#include "text/shown_text.h"
 #include <fmt/core.h>
 #include <sys/stat.h>
+
+#include "text/characters.h"
+#include "text/shown_text.h"
 
 namespace interleaf {
 

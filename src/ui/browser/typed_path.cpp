@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "text/characters.h"
-
 #include "ui/widgets/text_field.h"
 
 namespace interleaf {

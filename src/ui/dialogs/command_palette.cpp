@@ -6,10 +6,10 @@
 
 #define GLFW_INCLUDE_NONE
 
-#include "text/fuzzy_match.h"
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include "text/fuzzy_match.h"
 #include "ui/widgets/modal.h"
 #include "ui/widgets/row_clipper.h"
 #include "ui/widgets/style.h"

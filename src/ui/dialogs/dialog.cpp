@@ -7,10 +7,10 @@
 #include <cctype>
 #include <utility>
 
-#include "text/characters.h"
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include "text/characters.h"
 #include "ui/widgets/modal.h"
 #include "ui/widgets/style.h"
 

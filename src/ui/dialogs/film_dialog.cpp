@@ -139,7 +139,9 @@ std::optional<bool> FilmDialog::show(const Rect& area, const FilmOfferShown& sho
         draw_text(corner, inner, is_faulty ? colors::notice : colors::dim_text,
                   is_faulty ? shown.fault : shown.detail);
         ImGui::Dummy({inner, ImGui::GetTextLineHeight()});
-        show_buttons(shown);
+        const char* const label = shown.is_film ? "Make film" : "Save picture";
+        if (const auto pressed = main_and_cancel(label, focus_ == make_row, focus_ == cancel_row))
+            press(*pressed, shown);
         end_modal(pressed_.has_value());
     }
     if (pressed_) is_open_ = false;
@@ -235,19 +237,6 @@ void FilmDialog::show_text_row(std::size_t row, const FilmOfferShown& shown) {
     ImGui::SameLine();
     row_text(text_rows[row].remark, ImGui::GetContentRegionAvail().x);
     ImGui::Dummy({0, ImGui::GetFrameHeight()});
-}
-
-void FilmDialog::show_buttons(const FilmOfferShown& shown) {
-    const char* const label = shown.is_film ? "Make film" : "Save picture";
-    const float make = modal_button_width(label);
-    const float cancel = modal_button_width("Cancel");
-    const float room = ImGui::GetContentRegionAvail().x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - make - cancel - ImGui::GetStyle().ItemSpacing.x);
-    if (modal_button({.label = label, .width = make, .is_main = true, .is_focused = focus_ == make_row}))
-        press(true, shown);
-    ImGui::SameLine();
-    if (modal_button({.label = "Cancel", .width = cancel, .is_focused = focus_ == cancel_row}))
-        press(false, shown);
 }
 
 }  // namespace interleaf

@@ -20,8 +20,8 @@ struct FilmChoices {
     std::string size = "1280x720";  ///< pixels
     std::string scale = "1";        ///< of a picture: a factor of its size and of the width of its lines
     std::string rate = "30";        ///< frames per second
-    std::string begin;              ///< seconds
-    std::string end;                ///< seconds
+    std::string begin;              ///< time
+    std::string end;                ///< time
     std::string turn = "0";         ///< degrees
     bool is_loop = false;
     bool is_transparent = false;  ///< a picture without background
@@ -75,7 +75,6 @@ class FilmDialog {
     void show_text_row(std::size_t row, const FilmOfferShown& shown);
     void show_check_row(std::size_t row);
     void draw_pattern(glm::vec2 corner, glm::vec2 size) const;
-    void show_buttons(const FilmOfferShown& shown);
 
     static constexpr std::size_t text_row_count = 6;
 

@@ -122,7 +122,8 @@ std::optional<bool> FitDialog::show(const Rect& area, const FitOfferShown& shown
         const glm::vec2 corner = from_imgui(ImGui::GetCursorScreenPos());
         draw_text(corner, inner, colors::notice, shown.fault);
         ImGui::Dummy({inner, ImGui::GetTextLineHeight()});
-        show_buttons(shown);
+        if (const auto pressed = main_and_cancel("Fit", focus_ == Place::fit, focus_ == Place::cancel))
+            press(*pressed, shown);
         end_modal(pressed_.has_value());
     }
     if (pressed_) is_open_ = false;
@@ -342,18 +343,6 @@ void FitDialog::show_turn(const FitOfferShown& shown) {
     show_number(degrees_, "##degrees", number_width(), Place::degrees, turn.degrees, shown);
     row_remark(shown.meshes.size() == 1 ? "degrees"
                                         : fmt::format("degrees, for {}", shown.meshes[mesh_].name));
-}
-
-void FitDialog::show_buttons(const FitOfferShown& shown) {
-    const float fit = modal_button_width("Fit");
-    const float cancel = modal_button_width("Cancel");
-    const float room = ImGui::GetContentRegionAvail().x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - fit - cancel - ImGui::GetStyle().ItemSpacing.x);
-    if (modal_button({.label = "Fit", .width = fit, .is_main = true, .is_focused = focus_ == Place::fit}))
-        press(true, shown);
-    ImGui::SameLine();
-    if (modal_button({.label = "Cancel", .width = cancel, .is_focused = focus_ == Place::cancel}))
-        press(false, shown);
 }
 
 }  // namespace interleaf

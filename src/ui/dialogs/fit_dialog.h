@@ -124,7 +124,6 @@ class FitDialog {
     void show_turn(const FitOfferShown& shown);
     void show_changes(const FitOfferShown& shown);
     void show_toggle(const char* label, bool& value, Place place, const char* tip);
-    void show_buttons(const FitOfferShown& shown);
     void show_number(TextField& field, const char* name, float width, Place place, std::string& text,
                      const FitOfferShown& shown);
     std::string& number_text() { return choices_.by_tolerance ? choices_.tolerance : choices_.leaves; }

@@ -112,7 +112,8 @@ std::optional<bool> ImportDialog::show(const Rect& area, const ImportDialogShown
         show_fields(shown);
         draw_text(from_imgui(ImGui::GetCursorScreenPos()), inner, colors::notice, shown.fault);
         ImGui::Dummy({inner, ImGui::GetTextLineHeight()});
-        show_buttons(shown);
+        if (const auto pressed = main_and_cancel("Import", focus_ == import_row, focus_ == import_cancel_row))
+            press(*pressed, shown);
         end_modal(pressed_.has_value());
     }
     if (pressed_) is_open_ = false;
@@ -213,19 +214,6 @@ void ImportDialog::show_fields(const ImportDialogShown& shown) {
         ImGui::PopID();
     }
     ImGui::EndChild();
-}
-
-void ImportDialog::show_buttons(const ImportDialogShown& shown) {
-    const float import = modal_button_width("Import");
-    const float cancel = modal_button_width("Cancel");
-    const float room = ImGui::GetContentRegionAvail().x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - import - cancel - ImGui::GetStyle().ItemSpacing.x);
-    if (modal_button(
-            {.label = "Import", .width = import, .is_main = true, .is_focused = focus_ == import_row}))
-        press(true, shown);
-    ImGui::SameLine();
-    if (modal_button({.label = "Cancel", .width = cancel, .is_focused = focus_ == import_cancel_row}))
-        press(false, shown);
 }
 
 }  // namespace interleaf

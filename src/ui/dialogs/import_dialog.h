@@ -55,7 +55,6 @@ class ImportDialog {
     void show_text_row(std::size_t row, const ImportDialogShown& shown);
     void show_choices(const ImportDialogShown& shown);
     void show_fields(const ImportDialogShown& shown);
-    void show_buttons(const ImportDialogShown& shown);
 
     static constexpr std::size_t text_row_count = 3;
 

@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <string>
 
-#include "text/value_text.h"
 #include <fmt/core.h>
 #include <glm/vec2.hpp>
 #include <imgui.h>
 
+#include "text/value_text.h"
 #include "ui/widgets/curve_plot.h"
 #include "ui/widgets/rect.h"
 #include "ui/widgets/style.h"

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "text/fuzzy_match.h"
 #include <fmt/core.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "text/fuzzy_match.h"
 #include "ui/widgets/command_keys.h"
 #include "ui/widgets/style.h"
 

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstring>
 
-#include "text/fuzzy_match.h"
 #include <fmt/core.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "render/palette.h"
+#include "text/fuzzy_match.h"
 #include "ui/widgets/command_keys.h"
 #include "ui/widgets/number_text.h"
 #include "ui/widgets/row_clipper.h"

@@ -38,9 +38,9 @@ double TimeScale::readable_time(float pixel) const {
     return rounded_to_power(scale.time(pixel), readable_exponent());
 }
 
-TimeRange panned(TimeRange visible, TimeRange whole, double seconds) {
+TimeRange panned(TimeRange visible, TimeRange whole, double distance) {
     const double begin =
-        std::clamp(visible.begin + seconds, whole.begin, std::max(whole.end - length(visible), whole.begin));
+        std::clamp(visible.begin + distance, whole.begin, std::max(whole.end - length(visible), whole.begin));
     return {begin, std::min(begin + length(visible), whole.end)};
 }
 

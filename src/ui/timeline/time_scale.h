@@ -1,4 +1,4 @@
-// The scale of the timeline: which times are visible, and where.
+// The scale of the timeline: which times are visible, and where. Times are in the unit of the timeline or the path.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace interleaf {
 
 struct TimeScale {
-    TimeRange visible;  ///< from the left to the right end of the track, seconds
+    TimeRange visible;  ///< from the left to the right end of the track
     Rect track;         ///< screen coordinates
 
     float pixel(double time) const;
@@ -31,8 +31,8 @@ struct TimeScale {
 /// whole, and is not shorter than a millionth of it.
 TimeRange zoomed(TimeRange visible, TimeRange whole, double fixed, double factor);
 
-/// \p visible, moved by \p seconds as far as \p whole permits.
-TimeRange panned(TimeRange visible, TimeRange whole, double seconds);
+/// \p visible, moved by \p distance as far as \p whole permits.
+TimeRange panned(TimeRange visible, TimeRange whole, double distance);
 
 struct TimeTick {
     double time;

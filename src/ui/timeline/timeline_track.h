@@ -1,4 +1,5 @@
-// The ruler of the timeline, the track with its keys as marks, and their names.
+// The ruler of the timeline, the track with its keys as marks, and their names. Times are in the unit of the timeline
+// or the path.
 #pragma once
 
 #include <cstddef>
@@ -20,23 +21,23 @@ struct TimeDrag {
 /// A key or a point at a time.
 struct MovedTime {
     std::size_t place;  ///< in the timeline or the path
-    double to;          ///< seconds
+    double to;          ///< time
 };
 
 struct KeyTime {
     std::size_t key;
-    double time;  ///< seconds
+    double time;
 };
 
 /// A point that the user sets by the menu of the ruler.
 struct RangeEdit {
-    std::optional<double> in{};   ///< seconds
-    std::optional<double> out{};  ///< seconds
+    std::optional<double> in{};   ///< time
+    std::optional<double> out{};  ///< time
     bool clears = false;          ///< plays the whole timeline again
 };
 
 struct TrackResult {
-    std::optional<double> seek_to;          ///< seconds
+    std::optional<double> seek_to;          ///< time
     std::optional<MovedTime> moved;         ///< dragged by its mark or name
     std::optional<KeyTime> added;           ///< dropped on the track
     std::optional<std::size_t> asked_time;  ///< the place whose time is to be typed
@@ -54,7 +55,7 @@ struct TrackLayout {
 };
 
 struct TrackState {
-    double time;                     ///< seconds
+    double time;                     ///< the present one
     bool drives;                     ///< whether the surface follows the timeline
     std::optional<TimeRange> range;  ///< the in and out points
     std::optional<TimeDrag> drag;    ///< the last result's

@@ -172,6 +172,7 @@ constexpr std::array basis_titles{
     BasisTitle{Basis::b_spline, "B-spline", "Smoothest; near the inner keys, not through them"},
     BasisTitle{Basis::spline, "Spline", "Smoothest through all keys; uses many keys at once"},
 };
+static_assert(basis_titles.size() == basis_count, "each basis has a row");
 
 std::string title_of(const Interpolation& interpolation) {
     const auto* const row = std::ranges::find(basis_titles, interpolation.basis, &BasisTitle::basis);

@@ -13,14 +13,14 @@ namespace interleaf {
 
 /// The state of playback that the controls show.
 struct TransportState {
-    double time;                        ///< seconds
-    double end;                         ///< of the timeline, seconds
+    double time;
+    double end;                         ///< of the timeline
     TimeUnit unit = TimeUnit::seconds;  ///< what these times count
     std::string unit_name = "s";        ///< as people write it; empty for steps
     bool playing;
     bool plays_back;  ///< whether playback runs backward
     Repeat repeat;
-    double speed;                 ///< seconds of the animation per second
+    double speed;                 ///< units of the time per second
     double frame_rate;            ///< frames per second, for single steps
     Interpolation interpolation;  ///< of the keys
     BlendKind blend = BlendKind::straight;

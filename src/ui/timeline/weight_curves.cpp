@@ -14,16 +14,6 @@ namespace interleaf {
 
 namespace {
 
-/// The times of the keys or of the points that drive.
-std::vector<double> marked_times(const Family& family, TimeSource source) {
-    std::vector<double> times;
-    if (source == TimeSource::keys)
-        for (const TimelineKey& key : family.timeline->keys()) times.push_back(key.time);
-    else
-        for (const PathPoint& point : family.path->points()) times.push_back(point.time);
-    return times;
-}
-
 /// The times of samples, ascending: equidistant, and those of the visible marks.
 std::vector<double> sample_times(const std::vector<double>& marks, TimeRange visible, std::size_t count) {
     std::vector<double> times;

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "text/characters.h"
 #include <imgui.h>
 
+#include "text/characters.h"
 #include "ui/widgets/gui_state.h"
 #include "ui/widgets/typeface.h"
 

@@ -77,6 +77,21 @@ bool modal_button(const ModalButton& button) {
     return clicked;
 }
 
+std::optional<bool> main_and_cancel(const char* label, bool is_main_focused, bool is_cancel_focused) {
+    std::optional<bool> pressed;
+    const float main_width = modal_button_width(label);
+    const float cancel_width = modal_button_width("Cancel");
+    const float free_width =
+        ImGui::GetContentRegionAvail().x - main_width - cancel_width - ImGui::GetStyle().ItemSpacing.x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free_width);
+    if (modal_button({.label = label, .width = main_width, .is_main = true, .is_focused = is_main_focused}))
+        pressed = true;
+    ImGui::SameLine();
+    if (modal_button({.label = "Cancel", .width = cancel_width, .is_focused = is_cancel_focused}))
+        pressed = false;
+    return pressed;
+}
+
 float modal_button_width(const std::string& label) {
     return std::max(text_size(label).x + 2 * scaled(16), scaled(84));
 }

@@ -2,6 +2,7 @@
 // own keyboard navigation is off in them, so each modal window keeps its focus itself.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <glm/vec2.hpp>
@@ -28,6 +29,11 @@ struct ModalButton {
 
 /// \return whether it was clicked
 bool modal_button(const ModalButton& button);
+
+/// The last row of a dialog that can be canceled: at its right end the main button, which Enter presses, and Cancel.
+/// \param label  of the main button
+/// \return       true if the user has clicked the main button, false for Cancel; none for neither
+std::optional<bool> main_and_cancel(const char* label, bool is_main_focused, bool is_cancel_focused);
 
 /// The preferred width of a button with this label.
 float modal_button_width(const std::string& label);

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "text/value_text.h"
 #include <fmt/core.h>
 #include <imgui.h>
 
+#include "text/value_text.h"
 #include "ui/widgets/scale_ticks.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/tooltip.h"

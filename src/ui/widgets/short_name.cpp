@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "text/characters.h"
 #include <imgui_internal.h>
 
+#include "text/characters.h"
 #include "ui/widgets/style.h"
 
 namespace interleaf {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "text/characters.h"
 #include <imgui.h>
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
+#include "text/characters.h"
 #include "ui/widgets/glyphs.h"
 #include "ui/widgets/modal.h"
 

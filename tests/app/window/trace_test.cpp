@@ -29,7 +29,7 @@ TEST_CASE("a trace repeats what OpenGL has complained of, each message once, and
     const ScratchFolder folder;
     const std::filesystem::path path = folder.path() / "trace";
     const ViewerState state(sample_family());
-    ShownWindow shown;
+    WindowResult shown;
     shown.family = state.document.snapshot();
     const Camera camera;
     Trace trace(path);

@@ -30,13 +30,13 @@ class Panels {
 
     /// Runs one frame.
     /// \return the window that the frame has drawn
-    ShownWindow frame(glm::vec2 pointer, bool is_down) {
+    WindowResult frame(glm::vec2 pointer, bool is_down) {
         gui_.begin_frame(pointer, is_down);
-        const ShownWindow read = show();
+        const WindowResult read = show();
         apply_to_state(read.actions, state_, holds_, now_ += 0.02);
         if (!is_down) state_.is_dragging = false;
         gui_.begin_drawing();
-        ShownWindow drawn = show();
+        WindowResult drawn = show();
         gui_.end_frame();
         return drawn;
     }
@@ -50,7 +50,7 @@ class Panels {
     }
 
   private:
-    ShownWindow show() {
+    WindowResult show() {
         portraits_.clear();
         for (const Key& key : state_.document.family().keys)
             portraits_.push_back({key.hierarchy, 1, 0, {}, {}});
@@ -100,7 +100,7 @@ TEST_CASE("a drag in the domain marks the active keys in the frame that it moves
     for (const glm::vec2 point :
          {glm::vec2(0, -0.5), glm::vec2(0.5, 0.1), glm::vec2(-0.1, 0.6), glm::vec2(-0.7, 0)}) {
         CAPTURE(point.x);
-        const ShownWindow drawn = panels.frame(domain_pixel(plot, point), true);
+        const WindowResult drawn = panels.frame(domain_pixel(plot, point), true);
         const std::vector<std::size_t> active = sorted_active_keys(panels.state());
         CHECK(active.size() == 3);
         CHECK(active != before);
@@ -112,11 +112,11 @@ TEST_CASE("a drag in the domain marks the active keys in the frame that it moves
 
 TEST_CASE("a key that is chosen is marked alone in the same frame, and moves the point with it") {
     Panels panels;
-    const ShownWindow first = panels.frame({0, 0}, false);
+    const WindowResult first = panels.frame({0, 0}, false);
     const glm::vec2 row{first.layout.keys.x + 100, first.layout.keys.y + 2.5F * first.layout.keys.height / 5};
     panels.frame(row, false);
     panels.frame(row, true);
-    const ShownWindow drawn = panels.frame(row, false);
+    const WindowResult drawn = panels.frame(row, false);
     CHECK(panels.state().selected_key == 2);
     CHECK(panels.marked_keys(drawn.layout.keys) == std::vector<std::size_t>{2});
     REQUIRE(panels.state().session.point());

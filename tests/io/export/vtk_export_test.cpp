@@ -190,11 +190,11 @@ TEST_CASE("frames per second are evenly spaced from the begin of the time on") {
 TEST_CASE("files can be at every step of time, or at chosen times") {
     const Family family = family_with_fields(18);
     const auto [series, meshes, remarks] =
-        written_series(family, {.interval = 0.6, .mesh = SeriesUnion::interval});
+        written_series(family, {.time_step = 0.6, .mesh = SeriesUnion::interval});
     CHECK(series.times == std::vector<double>{0, 0.6, 1.2, 3 * 0.6});
     for (std::size_t n = 0; n < meshes.size(); ++n)
         CHECK(distance_from_timeline(family, series.times[n], meshes[n], nullptr) == 0);
-    CHECK(written_series(family, {.interval = 0.1}).series.times.size() ==
+    CHECK(written_series(family, {.time_step = 0.1}).series.times.size() ==
           21);  // the end, too, despite rounding
     CHECK(written_series(family, {.times = {0.25, 2}}).series.times == std::vector<double>{0.25, 2});
 }
@@ -283,7 +283,7 @@ TEST_CASE("a series needs a file, a timeline and a number of frames") {
     CHECK(contains(error(family, {.frames_per_second = 0}, {"a.pvd"}),
                    "--fps: expected a number of frames per second above 0"));
     CHECK(contains(error(family, {.frames_per_second = 1e9}, {"a.pvd"}), "at most 100000"));
-    CHECK(contains(error(family, {.interval = 0}, {"a.pvd"}), "--every: 0 gives no number of files"));
+    CHECK(contains(error(family, {.time_step = 0}, {"a.pvd"}), "--every: 0 gives no number of files"));
     CHECK(contains(input_error_of([&] {
                        export_pvd({.family = family, .weights = {}, .form = {}, .series = {.times = {3}}},
                                   {"a.pvd"});

@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "io/hierarchy/hierarchy_file.h"
-#include "io/mesh/mesh_file.h"
+#include "io/mesh/mesh_writer.h"
 #include "io/read_files.h"
 #include "io/samples.h"
 

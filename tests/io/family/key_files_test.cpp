@@ -14,7 +14,8 @@
 #include "hierarchy/random_surfaces.h"
 #include "io/family/family_file.h"
 #include "io/hierarchy/hierarchy_file.h"
-#include "io/mesh/mesh_file.h"
+#include "io/mesh/mesh_writer.h"
+#include "io/mesh/obj_keys.h"
 #include "io/read_files.h"
 #include "io/samples.h"
 

@@ -17,7 +17,7 @@
 #include <glm/geometric.hpp>
 
 #include "hierarchy/error.h"
-#include "io/mesh/mesh_file.h"
+#include "io/mesh/obj_keys.h"
 #include "io/polygons.h"
 #include "io/read_files.h"
 

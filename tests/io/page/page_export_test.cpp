@@ -2,16 +2,22 @@
 // tests/cli/check_page.py decodes the payload and checks the hashes.
 #include "io/page/page_export.h"
 
+#include <algorithm>
 #include <random>
+#include <set>
+#include <string>
 
 #include "messages.h"
 #include "scratch_folder.h"
 #include "thrown_errors.h"
 #include <doctest/doctest.h>
 
+#include "family/interpolation.h"
 #include "family/new_family.h"
+#include "io/page/embedded_page.h"
 #include "io/page/page_payload.h"
 #include "io/samples.h"
+#include "io/text/joined_text.h"
 
 namespace interleaf {
 
@@ -44,7 +50,34 @@ Family family_of(std::size_t count) {
     return family_of_keys("sample", std::move(keys));
 }
 
+/// The names in the table of interpolation bases of the page's script (timeline.js).
+std::set<std::string> bases_of_page() {
+    const auto part = std::ranges::find(embedded_page(), "script", &EmbeddedPart::name);
+    REQUIRE(part != embedded_page().end());
+    constexpr std::string_view head = "\nconst bases = {\n";
+    const std::size_t begin = part->text.find(head);
+    REQUIRE(begin != std::string_view::npos);
+    std::string_view rows = part->text.substr(begin + head.size());
+    rows = rows.substr(0, rows.find("\n};\n"));
+    // A row begins with its name, in quotes where that is no identifier, and a colon.
+    std::set<std::string> names;
+    for (std::string_view line : split_at(rows, '\n')) {
+        const std::size_t colon = line.find(": ");
+        if (colon == std::string_view::npos) continue;
+        std::string_view name = line.substr(0, colon);
+        if (name.starts_with('"') && name.ends_with('"')) name = name.substr(1, name.size() - 2);
+        names.emplace(name);
+    }
+    return names;
+}
+
 }  // namespace
+
+TEST_CASE("the page has the interpolation bases of the library") {
+    std::set<std::string> names;
+    for (const Basis basis : bases()) names.emplace(name_of(basis));
+    CHECK(bases_of_page() == names);
+}
 
 TEST_CASE("names cannot end a script or begin an element") {
     std::mt19937 random(1);

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "scratch_folder.h"
-#include "text/shown_text.h"
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "text/shown_text.h"
 #include "ui/browser/type_ahead.h"
 
 using namespace interleaf;

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "text/characters.h"
 #include <doctest/doctest.h>
 #include <imgui.h>
 
+#include "text/characters.h"
 #include "ui/headless_gui.h"
 #include "ui/widgets/gui_state.h"
 

@@ -1,9 +1,9 @@
 // Tests of long names: they are cut in the middle, between characters, and no more than they must.
 #include "ui/widgets/short_name.h"
 
-#include "text/characters.h"
 #include <doctest/doctest.h>
 
+#include "text/characters.h"
 #include "ui/headless_gui.h"
 #include "ui/widgets/style.h"
 

@@ -1,4 +1,5 @@
-// Weights of a time: the bases of timelines, as interpolation.h and spline_weights.h.
+// Weights of a time: the bases of timelines once more, as interpolation.cpp and spline_weights.cpp have them. A test
+// of the library compares the names in the table `bases`, and tests/peers the weights.
 
 // Weights are a Map from the index of a key to its weight.
 function added(entries) {
@@ -146,8 +147,10 @@ const bases = {
 
 function timelineWeights(time) {
     const entries = family.timeline.keys,
-        times = entries.map(entry => entry.time);
-    const places = times.length === 1 ? [[0, 1]] : bases[family.timeline.interpolation](times, time);
+        times = entries.map(entry => entry.time),
+        basis = bases[family.timeline.interpolation];
+    if (!basis) throw new RangeError(`this page does not know the interpolation ${family.timeline.interpolation}`);
+    const places = times.length === 1 ? [[0, 1]] : basis(times, time);
     return added(places.map(([place, value]) => [keyAt(entries[place].key), value]));
 }
 

@@ -1,19 +1,14 @@
-// Reads and writes Wavefront OBJ, writes PLY, and writes PNG pictures (stb).
+// Reads Wavefront OBJ files as keys. surface_file.h reads them, too, as meshes to fit keys to.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include <glm/vec3.hpp>
 
-#include "family/field_scale.h"
 #include "hierarchy/hierarchy.h"
-#include "hierarchy/triangle.h"
 #include "io/file/file_keys.h"
 
 namespace interleaf {
@@ -38,26 +33,5 @@ FileKeys read_obj_series(std::span<const std::filesystem::path> files,
 
 /// Reads the key of one file. Drops the origin, if the file has one.
 Hierarchy read_obj(const std::filesystem::path& file);
-
-/// The text of a Wavefront OBJ file. Reading it gives exactly the same floats. Each face begins with the
-/// vertex opposite its refinement edge.
-/// \param fields  the color field "color", or else the first color field, gives the colors of the vertices;
-///                OBJ has no place for other fields
-/// \param origin  is added to all positions, in double precision
-std::string obj_text(std::span<const Triangle> triangles, std::span<const glm::vec3> positions,
-                     std::span<const Field> fields = {}, const glm::dvec3& origin = glm::dvec3(0));
-
-/// The bytes of a binary little-endian PLY file.
-/// \param fields  become properties of the vertices: a float for a scalar, three bytes for a color;
-///                docs/file-formats.md describes the names
-/// \param origin  is added to all positions; unless it is 0, positions are written as doubles
-/// \param scales  their offsets are added to the fields, which then are doubles
-std::string ply_bytes(std::span<const Triangle> triangles, std::span<const glm::vec3> positions,
-                      std::span<const Field> fields = {}, const glm::dvec3& origin = glm::dvec3(0),
-                      std::span<const FieldScale> scales = {});
-
-/// The bytes of a PNG file.
-/// \param rgba  the picture, 8 bits per channel, top row first; 4 \p width \p height bytes
-std::string png_bytes(std::span<const std::uint8_t> rgba, int width, int height);
 
 }  // namespace interleaf

@@ -1,4 +1,4 @@
-#include "ui/panel_keys.h"
+#include "ui/panel_keyboard.h"
 
 #define GLFW_INCLUDE_NONE
 
@@ -24,7 +24,7 @@ bool is_shown(const char* name) {
 
 }  // namespace
 
-bool PanelKeys::step(int step) {
+bool PanelKeyboard::step(int step) {
     if (step == 0) return false;
     // The place behind the last panel means no panel.
     constexpr std::size_t places = panel_names.size() + 1;
@@ -46,7 +46,7 @@ bool PanelKeys::step(int step) {
     return true;
 }
 
-void PanelKeys::follow() {
+void PanelKeyboard::follow() {
     if (panel_ == nullptr) return;
     const ImGuiIO& io = ImGui::GetIO();
     const bool is_clicked = std::ranges::find(io.MouseClicked, true) != std::end(io.MouseClicked);

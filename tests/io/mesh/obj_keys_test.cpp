@@ -1,4 +1,4 @@
-#include "io/mesh/mesh_file.h"
+#include "io/mesh/obj_keys.h"
 
 #include <algorithm>
 #include <bit>
@@ -12,9 +12,9 @@
 #include "thrown_errors.h"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
-#include <stb_image.h>
 
 #include "hierarchy/checker.h"
+#include "io/mesh/mesh_writer.h"
 #include "io/samples.h"
 
 namespace interleaf {
@@ -264,20 +264,6 @@ TEST_CASE("random damage to an OBJ gives an error or a sound hierarchy") {
     CHECK(sound < 1900);
 }
 
-TEST_CASE("a PLY has its header and its bytes") {
-    const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0.5f, 0}, {0, 1, -2}};
-    const std::vector<Triangle> triangles{{2, 0, 1}};
-    const std::string ply = ply_bytes(triangles, positions);
-    const std::string_view header =
-        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
-    REQUIRE(ply.starts_with(header));
-    REQUIRE(ply.size() == header.size() + 36 + 13);
-    CHECK(ply.substr(header.size(), 36) == std::string(reinterpret_cast<const char*>(positions.data()), 36));
-    CHECK(ply[header.size() + 36] == 3);
-    CHECK(std::memcmp(ply.data() + header.size() + 37, triangles.data(), 12) == 0);
-}
-
 TEST_CASE("colors of vertices become a color field, white for vertices without a color") {
     const ScratchFolder folder;
     const Hierarchy triangle =
@@ -314,60 +300,6 @@ TEST_CASE("an OBJ gives back the same colors") {
     key.fields = {{"other", FieldKind::color, zeros}, {"color", FieldKind::color, halves}};
     put(folder / "m.obj", obj_text(key.roots.triangles(), key.positions, key.fields));
     CHECK(read_obj(folder / "m.obj").fields.at(0).values == halves);
-}
-
-TEST_CASE("a PLY has the fields as properties with different names") {
-    const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    const std::vector<Triangle> triangles{{0, 1, 2}};
-    const Buffer<float> scalar{1.5F, -2, 3};
-    const Buffer<float> color{0, 0.5F, 1, 0.25F, 0.001F, 0.999F, 1, 1, 1};
-    const std::vector<Field> fields{{"x", FieldKind::scalar, scalar},
-                                    {"a b", FieldKind::scalar, scalar},
-                                    {"a_b", FieldKind::scalar, scalar},
-                                    {"tint", FieldKind::color, color},
-                                    {"color", FieldKind::color, color}};
-    const std::string ply = ply_bytes(triangles, positions, fields);
-    const std::string_view header =
-        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-        "property float z\nproperty float x_2\nproperty float a_b\nproperty float a_b_2\n"
-        "property uchar tint_red\nproperty uchar tint_green\nproperty uchar tint_blue\n"
-        "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-        "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
-    REQUIRE(ply.starts_with(header));
-    constexpr std::size_t row = 12 + 12 + 6;
-    REQUIRE(ply.size() == header.size() + 3 * row + 13);
-    for (std::size_t v = 0; v < 3; ++v) {
-        const char* const at = ply.data() + header.size() + v * row;
-        CHECK(std::memcmp(at, &positions[v], 12) == 0);
-        for (std::size_t f = 0; f < 3; ++f) CHECK(std::memcmp(at + 12 + 4 * f, &scalar[v], 4) == 0);
-        for (std::size_t c = 0; c < 6; ++c)
-            CHECK(static_cast<unsigned char>(at[24 + c]) == std::lround(255 * color[3 * v + c % 3]));
-    }
-}
-
-TEST_CASE("a PNG decodes to the same pixels, top row first") {
-    constexpr unsigned seed = 1;
-    CAPTURE(seed);
-    std::mt19937 random(seed);
-    constexpr int width = 37;
-    constexpr int height = 11;
-    std::vector<std::uint8_t> pixels(std::size_t{4} * width * height);
-    for (std::uint8_t& value : pixels) value = static_cast<std::uint8_t>(random());
-    const std::string png = png_bytes(pixels, width, height);
-    CHECK(png.starts_with("\x89PNG\r\n\x1a\n"));
-
-    int read_width = 0;
-    int read_height = 0;
-    int channels = 0;
-    stbi_uc* read =
-        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()), static_cast<int>(png.size()),
-                              &read_width, &read_height, &channels, 0);
-    REQUIRE(read != nullptr);
-    CHECK(read_width == width);
-    CHECK(read_height == height);
-    REQUIRE(channels == 4);
-    CHECK(std::equal(pixels.begin(), pixels.end(), read));
-    stbi_image_free(read);
 }
 
 }  // namespace interleaf

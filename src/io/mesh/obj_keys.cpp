@@ -1,21 +1,19 @@
-#include "io/mesh/mesh_file.h"
+#include "io/mesh/obj_keys.h"
 
 #include <algorithm>
-#include <cassert>
-#include <cmath>
-#include <iterator>
+#include <cstdint>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include <fmt/format.h>
-#include <stb_image_write.h>
+#include <fmt/core.h>
 
 #include "family/origin.h"
 #include "hierarchy/error.h"
 #include "io/file/input_file.h"
 #include "io/mesh/obj_lines.h"
-#include "io/mesh/ply_properties.h"
 #include "io/mesh/polygon_mesh.h"
 
 namespace interleaf {
@@ -51,10 +49,8 @@ void renumber(std::vector<Triangle>& triangles, const std::vector<Index>& used, 
         for (Index& vertex : triangle) vertex = number[vertex];
 }
 
-constexpr std::string_view color_name = "color";
-
 Field color_field(const std::vector<glm::vec3>& colors, const std::vector<Index>& used) {
-    Field field{std::string(color_name), FieldKind::color, {}};
+    Field field{"color", FieldKind::color, {}};
     field.values.reserve(3 * used.size());
     for (const Index vertex : used)
         field.values.insert(field.values.end(), {colors[vertex].r, colors[vertex].g, colors[vertex].b});
@@ -130,17 +126,6 @@ std::string face_difference(const PolygonMesh& lines, const PolygonMesh& first, 
     return "";
 }
 
-/// The color field for formats with one color per vertex; null if there is none.
-const Field* vertex_colors(std::span<const Field> fields) {
-    if (const Field* named = find_field(fields, {std::string(color_name), FieldKind::color})) return named;
-    const auto found = std::ranges::find(fields, FieldKind::color, &Field::kind);
-    return found == fields.end() ? nullptr : &*found;
-}
-
-void append_bytes(std::string& bytes, const void* data, std::size_t size) {
-    bytes.append(static_cast<const char*>(data), size);
-}
-
 }  // namespace
 
 Hierarchy read_obj(const std::filesystem::path& file) {
@@ -178,77 +163,6 @@ std::variant<FileKeys, Misfit> read_obj_keys(std::span<const std::filesystem::pa
         series.keys.push_back(std::get<Hierarchy>(std::move(key)));
     }
     return series;
-}
-
-std::string obj_text(std::span<const Triangle> triangles, std::span<const glm::vec3> positions,
-                     std::span<const Field> fields, const glm::dvec3& origin) {
-    std::string text;
-    const Field* const colors = vertex_colors(fields);
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-        const glm::vec3& local = positions[v];
-        if (const glm::dvec3 p = glm::dvec3(local) + origin; origin != glm::dvec3(0))
-            fmt::format_to(std::back_inserter(text), "v {} {} {}", p.x, p.y, p.z);
-        else
-            fmt::format_to(std::back_inserter(text), "v {} {} {}", local.x, local.y, local.z);
-        if (colors != nullptr)
-            for (const float part : colors->at(static_cast<Index>(v)))
-                fmt::format_to(std::back_inserter(text), " {}", part);
-        text += '\n';
-    }
-    for (const auto& [i, j, k] : triangles)
-        fmt::format_to(std::back_inserter(text), "f {} {} {}\n", i + 1, j + 1, k + 1);
-    return text;
-}
-
-std::string ply_bytes(std::span<const Triangle> triangles, std::span<const glm::vec3> positions,
-                      std::span<const Field> fields, const glm::dvec3& origin,
-                      std::span<const FieldScale> scales) {
-    const bool is_local = origin == glm::dvec3(0);
-    const std::vector<PlyProperty> properties = ply_properties(fields, vertex_colors(fields), scales);
-    std::string bytes = fmt::format(
-        "ply\nformat binary_little_endian 1.0\n"
-        "element vertex {0}\nproperty {1} x\nproperty {1} y\nproperty {1} z\n",
-        positions.size(), is_local ? "float" : "double");
-    for (const PlyProperty& property : properties)
-        bytes += fmt::format("property {} {}\n", property.type(), property.name);
-    bytes += fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-                         triangles.size());
-    bytes.reserve(bytes.size() +
-                  positions.size() * (sizeof(glm::dvec3) + sizeof(double) * properties.size()) +
-                  triangles.size_bytes() + triangles.size());
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-        const glm::dvec3 placed = glm::dvec3(positions[v]) + origin;
-        if (is_local)
-            append_bytes(bytes, &positions[v], sizeof(glm::vec3));
-        else
-            append_bytes(bytes, &placed, sizeof(placed));
-        for (const PlyProperty& property : properties) {
-            const float value = property.field->at(static_cast<Index>(v))[property.component];
-            if (property.is_byte)
-                bytes += static_cast<char>(std::lround(255 * value));
-            else if (const double sum = double{value} + property.offset; property.offset != 0)
-                append_bytes(bytes, &sum, sizeof(sum));
-            else
-                append_bytes(bytes, &value, sizeof(value));
-        }
-    }
-    for (const Triangle& triangle : triangles) {
-        bytes += '\x03';
-        append_bytes(bytes, triangle.data(), sizeof(Triangle));
-    }
-    return bytes;
-}
-
-std::string png_bytes(std::span<const std::uint8_t> rgba, int width, int height) {
-    assert(width > 0 && height > 0);
-    assert(rgba.size() == std::size_t{4} * static_cast<unsigned>(width) * static_cast<unsigned>(height));
-    std::string bytes;
-    const auto append = [](void* target, void* data, int size) {
-        append_bytes(*static_cast<std::string*>(target), data, static_cast<std::size_t>(size));
-    };
-    if (stbi_write_png_to_func(append, &bytes, width, height, 4, rgba.data(), 4 * width) == 0)
-        throw MachineError("not enough memory to compress the picture");
-    return bytes;
 }
 
 }  // namespace interleaf

@@ -4,11 +4,11 @@
 
 namespace interleaf {
 
-class PanelKeys {
+class PanelKeyboard {
   public:
-    /// Gives the keyboard to the next panel that is shown (\p step 1) or to the previous one (-1); behind the last
-    /// one to none. With \p step 0 nothing happens.
-    /// \return whether the keyboard goes elsewhere; the panels must then be shown some times to find their focus
+    /// Gives the keyboard to the next shown panel (\p step 1) or to the previous one (-1). Between the last panel and
+    /// the first one, no panel has the keyboard. With \p step 0 nothing happens.
+    /// \return whether the keyboard goes elsewhere; then the panels find their focus only after several frames
     /// \pre within a frame
     bool step(int step);
 

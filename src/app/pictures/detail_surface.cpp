@@ -1,4 +1,4 @@
-#include "app/pictures/view_surface.h"
+#include "app/pictures/detail_surface.h"
 
 #include <algorithm>
 #include <chrono>
@@ -29,7 +29,7 @@ ViewPoint view_point(const Camera& camera, float aspect) {
 
 }  // namespace
 
-bool ViewSurface::follow(const Family& family, const Weights& weights, const KeyDetails& details) {
+bool DetailSurface::follow(const Family& family, const Weights& weights, const KeyDetails& details) {
     std::vector<SharedHierarchy> hierarchies;
     hierarchies.reserve(weights.size());
     for (const Weight& weight : weights) hierarchies.push_back(family.keys[weight.key].hierarchy);
@@ -55,8 +55,8 @@ bool ViewSurface::follow(const Family& family, const Weights& weights, const Key
     return true;
 }
 
-void ViewSurface::refine(const Family& family, const Weights& weights, const Camera& camera, float aspect,
-                         const FieldName* field) {
+void DetailSurface::refine(const Family& family, const Weights& weights, const Camera& camera, float aspect,
+                           const FieldName* field) {
     Subject subject{.keys = active_keys(weights),
                     .weights = weight_values(weights),
                     .camera = camera,
@@ -95,16 +95,16 @@ void ViewSurface::refine(const Family& family, const Weights& weights, const Cam
     ++version_;
 }
 
-std::optional<glm::vec3> ViewSurface::field_at(const Ray& ray) const {
+std::optional<glm::vec3> DetailSurface::field_at(const Ray& ray) const {
     if (!field_) return std::nullopt;
     return value_where_hit(mesh_.mesh.triangles, mesh_.positions, *field_, std::array{1.0F}, ray);
 }
 
-std::optional<NodePath> ViewSurface::leaf_at(const Ray& ray) const {
+std::optional<NodePath> DetailSurface::leaf_at(const Ray& ray) const {
     return leaf_where_hit(mesh_.mesh, mesh_.positions, ray);
 }
 
-Extent ViewSurface::extent() const {
+Extent DetailSurface::extent() const {
     return extent_of(mesh_.positions);
 }
 

@@ -23,10 +23,10 @@ namespace interleaf {
 /// Leaves of the surface in the window while its detail follows the camera.
 inline constexpr std::size_t view_leaf_budget = 20'000;
 
-class ViewSurface {
+class DetailSurface {
   public:
     /// \pre a GL context is current
-    ViewSurface() = default;
+    DetailSurface() = default;
 
     /// Adopts the active keys of \p weights.
     /// \return false, and changes nothing, if \p details has not measured all of them
