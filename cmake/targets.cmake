@@ -32,19 +32,24 @@ if(INTERLEAF_FUZZ)
   target_link_options(interleaf_options INTERFACE ${instruments})
 endif()
 
-# share_headers(TARGET KIND [FLAGS]): if INTERLEAF_TOGETHER is on, TARGET uses the precompiled headers of its
-# KIND: src, or tests (with doctest and JSON). They are compiled once for all targets with the same FLAGS.
-# They can hide a missing include, which the tests layers.library_includes and layers.own_includes find.
-function(share_headers target kind)
+# compile_together(TARGET KIND [FLAGS]): if INTERLEAF_TOGETHER is on, several files of TARGET form one compilation,
+# and it uses the precompiled headers of its KIND: src, programs (with JSON) or tests (with JSON and doctest). They
+# are compiled once for all targets with the same FLAGS.
+# The internal names of each file must then be unique in the target, and no local name may shadow them (-Wshadow).
+# The headers can hide a missing include, which the tests layers.library_includes and layers.own_includes find.
+function(compile_together target kind)
   if(NOT INTERLEAF_TOGETHER)
     return()
   endif()
   set(precompiled interleaf_precompiled_${kind}${ARGN})
   if(NOT TARGET ${precompiled})
-    set(headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <string_view>
-      <vector> <fmt/core.h> <glm/glm.hpp>)
+    set(headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string>
+      <string_view> <vector> <fmt/core.h> <glm/glm.hpp>)
+    if(NOT kind STREQUAL src)
+      list(APPEND headers <nlohmann/json.hpp>)
+    endif()
     if(kind STREQUAL tests)
-      list(APPEND headers <doctest/doctest.h> <nlohmann/json.hpp>)
+      list(APPEND headers <doctest/doctest.h>)
     endif()
     set(empty ${PROJECT_BINARY_DIR}/precompiled.cpp)
     file(CONFIGURE OUTPUT ${empty} CONTENT "// Nothing but the precompiled headers.\n")
@@ -57,22 +62,18 @@ function(share_headers target kind)
   # The headers of fmt depend on a definition that its target provides.
   target_link_libraries(${target} PRIVATE fmt::fmt)
   target_precompile_headers(${target} REUSE_FROM ${precompiled})
-endfunction()
 
-# compile_together(TARGET KIND [FLAGS]): as share_headers(), and several files form one compilation. The
-# internal names of each file must then be unique in the target, and no local name may shadow them (-Wshadow).
-function(compile_together target kind)
-  share_headers(${target} ${kind} ${ARGN})
-  if(INTERLEAF_TOGETHER)
-    # Each compilation reads all the headers, so fuller ones take less time together. Under the sanitizers
-    # hardly anybody compiles single changes.
-    set(src_batch 16)
-    set(tests_batch 8)
-    if(INTERLEAF_SANITIZE)
-      set(src_batch 48)
-    endif()
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${${kind}_batch})
+  # Each compilation reads all the headers, and clang-tidy checks them, too, so fuller ones take less time together.
+  # Under the sanitizers hardly anybody compiles single changes.
+  set(batch 16)
+  if(INTERLEAF_SANITIZE AND kind STREQUAL src)
+    set(batch 72)
+  elseif(INTERLEAF_SANITIZE)
+    set(batch 24)
+  elseif(kind STREQUAL tests)
+    set(batch 8)
   endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})
 endfunction()
 
 # interleaf_library(NAME SOURCES... LINK targets...): the layer src/NAME as the target interleaf_NAME.

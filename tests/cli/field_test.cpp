@@ -43,7 +43,7 @@ std::string write_sample(const ScratchFolder& folder) {
 }
 
 /// Renders a small picture, and returns the bytes of its file.
-std::string render(std::vector<std::string> choice) {
+std::string rendered(std::vector<std::string> choice) {
     choice.insert(choice.begin(), {"render", "-o", "-", "--format", "png", "--size", "160x120"});
     const Outcome outcome = run_interleaf(choice);
     REQUIRE_MESSAGE(outcome.status == 0, outcome.errors);
@@ -87,14 +87,14 @@ TEST_CASE("every way to color by a field gives another picture") {
     std::vector<std::string> pictures;
     for (std::vector<std::string> choice : choices) {
         choice.insert(choice.begin(), {family, "--weights", "sphere=1"});
-        pictures.push_back(render(choice));
+        pictures.push_back(rendered(choice));
     }
     std::ranges::sort(pictures);
     CHECK(std::ranges::adjacent_find(pictures) == pictures.end());
-    CHECK(render({family, "--weights", "sphere=1", "--color", "plain"}) ==
-          render({family, "--weights", "sphere=1"}));
-    CHECK(render({family, "--time", "0.5", "--color", "field:height"}) ==
-          render({family, "--time", "0.5", "--color", "height"}));
+    CHECK(rendered({family, "--weights", "sphere=1", "--color", "plain"}) ==
+          rendered({family, "--weights", "sphere=1"}));
+    CHECK(rendered({family, "--time", "0.5", "--color", "field:height"}) ==
+          rendered({family, "--time", "0.5", "--color", "height"}));
 }
 
 TEST_CASE("a field that does not exist is refused, and the message names the existing fields") {
@@ -156,7 +156,7 @@ TEST_CASE("render shows the colors of an OBJ") {
     const Hierarchy key = key_with_fields("icosahedron");
     const std::string text = obj_text(key.roots.triangles(), key.positions, key.fields);
     put(folder / "m.obj", text);
-    CHECK_FALSE(render({folder / "m.obj", "--color", "color"}) == render({folder / "m.obj"}));
+    CHECK_FALSE(rendered({folder / "m.obj", "--color", "color"}) == rendered({folder / "m.obj"}));
 }
 
 }  // namespace

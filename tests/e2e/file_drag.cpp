@@ -15,7 +15,7 @@ namespace interleaf {
 
 namespace {
 
-constexpr long version = 5;
+constexpr long xdnd_version = 5;
 
 /// A list of URIs (RFC 2483). Escapes every byte but letters, digits and a few signs.
 std::string uri_list(std::span<const std::filesystem::path> files) {
@@ -47,7 +47,7 @@ class FileDrag {
         int y = 0;
         Window child = None;
         XTranslateCoordinates(display_, target_, DefaultRootWindow(display_), at.x, at.y, &x, &y, &child);
-        tell("XdndEnter", {version << 24, static_cast<long>(atom("text/uri-list")), None, None});
+        tell("XdndEnter", {xdnd_version << 24, static_cast<long>(atom("text/uri-list")), None, None});
         tell("XdndPosition",
              {0, static_cast<long>(x) << 16 | y, CurrentTime, static_cast<long>(atom("XdndActionCopy"))});
         const XClientMessageEvent status = answer("XdndStatus");

@@ -23,22 +23,22 @@ namespace {
 
 std::ptrdiff_t allocated = 0;  // negative if memory from before the count is freed
 std::ptrdiff_t at_begin = 0;
-std::ptrdiff_t most = 0;
+std::ptrdiff_t max_allocated = 0;
 
 void count(std::ptrdiff_t bytes) {
     allocated += bytes;
-    most = std::max(most, allocated);
+    max_allocated = std::max(max_allocated, allocated);
 }
 
 }  // namespace
 
 void begin_count() {
     at_begin = allocated;
-    most = allocated;
+    max_allocated = allocated;
 }
 
 std::size_t max_bytes() {
-    return static_cast<std::size_t>(most - at_begin);
+    return static_cast<std::size_t>(max_allocated - at_begin);
 }
 
 }  // namespace interleaf::fuzz

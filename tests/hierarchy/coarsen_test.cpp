@@ -123,10 +123,6 @@ RootComplex ring(Index squares) {
     return {2 * squares, std::move(triangles)};
 }
 
-RootComplex tetrahedron() {
-    return {4, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 2, 1}}};
-}
-
 /// The marking with the number \p number: its digits to base 3 are the rotations of the triangles.
 RootComplex with_marking(const RootComplex& roots, unsigned number) {
     std::vector<Triangle> triangles(roots.triangles().begin(), roots.triangles().end());

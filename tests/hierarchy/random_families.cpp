@@ -131,6 +131,10 @@ RootComplex plate(unsigned genus) {
     return compacted(triangles);
 }
 
+RootComplex tetrahedron() {
+    return {4, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 2, 1}}};
+}
+
 RootComplex octahedron() {
     return {6, {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
 }

@@ -56,6 +56,9 @@ RootComplex side_by_side(const RootComplex& a, const RootComplex& b);
 /// The surface of a plate of cubes with \p genus holes, each square split by a diagonal.
 RootComplex plate(unsigned genus);
 
+/// The four triangles of the tetrahedron.
+RootComplex tetrahedron();
+
 /// The eight triangles of the octahedron.
 RootComplex octahedron();
 

@@ -13,7 +13,7 @@ using namespace interleaf;
 
 namespace {
 
-constexpr glm::vec2 window{1280, 800};
+constexpr glm::vec2 window_size{1280, 800};
 
 /// A window whose panels follow the mouse.
 class Hand {
@@ -37,7 +37,7 @@ class Hand {
         at(to, false);
     }
 
-    Layout layout() const { return lay_out(window, 24, 1, true, 0, sizes_); }
+    Layout layout() const { return lay_out(window_size, 24, 1, true, 0, sizes_); }
     const PanelSizes& sizes() const { return sizes_; }
 
   private:
@@ -53,7 +53,7 @@ class Hand {
         }
     }
 
-    HeadlessGui gui_{window};
+    HeadlessGui gui_{window_size};
     PanelSizes sizes_;
 };
 
@@ -77,11 +77,11 @@ TEST_CASE("dragging the edge of a panel changes its size, and the surface takes 
 TEST_CASE("the surface keeps its part of the window, and a panel its least width") {
     Hand hand;
     hand.drag({hand.layout().left->right(), 300}, {1200, 300});
-    CHECK(hand.layout().left->width < 0.4F * window.x);
+    CHECK(hand.layout().left->width < 0.4F * window_size.x);
     hand.drag({hand.layout().left->right(), 300}, {2, 300});
     CHECK(hand.layout().left->width >= 100);
     hand.drag({600, hand.layout().timeline.y}, {600, 30});
-    CHECK(hand.layout().view.height >= 0.4F * window.y);
+    CHECK(hand.layout().view.height >= 0.4F * window_size.y);
 }
 
 TEST_CASE("a double click on an edge gives the panel its usual size") {

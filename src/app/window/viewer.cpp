@@ -45,7 +45,7 @@ namespace {
 constexpr glm::ivec2 first_size{1280, 800};
 
 /// Longest interval between two checks of the autosave and of the files on disk; seconds.
-constexpr double longest_wait = 1;
+constexpr double max_check_interval = 1;
 
 /// Interval between progress reports; seconds.
 constexpr double work_interval = 0.05;
@@ -59,12 +59,12 @@ struct FrameInput {
 };
 
 /// The subject of the window. The window draws again when it changes.
-struct Subject {
+struct WindowSubject {
     std::shared_ptr<const Family> family;
     std::string message;
     bool is_asking = false;     ///< whether a question or the file browser is open
     bool is_comparing = false;  ///< whether a comparison is shown instead of the document
-    bool operator==(const Subject&) const = default;
+    bool operator==(const WindowSubject&) const = default;
 };
 
 class Viewer {
@@ -112,7 +112,7 @@ class Viewer {
     // Derived from the state.
     DocumentViews views_;
     std::string title_;
-    Subject subject_;
+    WindowSubject subject_;
 
     // The last drawn frame.
     glm::ivec2 size_{0};  ///< of the window, screen coordinates
@@ -195,7 +195,7 @@ void Viewer::wait() {
     }
     const bool works =
         files_.is_working() || files_.is_saving() || files_.is_exporting() || views_.is_working();
-    const double longest = works ? work_interval : longest_wait;
+    const double longest = works ? work_interval : max_check_interval;
     const double before = glfwGetTime();
     glfwWaitEventsTimeout(longest);
     if (glfwGetTime() - before < longest) redraw_.settle();  // an event has come
@@ -302,7 +302,7 @@ void Viewer::follow_state(double now) {
         title_ = title;
         glfwSetWindowTitle(window_.handle(), fmt::format("{} – Interleaf", title).c_str());
     }
-    const Subject subject{state_.document.snapshot(), state_.message.text, is_asking(), is_comparing};
+    const WindowSubject subject{state_.document.snapshot(), state_.message.text, is_asking(), is_comparing};
     takes_keys_ = subject_.is_asking && subject.is_asking;  // a question reads no keys in its first frame
     rest_.has_changed = subject != subject_;
     subject_ = subject;

@@ -14,7 +14,7 @@ namespace interleaf {
 namespace {
 
 /// The distance of a chord from a smooth surface falls to a quarter per round.
-constexpr int max_rounds = 6;
+constexpr int max_divisions = 6;
 
 /// Divides a triangle by the middles of its sides.
 /// \param middles  of the sides from corner k to corner k + 1; no_index for a side that stays whole
@@ -52,7 +52,7 @@ void approximate_closely(const SurfaceMesh& surface, SurfaceMesh& mesh, std::vec
                          double tolerance, ProgressMeter& meter) {
     const SurfaceDistance distance(surface.triangles, surface.positions);
     Index nearest = no_index;
-    for (int round = 0; round < max_rounds; ++round) {
+    for (int round = 0; round < max_divisions; ++round) {
         const HalfEdgeMesh half_edges(static_cast<Index>(mesh.positions.size()), mesh.triangles);
         std::vector<Index> middles(3 * mesh.triangles.size(), no_index);
         const std::size_t before = mesh.positions.size();

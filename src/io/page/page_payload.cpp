@@ -28,13 +28,13 @@ namespace {
 using nlohmann::ordered_json;
 using Numbers = std::vector<std::int32_t>;
 
-struct Box {
+struct Bounds {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 };
 
-Box box_of_keys(const Family& family) {
-    Box box;
+Bounds bounds_of_keys(const Family& family) {
+    Bounds box;
     for (const Key& key : family.keys)
         for (const glm::vec3& position : key.hierarchy->positions) {
             box.low = glm::min(box.low, glm::dvec3(position));
@@ -136,8 +136,8 @@ std::string compressed(std::string_view bytes) {
     return result;
 }
 
-void append_key(std::string& bytes, const Hierarchy& key, std::span<const FamilyField> fields, const Box& box,
-                double unit) {
+void append_key(std::string& bytes, const Hierarchy& key, std::span<const FamilyField> fields,
+                const Bounds& box, double unit) {
     const Hierarchy* const only = &key;
     const UnionMesh alone = unite(std::span(&only, 1));
     for (std::size_t node = 0; node < key.node_count(); node += 8)
@@ -163,7 +163,7 @@ ordered_json fields_json(std::span<const FamilyField> fields) {
 }  // namespace
 
 PagePayload page_payload(const Family& family, const Progress& progress) {
-    const Box box = box_of_keys(family);
+    const Bounds box = bounds_of_keys(family);
     const glm::dvec3 size = box.high - box.low;
     const double longest = std::max({size.x, size.y, size.z});
     const double unit = longest > 0 ? longest / page_steps : 1;

@@ -11,7 +11,7 @@ namespace interleaf {
 
 namespace {
 
-constexpr std::string_view gap = "…";
+constexpr std::string_view omission = "…";
 
 /// The characters of \p text from \p begin on, \p size bytes or less: no character is cut.
 std::string_view head_of(std::string_view text, std::size_t size) {
@@ -28,7 +28,7 @@ std::string_view tail_of(std::string_view text, std::size_t size) {
 /// \p name with about \p kept bytes left of it.
 std::string cut_to(std::string_view name, std::size_t kept) {
     std::string text(head_of(name, kept - kept / 2));
-    text += gap;
+    text += omission;
     text += tail_of(name, kept / 2);
     return text;
 }

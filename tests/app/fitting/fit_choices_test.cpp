@@ -63,7 +63,7 @@ TEST_CASE("choices become the options of the fit, the tolerance as a part instea
     const FitOptions by_leaves = fit_options(choices, roots_called("octahedron"));
     CHECK(by_leaves.leaves == Index{321});
     CHECK_FALSE(by_leaves.tolerance);
-    CHECK(by_leaves.roots.complex == octahedron().roots);
+    CHECK(by_leaves.roots.complex == interleaf::octahedron().roots);
 
     choices.by_tolerance = true;
     choices.tolerance = "0.25";
@@ -93,7 +93,7 @@ TEST_CASE("meshes are fitted over the roots that the family has") {
     CHECK(roots_of(family).name == "icosahedron");
 
     // In another order they are roots of their own, called as the key is.
-    Hierarchy other = octahedron();
+    Hierarchy other = interleaf::octahedron();
     std::vector<Triangle> triangles(other.roots.triangles().begin(), other.roots.triangles().end());
     std::ranges::rotate(triangles, triangles.begin() + 1);
     family.keys = {

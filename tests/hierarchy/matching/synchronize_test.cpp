@@ -70,7 +70,7 @@ void move_near(Hierarchy& key, const Hierarchy& reference, Random& random) {
         key.positions[v] = reference.positions[v] + 0.001F * random.point();
 }
 
-bool is_same(const Hierarchy& a, const Hierarchy& b) {
+bool is_same_key(const Hierarchy& a, const Hierarchy& b) {
     return a.roots == b.roots && a.bits == b.bits && a.midpoints == b.midpoints && a.positions == b.positions;
 }
 
@@ -140,10 +140,6 @@ Hierarchy scattered(const RootComplex& roots, Random& random) {
     return unrefined(roots, random_points(random, roots.vertex_count()));
 }
 
-RootComplex tetrahedron() {
-    return {4, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {3, 2, 1}}};
-}
-
 }  // namespace
 
 TEST_CASE(
@@ -171,7 +167,7 @@ TEST_CASE(
         REQUIRE(check(synchronized) == std::vector<std::string>{});
         REQUIRE(synchronized.roots == reference.roots);
         REQUIRE(union_triangles(reference, synchronized) == union_triangles(reference, key));
-        REQUIRE(is_same(synchronized, key));
+        REQUIRE(is_same_key(synchronized, key));
     }
     for (int genus = 0; genus < 4; ++genus) {
         CHECK(closed_seen[genus] >= trials(125));
@@ -481,7 +477,7 @@ TEST_CASE("the search follows given roots, and the mismatch names a wrong one") 
         const std::optional<RootMatch> match = match_of(reference, shuffled, {.given = given});
         REQUIRE(match);
         REQUIRE(match->roots == given);
-        REQUIRE(is_same(with_roots_of(roots, shuffled, *match), key));
+        REQUIRE(is_same_key(with_roots_of(roots, shuffled, *match), key));
         REQUIRE(match_of(reference, shuffled, {.marked = false, .given = given}).has_value());
 
         const std::size_t a = random.below(given.size()), b = random.below(given.size());
@@ -528,11 +524,11 @@ TEST_CASE("the search ends at its limit: with a match if there is one, undecided
         scattered(renumbered(reference.roots, random_renumbering(reference.roots, random)), random);
     const std::optional<RootMatch> match = match_of(reference, key, {.step_limit = 1});
     REQUIRE(match);
-    CHECK(is_same(with_roots_of(reference.roots, key, *match), unrefined(reference.roots, [&] {
-                      Points points;
-                      for (const Index v : match->vertices) points.push_back(key.positions[v]);
-                      return points;
-                  }())));
+    CHECK(is_same_key(with_roots_of(reference.roots, key, *match), unrefined(reference.roots, [&] {
+                          Points points;
+                          for (const Index v : match->vertices) points.push_back(key.positions[v]);
+                          return points;
+                      }())));
 
     // Another torus with as many roots. Up to a large radius, each of its roots looks like each root of the
     // first.

@@ -18,13 +18,13 @@ using namespace interleaf;
 namespace {
 
 constexpr glm::vec2 window{1280, 800};
-constexpr float menu_height = 23;
+constexpr float bar_height = 23;
 
 /// How far the column scrolls.
 /// \param active  number of active keys; every set of them is an origin
 float scroll_of(Coloring coloring, std::size_t active) {
     HeadlessGui gui(window);
-    const Layout layout = lay_out(window, menu_height, 1, true, 0, {});
+    const Layout layout = lay_out(window, bar_height, 1, true, 0, {});
     std::vector<KeyRow> rows;
     for (int key = 0; key < 5; ++key) rows.push_back({fmt::format("key {}", key), 14'000, 12, 0});
     std::vector<std::size_t> keys;
@@ -76,7 +76,7 @@ TEST_CASE("the legend of many origins shows as many as there is room for") {
 
 TEST_CASE("a locked range stays while the legend still shows that of the previous coloring") {
     HeadlessGui gui(window);
-    const Layout layout = lay_out(window, menu_height, 1, true, 0, {});
+    const Layout layout = lay_out(window, bar_height, 1, true, 0, {});
     Display display;
     display.coloring = Coloring::angle;
     display.measured_range = {Coloring::angle, {10, 50}};
