@@ -13,8 +13,10 @@ namespace {
 constexpr double least_ratio = 1e-7;
 
 struct Stretch {
-    double squared;  ///< the sum of the squares of the two singular values
-    double ratio;    ///< of the areas
+    double squared;     ///< the sum of the squares of the two singular values
+    double ratio;       ///< of the areas
+    glm::dvec3 normal;  ///< as long as twice the area
+    double doubled_area;
 };
 
 Stretch stretch_at(const StretchedTriangle& triangle, const glm::dvec3& center) {
@@ -25,21 +27,29 @@ Stretch stretch_at(const StretchedTriangle& triangle, const glm::dvec3& center) 
         (triangle.cotangent_at_center * glm::dot(across, across) +
          triangle.cotangent_at_b * glm::dot(to_a, to_a) + triangle.cotangent_at_a * glm::dot(to_b, to_b)) /
         (2 * triangle.rest_area);
-    const double ratio = glm::length(glm::cross(to_a, to_b)) / (2 * triangle.rest_area);
-    return {std::max(squared, least_ratio), std::max(ratio, least_ratio)};
+    const glm::dvec3 normal = glm::cross(to_a, to_b);
+    const double doubled_area = glm::length(normal);
+    const double ratio = doubled_area / (2 * triangle.rest_area);
+    return {std::max(squared, least_ratio), std::max(ratio, least_ratio), normal, doubled_area};
+}
+
+double distortion_of(const Stretch& stretch, double rest_area) {
+    return rest_area * (1 + stretch.ratio) / 2 * stretch.squared * (1 + 1 / (stretch.ratio * stretch.ratio)) /
+           4;
 }
 
 }  // namespace
 
 double distortion_of(const StretchedTriangle& triangle, const glm::dvec3& center) {
-    const auto [squared, ratio] = stretch_at(triangle, center);
-    return triangle.rest_area * (1 + ratio) / 2 * squared * (1 + 1 / (ratio * ratio)) / 4;
+    return distortion_of(stretch_at(triangle, center), triangle.rest_area);
 }
 
-void add_distortion_derivatives(const StretchedTriangle& triangle, const glm::dvec3& center,
-                                const glm::dvec3& s, const glm::dvec3& t, double factor,
-                                TangentDerivatives& sum) {
-    const auto [squared, ratio] = stretch_at(triangle, center);
+double add_distortion_derivatives(const StretchedTriangle& triangle, const glm::dvec3& center,
+                                  const glm::dvec3& s, const glm::dvec3& t, double factor,
+                                  TangentDerivatives& sum) {
+    const Stretch stretch = stretch_at(triangle, center);
+    const double squared = stretch.squared;
+    const double ratio = stretch.ratio;
     const double area = triangle.rest_area;
     // The energy is squared * g(ratio), and g(r) = area / 8 (1 + r) (1 + 1/r^2).
     const double inverse = 1 / ratio;
@@ -51,9 +61,8 @@ void add_distortion_derivatives(const StretchedTriangle& triangle, const glm::dv
     const glm::dvec3 squared_gradient =
         (triangle.cotangent_at_b * (center - triangle.a) + triangle.cotangent_at_a * (center - triangle.b)) /
         area;
-    glm::dvec3 normal = glm::cross(triangle.a - center, triangle.b - center);
-    const double length = glm::length(normal);
-    if (length > 0) normal /= length;
+    const glm::dvec3 normal =
+        stretch.doubled_area > 0 ? stretch.normal / stretch.doubled_area : stretch.normal;
     const glm::dvec3 ratio_gradient = glm::cross(normal, triangle.b - triangle.a) / (2 * area);
     const glm::dvec2 rise_of_squared(glm::dot(squared_gradient, s), glm::dot(squared_gradient, t));
     const glm::dvec2 rise_of_ratio(glm::dot(ratio_gradient, s), glm::dot(ratio_gradient, t));
@@ -70,6 +79,7 @@ void add_distortion_derivatives(const StretchedTriangle& triangle, const glm::dv
     const double in_all_directions =
         g * std::max(triangle.cotangent_at_a + triangle.cotangent_at_b, 0.0) / area;
     sum.second += factor * (positive * glm::outerProduct(along, along) + glm::dmat2(in_all_directions));
+    return distortion_of(stretch, area);
 }
 
 }  // namespace interleaf

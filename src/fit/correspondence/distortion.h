@@ -33,8 +33,9 @@ struct TangentDerivatives {
 
 /// Adds the derivatives of \p factor times distortion_of().
 /// \param s,t  orthonormal axes of the tangent plane
-void add_distortion_derivatives(const StretchedTriangle& triangle, const glm::dvec3& center,
-                                const glm::dvec3& s, const glm::dvec3& t, double factor,
-                                TangentDerivatives& sum);
+/// \return     distortion_of(), to the last bit
+double add_distortion_derivatives(const StretchedTriangle& triangle, const glm::dvec3& center,
+                                  const glm::dvec3& s, const glm::dvec3& t, double factor,
+                                  TangentDerivatives& sum);
 
 }  // namespace interleaf

@@ -23,7 +23,9 @@ namespace {
 
 /// The fractions of the whole work at which its parts begin.
 constexpr double moving_begins = 0.1;
-constexpr double model_moves_from = 0.35;
+constexpr double model_moves_from = 0.2;
+constexpr double going_on_begins = 0.3;
+constexpr double model_goes_on_from = 0.45;
 constexpr double finishing_begins = 0.6;
 
 /// The same of the comparison of one body.
@@ -41,6 +43,9 @@ constexpr double max_disagreement = 0.01;
 /// Bodies whose distortion stays above this have no parts that correspond, and no good key of a match. With landmarks,
 /// a person knows better.
 constexpr double hopeless_distortion = 3.5;
+
+/// The model's mesh moves on alone if the body's mesh starts with this multiple of its energy.
+constexpr double clearly_worse = 1.1;
 
 /// At the end, shapes on the sphere are restored where their distortion is larger than the first of these; where that
 /// gives no good key, than the next. Each attempt takes as long as a key. Landmarks promise that one will do.
@@ -155,53 +160,40 @@ class Match {
         return mean_of(own_mesh_.figures(), models_mesh_.figures());
     }
 
-    /// Moves the body's mesh over the model. The result never turns over.
-    std::optional<Candidate> move_own_mesh() {
-        own_mesh_.put_at_own_points();
-        own_mesh_.set_weights(own_weights_);
-        movement_.part_begins = moving_begins;
-        movement_.part_ends = model_moves_from;
-        own_mesh_.avoid_needles();
-        MovementOptions options = movement_;
-        if (body_.landmarks.empty()) options.max_distortion = hopeless_distortion;
-        const MovementResult movement = move_to_best(own_mesh_, options, meter_);
-        are_too_unlike_ = movement.outcome == MovementOutcome::too_unlike;
-        if (movement.outcome != MovementOutcome::moved) return std::nullopt;
-        Candidate candidate;
-        CoarsenedMesh compared = compared_;
-        candidate.points = finished_map(body_, compared, own_mesh_.places().on_sphere, meter_);
-        candidate.passes = movement.passes;
-        return finished(std::move(candidate));
-    }
-
-    /// Whether move_own_mesh() gave up.
-    bool are_too_unlike() const { return are_too_unlike_; }
-
-    /// Moves the model's mesh over the body, and inverts the result. This heeds details that only the model has.
-    /// \param tries_hard  where triangles stay turned over, tries again with more weight on shapes, which takes as long
-    ///                    again
-    std::optional<Candidate> move_models_mesh(bool tries_hard) {
-        const Progress still = part_of(progress_, model_moves_from, model_moves_from);
-        const SphereMesh models_mesh = compared_part(model_.mesh(), models_vertices_, still).mesh;
-        const MatchedBody even_model(models_mesh, still);
-        const MatchedBody even_body(compared_part(body_, movement_.vertices, still).mesh, still);
-        MovingMesh moving(even_model, even_body, meter_);
-        movement_.part_begins = model_moves_from;
-        movement_.part_ends = finishing_begins;
-        movement_.vertices = models_mesh.points.size();
-        if (!body_.landmarks.empty()) movement_.max_idle_passes = movement_.max_passes;
-        const MovementResult movement = move_to_best(moving, movement_, meter_);
-        if (movement.outcome != MovementOutcome::moved) return std::nullopt;
-        Candidate candidate;
-        candidate.passes = movement.passes;
-        for (const double stiffness : {1.0, 10.0, 40.0}) {
-            // Less strained places are pulled back with fewer triangles turned over.
-            if (stiffness > 1) moving.relax_stiffly(stiffness);
-            candidate.points = pull_back(body_, models_mesh, moving.places().on_sphere, meter_);
-            if (!tries_hard || is_one_to_one(candidate)) break;
+    /// Moves the body's mesh over the model and, unless that is good, the model's mesh over the body, which heeds
+    /// details that only the model has. If the first way starts clearly worse, it waits for waiting_candidates(). The
+    /// second way never waits, since its later passes gain more.
+    /// \param tries_hard  where triangles stay turned over, tries again with more weight on shapes
+    /// \return the best first; none if are_too_unlike()
+    std::vector<Candidate> candidates(bool tries_hard) {
+        start_own();
+        if (are_too_unlike_) return {};
+        std::vector<Candidate> found;
+        if (own_.figures && own_.figures->distortion <= good_distortion) {
+            go_on_with_own({model_moves_from, model_moves_from}, found);
+            if (!found.empty()) return found;
         }
-        return finished(std::move(candidate));
+        start_models();
+        if (!own_.has_gone_on && !is_own_clearly_worse())
+            go_on_with_own({going_on_begins, model_goes_on_from}, found);
+        if (models_.movement) {
+            models_.movement->go_on({model_goes_on_from, finishing_begins});
+            if (auto candidate = models_candidate(tries_hard)) found.push_back(std::move(*candidate));
+        }
+        std::ranges::sort(found, {}, [](const Candidate& candidate) { return candidate.figures.energy; });
+        return found;
     }
+
+    /// The candidate of the way that candidates() left waiting, if there is one.
+    /// \param part  of the whole work that is done
+    std::vector<Candidate> waiting_candidates(double part) {
+        std::vector<Candidate> found;
+        if (!own_.has_gone_on) go_on_with_own({part, part}, found);
+        return found;
+    }
+
+    /// Whether candidates() found no parts that correspond.
+    bool are_too_unlike() const { return are_too_unlike_; }
 
     /// \return false if there is nothing to restore
     bool restore(double worst_shape, Candidate& candidate) {
@@ -219,6 +211,80 @@ class Match {
     }
 
   private:
+    /// One mesh that moves over the other body.
+    struct Way {
+        std::optional<Movement> movement;  ///< none if there is no room
+        std::optional<MatchFigures>
+            figures;  ///< of the candidate after the first passes, if that is one to one
+        bool has_gone_on = false;
+    };
+
+    bool is_own_clearly_worse() const {
+        if (!own_.figures || !models_.movement) return false;
+        if (models_.figures && own_.figures->energy > clearly_worse * models_.figures->energy) return true;
+        return body_.landmarks.empty() && own_.figures->distortion > hopeless_distortion;
+    }
+
+    void start_own() {
+        begin_part(moving_begins);
+        own_mesh_.put_at_own_points();
+        own_mesh_.set_weights(own_weights_);
+        MovingMesh moving = own_mesh_;
+        moving.avoid_needles();
+        own_.movement.emplace(std::move(moving), movement_, meter_);
+        if (!own_.movement->start({moving_begins, model_moves_from})) return own_.movement.reset();
+        are_too_unlike_ =
+            body_.landmarks.empty() && own_.movement->figures().distortion > hopeless_distortion;
+        if (are_too_unlike_) return;
+        if (const auto candidate = own_candidate()) own_.figures = candidate->figures;
+    }
+
+    void go_on_with_own(const PartOfWork& part, std::vector<Candidate>& found) {
+        own_.has_gone_on = true;
+        if (!own_.movement) return;
+        own_.movement->go_on(part);
+        if (auto candidate = own_candidate()) found.push_back(std::move(*candidate));
+    }
+
+    /// The result never turns over.
+    std::optional<Candidate> own_candidate() {
+        const std::optional<MovingMesh> moved = own_.movement->finished();
+        if (!moved) return std::nullopt;
+        CoarsenedMesh compared = compared_;
+        Candidate candidate;
+        candidate.points = finished_map(body_, compared, moved->places().on_sphere, meter_);
+        candidate.passes = own_.movement->passes();
+        return finished(std::move(candidate));
+    }
+
+    void start_models() {
+        const Progress still = part_of(progress_, model_moves_from, model_moves_from);
+        even_model_.emplace(compared_part(model_.mesh(), models_vertices_, still).mesh, still);
+        even_body_.emplace(compared_part(body_, movement_.vertices, still).mesh, still);
+        begin_part(model_moves_from);
+        MovementOptions options = movement_;
+        options.vertices = even_model_->points().size();
+        if (!body_.landmarks.empty()) options.max_idle_passes = options.max_passes;
+        models_.movement.emplace(MovingMesh(*even_model_, *even_body_, meter_), options, meter_);
+        if (!models_.movement->start({model_moves_from, going_on_begins})) return models_.movement.reset();
+        if (const auto candidate = models_candidate(false)) models_.figures = candidate->figures;
+    }
+
+    /// Inverts the movement of the model's mesh.
+    std::optional<Candidate> models_candidate(bool tries_hard) {
+        std::optional<MovingMesh> moved = models_.movement->finished();
+        if (!moved) return std::nullopt;
+        Candidate candidate;
+        candidate.passes = models_.movement->passes();
+        for (const double stiffness : {1.0, 10.0, 40.0}) {
+            // Less strained places are pulled back with fewer triangles turned over.
+            if (stiffness > 1) moved->relax_stiffly(stiffness);
+            candidate.points = pull_back(body_, even_model_->mesh(), moved->places().on_sphere, meter_);
+            if (!tries_hard || is_one_to_one(candidate)) break;
+        }
+        return finished(std::move(candidate));
+    }
+
     std::optional<Candidate> finished(Candidate candidate) {
         if (candidate.points.empty() || !is_one_to_one(candidate)) return std::nullopt;
         restore_shapes(body_, worst_shapes.front(), candidate.points, meter_);
@@ -235,10 +301,14 @@ class Match {
     MovementOptions movement_;
     const Progress& progress_;
     ProgressMeter meter_;
-    MovingMesh own_mesh_;
+    MovingMesh own_mesh_;  ///< with all its vertices, to measure
     MovingMesh models_mesh_;
     MatchWeights own_weights_;
     MatchWeights models_weights_;
+    Way own_;
+    std::optional<MatchedBody> even_model_;
+    std::optional<MatchedBody> even_body_;
+    Way models_;
     bool are_too_unlike_ = false;
 };
 
@@ -279,42 +349,39 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
     const double disagreement = report.before.energy - MatchWeights().distortion * report.before.distortion;
     if (report.before.distortion < options.enough && disagreement < max_disagreement)
         return unmatched(std::move(report), "the maps agree already");
-    std::vector<Candidate> candidates;
-    if (auto own = both.move_own_mesh()) candidates.push_back(std::move(*own));
-    if (both.are_too_unlike()) return unmatched(std::move(report), "the bodies are too unlike");
-    if (candidates.empty() || candidates.front().figures.distortion > good_distortion)
-        if (auto models = both.move_models_mesh(!held.empty())) candidates.push_back(std::move(*models));
-    if (candidates.empty())
-        return unmatched(std::move(report), "there is no room for a vertex, or triangles turn over");
-    if (candidates.back().figures.energy < candidates.front().figures.energy)
-        std::swap(candidates.front(), candidates.back());
-
     const std::span<const double> attempts =
         held.empty() ? std::span<const double>(worst_shapes) : worst_shapes_with_landmarks;
-    const double attempt = (1 - finishing_begins) / double(candidates.size() * attempts.size());
+    const double attempt = (1 - finishing_begins) / double(2 * attempts.size());  // both ways
     double part = finishing_begins;
-    std::string fault = "the matched map agrees no better";
-    for (Candidate& candidate : candidates) {
-        for (const double worst : attempts) {
-            both.begin_part(part);
-            part += attempt;
-            if (worst < attempts.front() && !both.restore(worst, candidate)) continue;
-            if (!both.is_one_to_one(candidate) || !(candidate.figures.energy < report.before.energy)) break;
-            MatchedMap matched{.mesh = with_middles(mesh, halved, body.triangles),
-                               .points = candidate.points,
-                               .report = report};
-            matched.report.after = candidate.figures;
-            matched.report.passes = candidate.passes;
-            const std::string fault_of_key =
-                judge ? judge(matched, part_of(progress, part - attempt, part)) : "";
-            if (fault_of_key.empty()) {
-                both.begin_part(1);
-                return matched;
+    std::string fault = "there is no room for a vertex, or triangles turn over";
+    for (const bool are_first : {true, false}) {
+        std::vector<Candidate> candidates =
+            are_first ? both.candidates(!held.empty()) : both.waiting_candidates(part);
+        if (both.are_too_unlike()) return unmatched(std::move(report), "the bodies are too unlike");
+        for (Candidate& candidate : candidates) {
+            if (report.passes == 0) fault = "the matched map agrees no better";
+            if (report.passes == 0) report.passes = candidate.passes;
+            for (const double worst : attempts) {
+                both.begin_part(part);
+                part += attempt;
+                if (worst < attempts.front() && !both.restore(worst, candidate)) continue;
+                if (!both.is_one_to_one(candidate) || !(candidate.figures.energy < report.before.energy))
+                    break;
+                MatchedMap matched{.mesh = with_middles(mesh, halved, body.triangles),
+                                   .points = candidate.points,
+                                   .report = report};
+                matched.report.after = candidate.figures;
+                matched.report.passes = candidate.passes;
+                const std::string fault_of_key =
+                    judge ? judge(matched, part_of(progress, part - attempt, part)) : "";
+                if (fault_of_key.empty()) {
+                    both.begin_part(1);
+                    return matched;
+                }
+                fault = "no good key: " + fault_of_key;
             }
-            fault = "no good key: " + fault_of_key;
         }
     }
-    report.passes = candidates.front().passes;
     return unmatched(std::move(report), std::move(fault));
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "fit/correspondence/moving_mesh.h"
 #include "fit/mesh/progress_meter.h"
@@ -14,26 +16,60 @@ struct MovementOptions {
     int max_passes = 10;          ///< at least 1
     double enough = 1.01;         ///< no further pass once the distortion is below this
     int max_idle_passes = 2;      ///< no further pass after so many that gain less than a hundredth
-    /// Bodies are too unlike if the distortion is above this after the first three passes. Then the passes end.
-    double max_distortion = std::numeric_limits<double>::infinity();
-    double part_begins = 0;  ///< fractions of the meter's work
-    double part_ends = 1;
 };
 
-enum class MovementOutcome {
-    moved,
-    no_room,  ///< for all vertices
-    too_unlike
+/// Fractions of the meter's work.
+struct PartOfWork {
+    double begin = 0;
+    double end = 1;
 };
 
-struct MovementResult {
-    MovementOutcome outcome = MovementOutcome::no_room;
-    int passes = 0;
-};
+/// The passes of one moving mesh over one body.
+class Movement {
+  public:
+    /// \param mesh   with all its vertices, which put_at_own_points() has placed
+    /// \param meter  must outlive this object
+    /// \throw Cancelled
+    Movement(MovingMesh mesh, const MovementOptions& options, ProgressMeter& meter);
 
-/// Leaves the vertices of \p mesh in their best places; in no useful places unless the outcome is `moved`.
-/// \param mesh  with all its vertices, which put_at_own_points() has placed
-/// \throw Cancelled
-MovementResult move_to_best(MovingMesh& mesh, const MovementOptions& options, ProgressMeter& meter);
+    /// Makes the first passes. Only the best of them reaches the finest mesh.
+    /// \return false if there is no room for the vertices
+    /// \throw Cancelled
+    bool start(const PartOfWork& part);
+
+    /// Makes the other passes.
+    /// \pre start() found room
+    /// \throw Cancelled
+    void go_on(const PartOfWork& part);
+
+    /// How well the bodies agree so far.
+    /// \pre start() found room
+    const MatchFigures& figures() const { return best_.figures; }
+
+    /// The mesh with all its vertices in their best places so far; none if there is no room for all.
+    /// \pre start() found room
+    /// \throw Cancelled
+    std::optional<MovingMesh> finished() const;
+
+    int passes() const { return passes_; }
+
+  private:
+    struct Best {
+        MovingMesh::Places places;
+        MatchFigures figures{.energy = std::numeric_limits<double>::infinity()};
+    };
+
+    void enter_pass(const PartOfWork& part, int all_passes);
+    void coarsen_own(std::uint32_t variation);
+    bool has_found() const { return best_.figures.energy < std::numeric_limits<double>::infinity(); }
+    void relax_coarse();
+    double keep_if_better();
+
+    MovingMesh mesh_;
+    MovementOptions options_;
+    ProgressMeter& meter_;
+    Best best_;
+    int passes_ = 0;
+};
 
 }  // namespace interleaf

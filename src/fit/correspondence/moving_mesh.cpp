@@ -210,9 +210,9 @@ void MovingMesh::restore_all() {
         if (mesh_.has_triangle(t)) update_shape(t);
 }
 
-bool MovingMesh::refine(int sweeps) {
+bool MovingMesh::refine(int sweeps, std::size_t until) {
     double next = level_growth * double(count_);
-    while (collapses_.size() > base_) {
+    while (collapses_.size() > base_ && !(relaxed_count_ == count_ && count_ >= until)) {
         const Index half_edge = collapses_.back();
         if (!restore(half_edge)) {
             restore_all();

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -85,8 +86,9 @@ class MovingMesh {
 
     /// Undoes all collapses beyond the base. Each vertex goes to the best of several places in the kernel of its star. Whenever
     /// the mesh has grown by a quarter, it is relaxed by at most \p sweeps sweeps.
+    /// \param until  returns when the mesh has so many vertices after it was relaxed; more go on from there
     /// \return false if there is no room for a vertex; then the vertices of the base are in no useful places
-    bool refine(int sweeps);
+    bool refine(int sweeps, std::size_t until = std::numeric_limits<std::size_t>::max());
 
     /// Undoes all collapses beyond the base. The vertices are then in no useful places.
     void restore_all();

@@ -115,11 +115,14 @@ void MovingMesh::put(Index vertex, const MeshPoint& place) {
 /// Moves the vertex of the gathered star, if that lowers its energy and its triangles stay positive.
 /// \return the new energy
 std::optional<double> MovingMesh::try_place(Index vertex, const MeshPoint& place, double energy) {
-    const double there = star_energy(vertex, place, onto_.position(place));
+    const glm::dvec3 position = onto_.position(place);
+    const double there = star_energy(vertex, place, position);
     if (!(there < energy)) return std::nullopt;
     const glm::dvec3 point = onto_.point(place);
     if (!is_positive_at(point) || (avoids_needles_ && !is_roomy_at(point))) return std::nullopt;
-    put(vertex, place);
+    places_.on_mesh[vertex] = place;
+    places_.in_space[vertex] = position;
+    places_.on_sphere[vertex] = point;
     return there;
 }
 
@@ -184,13 +187,14 @@ double MovingMesh::relax_vertex(Index vertex) {
     add_data_derivatives(vertex, frame.s_axis, frame.t_axis, derivatives);
     double squared_size = 0;
     double area = 0;
+    double distortion = 0;
     for (const StarSide& side : star_) {
-        add_distortion_derivatives(side.triangle, position, frame.s_axis, frame.t_axis, weights_.distortion,
-                                   derivatives);
+        distortion += add_distortion_derivatives(side.triangle, position, frame.s_axis, frame.t_axis,
+                                                 weights_.distortion, derivatives);
         squared_size = std::max(squared_size, squared_norm(side.triangle.a - position));
         area += side.triangle.rest_area;
     }
-    const double energy = star_energy(vertex, place, position);
+    const double energy = weights_.distortion * distortion + data_energy(vertex, place, position);
     glm::dmat2& second = derivatives.second;
     second += glm::dmat2(1e-6 * (second[0][0] + second[1][1]));
     const double determinant = second[0][0] * second[1][1] - second[0][1] * second[1][0];

@@ -18,7 +18,6 @@ namespace interleaf {
 namespace {
 
 constexpr int max_rounds = 6;
-
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
 /// Fractions of the way to a neighbor that are tried, towards it and away from it.
@@ -88,11 +87,6 @@ bool is_faulty(const Triangle& leaf, const SampledSurface& surface, const Mapped
 struct Fault {
     int turned_over = 0;
     double cosine = -1;  ///< of the least angle, or of the wanted angle if that is smaller
-
-    bool is_less_than(const Fault& other) const {
-        return turned_over <= other.turned_over && cosine <= other.cosine &&
-               (turned_over < other.turned_over || cosine < other.cosine);
-    }
 };
 
 /// The place of a vertex of the key.
@@ -175,7 +169,8 @@ class Smoothing {
     void assign_anew(std::span<const Index> star);
     std::vector<Index> faulty_leaves(ProgressMeter& meter) const;
     bool improve(Index vertex);
-    std::vector<Place> better_places(Index vertex, const Fault& before);
+    std::vector<std::pair<double, Place>> better_places(Index vertex, const Fault& before);
+    bool is_better(Index vertex, double cosine, const Fault& before) const;
     double max_distance(ProgressMeter& meter) const;
     bool is_near(Index vertex, std::span<const glm::dvec3> grid) const;
 
@@ -270,9 +265,8 @@ std::vector<Index> Smoothing::faulty_leaves(ProgressMeter& meter) const {
         found.emplace_back(-here.turned_over - here.cosine, leaf);
     }
     std::ranges::sort(found);
-    std::vector<Index> leaves;
-    leaves.reserve(found.size());
-    for (const auto& [ignored, leaf] : found) leaves.push_back(leaf);
+    std::vector<Index> leaves(found.size());
+    std::ranges::transform(found, leaves.begin(), &std::pair<double, Index>::second);
     return leaves;
 }
 
@@ -328,8 +322,8 @@ bool Smoothing::is_near(Index vertex, std::span<const glm::dvec3> grid) const {
     return true;
 }
 
-/// Places at which the star stays one to one and its angles are no worse than before, best first.
-std::vector<Place> Smoothing::better_places(Index vertex, const Fault& before) {
+/// Places at which the star stays one to one, with the cosines of its least angles, no worse than before; best first.
+std::vector<std::pair<double, Place>> Smoothing::better_places(Index vertex, const Fault& before) {
     const Place here = place_of(vertex);
     std::vector<std::pair<double, Place>> found;
     for (const Index leaf : star(vertex)) {
@@ -352,21 +346,27 @@ std::vector<Place> Smoothing::better_places(Index vertex, const Fault& before) {
     }
     put(vertex, here);
     std::ranges::stable_sort(found, {}, &std::pair<double, Place>::first);
-    std::vector<Place> better;
-    better.reserve(found.size());
-    for (const auto& [ignored, place] : found) better.push_back(place);
-    return better;
+    if (found.size() > max_places) found.resize(max_places);
+    return found;
+}
+
+/// Whether the star of \p vertex is less faulty than before, with \p cosine of its least angle.
+bool Smoothing::is_better(Index vertex, double cosine, const Fault& before) const {
+    int allowed = before.turned_over - (std::max(cosine, good_cosine_) < before.cosine ? 0 : 1);
+    if (allowed < 0) return false;
+    return std::ranges::all_of(star(vertex), [&](Index leaf) {
+        allowed -= is_turned_over(leaves_[leaf], surface_, mapped_);
+        return allowed >= 0;
+    });
 }
 
 /// Moves the vertex to the first place that improves its star and is near enough to the surface.
 bool Smoothing::improve(Index vertex) {
     const Fault before = fault(star(vertex));
     const Place here = place_of(vertex);
-    std::size_t tried = 0;
-    for (const Place& place : better_places(vertex, before)) {
-        if (tried++ == max_places) break;
+    for (const auto& [cosine, place] : better_places(vertex, before)) {
         put(vertex, place);
-        if (fault(star(vertex)).is_less_than(before) && is_near(vertex, coarse_grid_) &&
+        if (is_better(vertex, cosine, before) && is_near(vertex, coarse_grid_) &&
             is_near(vertex, places_between_)) {
             assign_anew(star(vertex));
             for (const Index leaf : star(vertex))

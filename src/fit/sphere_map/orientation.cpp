@@ -53,13 +53,14 @@ class Expansion {
 int orientation(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     // Differences of near points are exact or nearly exact, so the filter can decide triangles far smaller
     // than its error on det(a, b, c) itself.
-    constexpr double relative_error = 32 * std::numeric_limits<double>::epsilon();
+    constexpr double relative_error = 33 * std::numeric_limits<double>::epsilon();
     const glm::dvec3 ab = b - a;
     const glm::dvec3 ac = c - a;
     const double determinant = glm::dot(a, glm::cross(ab, ac));
-    const double bound = relative_error * std::sqrt(glm::dot(a, a) * glm::dot(ab, ab) * glm::dot(ac, ac));
-    if (determinant > bound) return 1;
-    if (determinant < -bound) return -1;
+    // Squared, since a square root takes as long as all the rest. Where the squares underflow, no sign is decided here.
+    const double squared_bound =
+        relative_error * relative_error * (glm::dot(a, a) * glm::dot(ab, ab) * glm::dot(ac, ac));
+    if (determinant * determinant > squared_bound) return determinant > 0 ? 1 : -1;
 
     Expansion sum;
     sum.add_product(a.x, b.y, c.z);

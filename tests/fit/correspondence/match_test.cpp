@@ -15,6 +15,7 @@
 #include "fit/fit.h"
 #include "fit/landmarks/pinned_map.h"
 #include "fit/mesh/half_edge_mesh.h"
+#include "fit/mesh/progress_meter.h"
 #include "fit/star_shapes.h"
 
 using namespace interleaf;
@@ -249,6 +250,29 @@ TEST_CASE("bodies that are too unlike are given up after the first passes, witho
     CHECK(judged == 0);
     CHECK(matched.points.empty());
     CHECK(matched.report.after.energy == matched.report.before.energy);
+}
+
+TEST_CASE(
+    "a refinement that stops on the way and goes on ends in the same places as one that does not stop") {
+    const MappedMesh first = body_on_mesh(3, glm::dmat3(1), 0);
+    const MappedMesh second = body_on_mesh(3, turn_about_z(0.5), 0.1);
+    const auto model = model_of(first.mesh, first.points, glm::dmat3(1), {}, quick, {});
+    const auto body = model_of(second.mesh, second.points, glm::dmat3(1), {}, quick, {});
+    const Progress none;
+    ProgressMeter meter(none);
+    constexpr int sweeps = 5;
+    constexpr std::size_t on_the_way = 200;
+    MovingMesh whole(*body, *model, meter);
+    const std::size_t all = whole.count();
+    whole.coarsen_to(100, 0, false);
+    MovingMesh stopped = whole;
+    REQUIRE(stopped.refine(sweeps, on_the_way));
+    CHECK(stopped.count() >= on_the_way);
+    CHECK(stopped.count() < all);
+    REQUIRE(stopped.refine(sweeps));
+    REQUIRE(whole.refine(sweeps));
+    CHECK(stopped.count() == all);
+    CHECK(stopped.places().on_sphere == whole.places().on_sphere);
 }
 
 TEST_CASE("undoing all collapses of a coarsening restores the mesh") {
