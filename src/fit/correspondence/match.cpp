@@ -37,7 +37,8 @@ constexpr std::size_t finest_part = 3;
 /// The model's mesh also moves over the body, unless the distortion is below this without that.
 constexpr double good_distortion = 1.15;
 
-/// Maps of a small distortion agree already if the rest of the energy, differences of places and normals, is below this.
+/// Maps of a small distortion agree already if the rest of the energy, differences of places and normals, is below
+/// this.
 constexpr double max_disagreement = 0.01;
 
 /// Bodies whose distortion stays above this have no parts that correspond, and no good key of a match. With landmarks,

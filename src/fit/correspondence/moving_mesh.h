@@ -84,8 +84,8 @@ class MovingMesh {
     /// \param heeds_places   also keeps good shapes on the other body, and removes strained vertices first
     void coarsen_to(std::size_t vertices, std::uint32_t variation, bool heeds_places);
 
-    /// Undoes all collapses beyond the base. Each vertex goes to the best of several places in the kernel of its star. Whenever
-    /// the mesh has grown by a quarter, it is relaxed by at most \p sweeps sweeps.
+    /// Undoes all collapses beyond the base. Each vertex goes to the best of several places in the kernel of its star.
+    /// Whenever the mesh has grown by a quarter, it is relaxed by at most \p sweeps sweeps.
     /// \param until  returns when the mesh has so many vertices after it was relaxed; more go on from there
     /// \return false if there is no room for a vertex; then the vertices of the base are in no useful places
     bool refine(int sweeps, std::size_t until = std::numeric_limits<std::size_t>::max());

@@ -45,8 +45,9 @@ constexpr TextRow text_rows[] = {
      RowOf::picture},
     {"Rate", "frames per second", "30 is usual; 60 is smoother, and the file larger", &FilmChoices::rate,
      RowOf::film},
-    {"From", "seconds", "The time that the first frame shows", &FilmChoices::begin, RowOf::film},
-    {"To", "seconds", "The time at which the film ends", &FilmChoices::end, RowOf::film},
+    {"From", "on the timeline or path", "The time that the first frame shows", &FilmChoices::begin,
+     RowOf::film},
+    {"To", "on the timeline or path", "The time at which the film ends", &FilmChoices::end, RowOf::film},
     {"Turn", "degrees of the camera in the whole film", "360 turns once around the surface",
      &FilmChoices::turn, RowOf::film}};
 constexpr CheckRow check_rows[] = {
