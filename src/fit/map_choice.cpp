@@ -96,7 +96,9 @@ SampledSurface sampled(const AlignedMap& map, const SphereRoots& roots, const Pr
 
 /// How far the vertices of the mapped mesh are from the key at most, as a fraction of the box diagonal. This takes a
 /// tenth of the time of quality_of(), and is no more than the Hausdorff distance from the mapped mesh.
-double distance_at_vertices(const AlignedMap& map, const SampledSurface& surface) {
+double distance_at_vertices(const AlignedMap& map, const SampledSurface& surface, const Progress& progress) {
+    ProgressMeter meter(progress);
+    meter.enter("measuring", 0);
     std::vector<Triangle> leaves;
     leaves.reserve(surface.leaves.size());
     for (const Leaf& leaf : surface.leaves) leaves.push_back(leaf.vertices);
@@ -104,8 +106,10 @@ double distance_at_vertices(const AlignedMap& map, const SampledSurface& surface
     const SurfaceDistance to_key(leaves, positions);
     Index nearest = no_index;
     double largest = 0;
-    for (const glm::dvec3& position : map.mesh().positions)
+    for (const glm::dvec3& position : map.mesh().positions) {
         largest = std::max(largest, to_key(position, nearest));
+        meter.step();
+    }
     return largest / box_diagonal(map.original);
 }
 
@@ -114,12 +118,15 @@ double distance_at_vertices(const AlignedMap& map, const SampledSurface& surface
 /// matched map that folds over the surface.
 JudgedMap judged(FoundMap candidate, const SphereRoots& roots, const FitLimits& limits, Stopwatch& stopwatch,
                  const Progress& progress) {
-    const bool is_far =
-        candidate.map->has_large_triangles && candidate.is_bad(limits) &&
-        distance_at_vertices(*candidate.map, candidate.surface) > far_from_accepted * limits.hausdorff;
+    const auto is_far = [&] {
+        const double distance =
+            distance_at_vertices(*candidate.map, candidate.surface, part_of(progress, 0, 0.2));
+        stopwatch.lap("measuring");
+        return distance > far_from_accepted * limits.hausdorff;
+    };
     const bool is_folded = candidate.map->is_matched && candidate.flipped_part(limits) > lost_flipped_part;
-    if (is_far || is_folded) {
-        const FitQuality quality = quality_of(*candidate.map, candidate.surface, progress);
+    if (is_folded || (candidate.map->has_large_triangles && candidate.is_bad(limits) && is_far())) {
+        const FitQuality quality = quality_of(*candidate.map, candidate.surface, part_of(progress, 0.2, 1));
         stopwatch.lap("measuring");
         return {std::move(candidate.map), std::move(candidate.surface), quality, candidate.method,
                 candidate.agreement};

@@ -1,6 +1,6 @@
 // A running `interleaf view` with a user before it: does what the user does, and sees what the user sees. A
-// wait of more than a minute fails the test, with a message that names the missing event, and so does a
-// message of OpenGL (KHR_debug).
+// wait of more than a minute fails the test, with a message that names the missing event. So does a wait after
+// OpenGL has complained (KHR_debug).
 #pragma once
 
 #include <filesystem>

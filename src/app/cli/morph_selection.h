@@ -24,7 +24,7 @@ struct MorphSelection {
     std::vector<std::filesystem::path>
         family;                       ///< paths that open_family() takes; empty for the built-in family
     std::optional<glm::dvec2> at;     ///< point of the parameter domain
-    std::optional<double> time;       ///< on the timeline or the path, in its unit
+    std::optional<double> time;       ///< on the timeline or the path, in the unit of its times
     std::optional<TimeSource> along;  ///< to which of the two `time` belongs; by default the family's choice
     std::optional<std::vector<NamedWeight>> weights;  ///< used as given
 };

@@ -59,10 +59,11 @@ void add_morph_selection(CLI::App& command, MorphSelection& morph) {
     CLI::Option* at = add_text_option(
         command, "--at", "A point of the parameter domain; a point outside moves to the nearest inside",
         [&morph](const std::string& text) { morph.at = parse_point(text); });
-    CLI::Option* time = add_text_option(
-        command, "--time",
-        "A time on the timeline or the path, in its unit; a time outside moves to the nearest end",
-        [&morph](const std::string& text) { morph.time = parse_number(text); });
+    CLI::Option* time =
+        add_text_option(command, "--time",
+                        "A time on the timeline or the path, in the unit of its times; a time outside moves "
+                        "to the nearest end",
+                        [&morph](const std::string& text) { morph.time = parse_number(text); });
     CLI::Option* weights =
         add_text_option(command, "--weights", "Weights of keys, used as given",
                         [&morph](const std::string& text) { morph.weights = parse_weights(text); });

@@ -3,8 +3,8 @@
 //
 // A new kind of source is one more alternative of Opening. The window and family_of() name all alternatives
 // (std::visit), so the compiler lists the places that must say what to do with the new one. Commands use family_of(),
-// which imports a series at once; the window imports it on a worker. Three commands first look for one alternative:
-// `check` for meshes to fit, `lod` for keys, and `info` for families and series.
+// which imports a series at once; the window imports it on a worker. Three commands first look for some alternatives:
+// `check` for meshes to fit, `lod` for series and keys, and `info` for families and series.
 #pragma once
 
 #include <filesystem>

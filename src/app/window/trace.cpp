@@ -15,6 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Drivers that number buffers in their messages can make any number of different ones.
+constexpr std::size_t max_messages = 20;
+
 Json json_of(const Rect& rect) {
     return {rect.x, rect.y, rect.width, rect.height};
 }
@@ -168,7 +171,8 @@ void Trace::record(std::size_t frame, double seconds, const ViewerState& state, 
     json["panels"] = {{"weights", json_of(record.shown.weights, *record.shown.family)},
                       {"legend", record.shown.legend_keys}};
     for (const std::string& message : record.opengl_messages)
-        if (std::ranges::find(opengl_messages_, message) == opengl_messages_.end())
+        if (opengl_messages_.size() < max_messages &&
+            std::ranges::find(opengl_messages_, message) == opengl_messages_.end())
             opengl_messages_.push_back(message);
     json["opengl_messages"] = opengl_messages_;
     std::string members = json.dump(-1, ' ', false, Json::error_handler_t::replace).substr(1);

@@ -47,7 +47,7 @@ class Trace {
     explicit Trace(const std::filesystem::path& path);
 
     /// Writes a line, unless it differs from the last line only in \p frame and \p seconds. Each line has the
-    /// complaints of OpenGL so far, so that a reader of some lines misses none.
+    /// first complaints of OpenGL so far, so that a reader of some lines misses none.
     /// \param frame    number of the frame
     /// \param seconds  time at which the frame was shown, seconds since GLFW was ready
     /// \throw MachineError if the file cannot be written
@@ -58,7 +58,7 @@ class Trace {
     std::filesystem::path path_;
     std::ofstream file_;
     std::string last_;
-    std::vector<std::string> opengl_messages_;  ///< so far, each once
+    std::vector<std::string> opengl_messages_;  ///< the first ones so far, each once
 };
 
 }  // namespace interleaf

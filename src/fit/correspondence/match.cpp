@@ -45,7 +45,7 @@ constexpr double max_disagreement = 0.01;
 /// a person knows better.
 constexpr double hopeless_distortion = 3.5;
 
-/// The model's mesh moves on alone if the body's mesh starts with this multiple of its energy.
+/// The body's mesh waits if its energy after the first passes is over this multiple of that of the model's mesh.
 constexpr double clearly_worse = 1.1;
 
 /// At the end, shapes on the sphere are restored where their distortion is larger than the first of these; where that

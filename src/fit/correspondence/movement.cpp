@@ -77,7 +77,7 @@ bool Movement::start(const PartOfWork& part) {
         return true;
     }
     for (; passes_ < options_.max_passes && !has_found(); ++passes_) {
-        enter_pass(part, options_.max_passes);
+        meter_.enter("matching", part.end);
         coarsen_own(static_cast<std::uint32_t>(passes_));
         relax_coarse();
         if (mesh_.refine(sweeps_per_growth)) keep_if_better();

@@ -86,7 +86,7 @@ class MovingMesh {
 
     /// Undoes all collapses beyond the base. Each vertex goes to the best of several places in the kernel of its star.
     /// Whenever the mesh has grown by a quarter, it is relaxed by at most \p sweeps sweeps.
-    /// \param until  returns when the mesh has so many vertices after it was relaxed; more go on from there
+    /// \param until  returns as soon as the relaxed mesh has at least this number of vertices; the next call goes on
     /// \return false if there is no room for a vertex; then the vertices of the base are in no useful places
     bool refine(int sweeps, std::size_t until = std::numeric_limits<std::size_t>::max());
 

@@ -322,7 +322,7 @@ bool Smoothing::is_near(Index vertex, std::span<const glm::dvec3> grid) const {
     return true;
 }
 
-/// Places at which the star stays one to one, with the cosines of its least angles, no worse than before; best first.
+/// Places that keep the star one to one and its least angle no smaller, with the cosine of that angle; best first.
 std::vector<std::pair<double, Place>> Smoothing::better_places(Index vertex, const Fault& before) {
     const Place here = place_of(vertex);
     std::vector<std::pair<double, Place>> found;
@@ -350,7 +350,7 @@ std::vector<std::pair<double, Place>> Smoothing::better_places(Index vertex, con
     return found;
 }
 
-/// Whether the star of \p vertex is less faulty than before, with \p cosine of its least angle.
+/// Whether the star of \p vertex, with the \p cosine of its least angle, is less faulty than before.
 bool Smoothing::is_better(Index vertex, double cosine, const Fault& before) const {
     int allowed = before.turned_over - (std::max(cosine, good_cosine_) < before.cosine ? 0 : 1);
     if (allowed < 0) return false;

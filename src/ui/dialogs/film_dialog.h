@@ -20,9 +20,9 @@ struct FilmChoices {
     std::string size = "1280x720";  ///< pixels
     std::string scale = "1";        ///< of a picture: a factor of its size and of the width of its lines
     std::string rate = "30";        ///< frames per second
-    std::string begin;              ///< time
-    std::string end;                ///< time
-    std::string turn = "0";         ///< degrees
+    std::string begin;
+    std::string end;
+    std::string turn = "0";  ///< degrees
     bool is_loop = false;
     bool is_transparent = false;  ///< a picture without background
     bool has_edges = true;        ///< a picture with the edges that the window shows

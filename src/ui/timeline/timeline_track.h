@@ -21,7 +21,7 @@ struct TimeDrag {
 /// A key or a point at a time.
 struct MovedTime {
     std::size_t place;  ///< in the timeline or the path
-    double to;          ///< time
+    double to;
 };
 
 struct KeyTime {
@@ -31,13 +31,13 @@ struct KeyTime {
 
 /// A point that the user sets by the menu of the ruler.
 struct RangeEdit {
-    std::optional<double> in{};   ///< time
-    std::optional<double> out{};  ///< time
-    bool clears = false;          ///< plays the whole timeline again
+    std::optional<double> in{};
+    std::optional<double> out{};
+    bool clears = false;  ///< plays the whole timeline again
 };
 
 struct TrackResult {
-    std::optional<double> seek_to;          ///< time
+    std::optional<double> seek_to;
     std::optional<MovedTime> moved;         ///< dragged by its mark or name
     std::optional<KeyTime> added;           ///< dropped on the track
     std::optional<std::size_t> asked_time;  ///< the place whose time is to be typed

@@ -164,7 +164,7 @@ struct BasisTitle {
     const char* description;
 };
 
-constexpr std::array basis_titles{
+constexpr std::array<BasisTitle, basis_count> basis_titles{
     BasisTitle{Basis::linear, "Linear", "Straight from key to key"},
     BasisTitle{Basis::hold, "Hold", "Each key until the next one"},
     BasisTitle{Basis::bernstein, "Bernstein", "One polynomial; near the inner keys, not through them"},
@@ -172,11 +172,17 @@ constexpr std::array basis_titles{
     BasisTitle{Basis::b_spline, "B-spline", "Smoothest; near the inner keys, not through them"},
     BasisTitle{Basis::spline, "Spline", "Smoothest through all keys; uses many keys at once"},
 };
-static_assert(basis_titles.size() == basis_count, "each basis has a row");
+
+constexpr bool have_order_of_enumeration() {
+    for (std::size_t i = 0; i < basis_count; ++i)
+        if (basis_titles[i].basis != static_cast<Basis>(i) || basis_titles[i].title == nullptr) return false;
+    return true;
+}
+static_assert(have_order_of_enumeration());
 
 std::string title_of(const Interpolation& interpolation) {
-    const auto* const row = std::ranges::find(basis_titles, interpolation.basis, &BasisTitle::basis);
-    return interpolation.degree > 0 ? fmt::format("{} {}", row->title, interpolation.degree) : row->title;
+    const char* const title = basis_titles.at(static_cast<std::size_t>(interpolation.basis)).title;
+    return interpolation.degree > 0 ? fmt::format("{} {}", title, interpolation.degree) : title;
 }
 
 void choose_interpolation(const TransportState& state, TransportResult& result) {
@@ -184,7 +190,7 @@ void choose_interpolation(const TransportState& state, TransportResult& result) 
     combo("##interpolation", title_of(state.interpolation) + (turns ? " ↻" : ""),
           with_keys(turns ? "How the keys are blended (↻ parts turn)" : "How the keys are blended",
                     {"Interpolation"}),
-          scaled(118), [&] {
+          scaled(turns ? 136 : 118), [&] {
               for (const auto& [basis, title, description] : basis_titles) {
                   const bool is_chosen =
                       basis == state.interpolation.basis && state.interpolation.degree == 0;

@@ -12,6 +12,7 @@
 
 #include "hierarchy/error.h"
 #include "hierarchy/progress.h"
+#include "io/export/export.h"
 #include "io/formats.h"
 #include "io/samples.h"
 
@@ -38,7 +39,8 @@ bool needs_blend(const Format& format, const Family& family) {
         format.write({.family = family, .weights = std::nullopt},
                      {folder.path() / ("a" + std::string(format.extension))});
         return false;
-    } catch (const UsageError&) {
+    } catch (const UsageError& error) {
+        CHECK(error.what() == std::string(no_default_blend));
         return true;
     }
 }

@@ -1,5 +1,5 @@
 // Weights of a time: the bases of timelines once more, as interpolation.cpp and spline_weights.cpp have them. A test
-// of the library compares the names in the table `bases`, and tests/peers the weights.
+// of the library compares the names in the table `bases`, and tests/peers the surfaces.
 
 // Weights are a Map from the index of a key to its weight.
 function added(entries) {
