@@ -1,5 +1,5 @@
-// Gives random input to the program in its window, and checks that it keeps running, answers, and saves
-// families that are sound. Usage: random_window [RUNS] [EVENTS] [SEED]
+// Gives random input to the program in its window, and checks that it keeps running, answers, saves families
+// that are sound, and that OpenGL does not complain. Usage: random_window [RUNS] [EVENTS] [SEED]
 //
 // The program runs confined: wherever random input leads it, it can write only into its user's home, a
 // temporary folder. The exit status is 77 if this machine cannot confine it.

@@ -27,10 +27,9 @@ constexpr std::size_t max_growth = 4;
 
 /// What is the same for all frames.
 struct FrameMesh {
-    std::optional<Hierarchy> finest;  ///< none if each frame has its own union
-    std::vector<KeySet>
-        leaf_origins;               ///< per leaf of the finest, the keys of the family in which it is a node
-    std::vector<FieldName> fields;  ///< that all keys have
+    std::optional<Hierarchy> finest;   ///< none if each frame has its own union
+    std::vector<KeySet> leaf_origins;  ///< per leaf of the finest: the family's keys in which it is a node
+    std::vector<FieldName> fields;     ///< that all keys have
 };
 
 /// Per leaf of \p mesh, the keys of the family in which it is a node: bit i for key i.
