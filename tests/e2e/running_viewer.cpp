@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <thread>
 
@@ -51,6 +50,9 @@ pid_t start(const std::filesystem::path& trace, const std::filesystem::path& hom
         if (chdir(home.c_str()) != 0) _exit(127);
         const std::array<std::filesystem::path, 2> written{trace, "/dev/null"};
         if (confined == Confined::yes && !confine_writes(std::span(&home, 1), written)) _exit(126);
+        // Mesa keeps compiled shaders where it always does, so that not every viewer compiles them.
+        if (const char* usual_home = std::getenv("HOME"))
+            setenv("XDG_CACHE_HOME", fmt::format("{}/.cache", usual_home).c_str(), 0);
         // The tests must not touch the settings and recoveries of the person who runs them.
         for (const char* variable : {"HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
             setenv(variable, home.c_str(), 1);
@@ -58,6 +60,22 @@ pid_t start(const std::filesystem::path& trace, const std::filesystem::path& hom
         _exit(127);
     }
     return process;
+}
+
+/// The last line of the first \p size bytes that has an end; empty if there is none. A line without an end is still
+/// being written.
+std::string last_line(std::istream& file, std::streamoff size) {
+    for (std::streamoff length = 1 << 14;; length *= 4) {
+        const std::streamoff begin = std::max<std::streamoff>(size - length, 0);
+        std::string text(static_cast<std::size_t>(size - begin), '\0');
+        file.seekg(begin);
+        file.read(text.data(), size - begin);
+        text.resize(text.rfind('\n') + 1);  // to nothing if no line ends
+        if (!text.empty()) text.pop_back();
+        const std::size_t before = text.rfind('\n');
+        if (before != std::string::npos) return text.substr(before + 1);
+        if (begin == 0) return text;
+    }
 }
 
 glm::vec2 vector_of(const nlohmann::json& json) {
@@ -114,17 +132,13 @@ void RunningViewer::kill() {
     process_ = 0;
 }
 
-RunningViewer::State RunningViewer::state() const {
-    // Read only the end of a long trace.
-    constexpr std::streamoff most = 1 << 20;
-    std::ifstream file(trace_, std::ios::ate);
-    file.seekg(std::max<std::streamoff>(file.tellg() - most, 0));
-    std::string lines{std::istreambuf_iterator<char>(file), {}};
-    // A line without an end is still being written.
-    const std::size_t end = lines.rfind('\n');
-    if (end == std::string::npos) return {};
-    lines.resize(end);
-    return State::parse(lines.substr(lines.rfind('\n') + 1));
+const RunningViewer::State& RunningViewer::newest_state() const {
+    std::ifstream file(trace_, std::ios::binary | std::ios::ate);
+    const std::streamoff size = file.tellg();
+    if (size <= read_size_) return newest_state_;
+    if (const std::string line = last_line(file, size); !line.empty()) newest_state_ = State::parse(line);
+    read_size_ = size;
+    return newest_state_;
 }
 
 std::vector<RunningViewer::State> RunningViewer::states() const {
@@ -136,18 +150,21 @@ std::vector<RunningViewer::State> RunningViewer::states() const {
 }
 
 RunningViewer::State RunningViewer::wait_for(const std::string& what, const Condition& condition) const {
-    State last;
-    if (!comes([&] { return !(last = state()).is_null() && condition(last); })) {
+    const bool came = comes([&] {
+        const State& newest = newest_state();
+        return !newest.is_null() && condition(newest);
+    });
+    if (!came) {
         throw std::runtime_error(
-            fmt::format("timed out waiting for: {}; the state is {}", what, last.dump()));
+            fmt::format("timed out waiting for: {}; the state is {}", what, newest_state_.dump()));
     }
-    if (!last["opengl_messages"].empty())
-        throw std::runtime_error(fmt::format("OpenGL says: {}", last["opengl_messages"].dump()));
-    return last;
+    if (!newest_state_["opengl_messages"].empty())
+        throw std::runtime_error(fmt::format("OpenGL says: {}", newest_state_["opengl_messages"].dump()));
+    return newest_state_;
 }
 
 Area RunningViewer::view_area() const {
-    const State rect = state()["rects"]["view"];
+    const State& rect = newest_state()["rects"]["view"];
     return {rect[0].get<int>(), rect[1].get<int>(), rect[2].get<int>(), rect[3].get<int>()};
 }
 
@@ -156,7 +173,8 @@ Picture RunningViewer::settled_picture() const {
     const bool settled = comes([&] {
         std::this_thread::sleep_for(std::chrono::milliseconds(150));
         const bool is_same = last == std::exchange(last, desktop_.picture(window_, view_area()));
-        return is_same && !state()["coarse"].get<bool>();  // on a busy machine the last picture may take long
+        return is_same &&
+               !newest_state()["coarse"].get<bool>();  // on a busy machine the last picture may take long
     });
     if (!settled) throw std::runtime_error("the picture does not stop changing");
     return last;

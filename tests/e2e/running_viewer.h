@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <ios>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,7 +35,7 @@ class RunningViewer {
     using Condition = std::function<bool(const State&)>;
 
     /// The last line of the trace.
-    State state() const;
+    State state() const { return newest_state(); }
 
     /// All lines of the trace: the state of each frame that showed something new.
     std::vector<State> states() const;
@@ -103,6 +104,9 @@ class RunningViewer {
     int exit_status();
 
   private:
+    /// state(), parsed anew only if the trace has grown.
+    const State& newest_state() const;
+
     Area view_area() const;
 
     Desktop desktop_;
@@ -111,6 +115,8 @@ class RunningViewer {
     std::filesystem::path trace_;
     pid_t process_ = 0;  ///< 0 if the program has ended
     WindowName window_ = 0;
+    mutable State newest_state_;
+    mutable std::streamoff read_size_ = 0;  ///< bytes of the trace when newest_state_ was read
 };
 
 }  // namespace interleaf

@@ -17,6 +17,8 @@ BoxTree::BoxTree(std::span<const SpaceBox> boxes) : items_(boxes.size()) {
     nodes_.reserve(boxes.size());
     nodes_.emplace_back();
     build(0, 0, static_cast<Index>(boxes.size()), boxes);
+    item_boxes_.reserve(boxes.size());
+    for (const Index item : items_) item_boxes_.push_back(boxes[item]);
 }
 
 void BoxTree::build(Index number, Index begin, Index end, std::span<const SpaceBox> boxes) {

@@ -75,7 +75,8 @@ class BoxTree {
             if (distance >= least) continue;
             const Node& node = nodes_[number];
             for (Index i = node.first; i < node.first + node.item_count; ++i)
-                least = std::min(least, squared_distance(items_[i]));
+                if (item_boxes_[i].squared_distance(point) < least)
+                    least = std::min(least, squared_distance(items_[i]));
             if (node.item_count > 0) continue;
             std::pair near = {nodes_[node.first].box.squared_distance(point), node.first};
             std::pair far = {nodes_[node.first + 1].box.squared_distance(point), node.first + 1};
@@ -99,6 +100,7 @@ class BoxTree {
 
     std::vector<Node> nodes_;
     std::vector<Index> items_;
+    std::vector<SpaceBox> item_boxes_;  ///< of items_
 };
 
 }  // namespace interleaf
