@@ -1,6 +1,7 @@
 #include "fit/landmarks/landmark_agreement.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -33,6 +34,9 @@ constexpr double reversed_cosine = -0.5;
 /// Landmarks farther apart than this, as a chord of the sphere, are no neighbors: swapped ones lower the agreement.
 constexpr double farthest_neighbor = 1.2;
 
+/// Three landmarks nearly in line, with a smaller sine than this, have no clear sense.
+constexpr double clear_sine = 0.2;
+
 /// Whether, seen from either of the two, at most two other points are nearer than the other one. Between two ears,
 /// there may be a nose.
 bool are_neighbors(std::span<const glm::dvec3> points, std::size_t i, std::size_t j) {
@@ -45,6 +49,33 @@ bool are_neighbors(std::span<const glm::dvec3> points, std::size_t i, std::size_
                }) <= most_nearer;
     };
     return is_near(i) || is_near(j);
+}
+
+/// The sine of the angle at point \p k from point \p i to point \p j, seen from outside.
+double sine_at(std::span<const glm::dvec3> points, std::size_t k, std::size_t i, std::size_t j) {
+    const glm::dvec3 to_i = points[i] - points[k];
+    const glm::dvec3 to_j = points[j] - points[k];
+    const double lengths = glm::length(to_i) * glm::length(to_j);
+    return lengths > 0 ? glm::dot(points[k], glm::cross(to_i, to_j)) / lengths : 0;
+}
+
+/// Whether the two landmarks and the one nearest to both run around their triangle in the same sense as their targets.
+/// Then that part of the body is turned, such as a lowered head. A swap would change the sense.
+bool turn_together(std::span<const glm::dvec3> points, std::span<const glm::dvec3> targets, std::size_t i,
+                   std::size_t j) {
+    std::size_t nearest = i;
+    double least = 2 * farthest_neighbor;
+    for (std::size_t k = 0; k < targets.size(); ++k) {
+        if (k == i || k == j) continue;
+        const double apart = glm::distance(targets[k], targets[i]) + glm::distance(targets[k], targets[j]);
+        if (apart >= least) continue;
+        nearest = k;
+        least = apart;
+    }
+    if (nearest == i) return false;
+    const double sine = sine_at(points, nearest, i, j);
+    const double wanted = sine_at(targets, nearest, i, j);
+    return sine * wanted > 0 && std::min(std::abs(sine), std::abs(wanted)) > clear_sine;
 }
 
 /// Whether a mean cosine after a swap shows that the sides are swapped.
@@ -75,7 +106,8 @@ LandmarkAgreement agreement_of(std::span<const glm::dvec3> points, const Landmar
             const glm::dvec3 way = fit.rotation * (points[i] - points[j]);
             const glm::dvec3 wanted = pins.directions[i] - pins.directions[j];
             if (glm::dot(way, wanted) < reversed_cosine * glm::length(way) * glm::length(wanted) &&
-                are_neighbors(pins.directions, i, j) && are_neighbors(points, i, j))
+                are_neighbors(pins.directions, i, j) && are_neighbors(points, i, j) &&
+                !turn_together(points, pins.directions, i, j))
                 agreement.reversed.push_back({j, i});
         }
     return agreement;

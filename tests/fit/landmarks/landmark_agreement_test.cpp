@@ -9,6 +9,8 @@
 #include "trials.h"
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
 
 using namespace interleaf;
 
@@ -71,6 +73,18 @@ TEST_CASE("two swapped landmarks near each other are named") {
         std::swap(points[1], points[2]);
         CHECK(contains(text_of(points, pins), "'left ear' and 'right ear' lie the other way round"));
         CHECK_FALSE(agreement_of(points, pins).is_doubtful());
+    }
+}
+
+TEST_CASE("a head that is turned as a whole is not taken for swapped ears") {
+    const LandmarkPins pins = animal();
+    const glm::dvec3 middle = glm::normalize(pins.directions[0] + pins.directions[1] + pins.directions[2]);
+    for (const double degrees : {-170.0, -130.0, 130.0, 170.0}) {
+        CAPTURE(degrees);
+        std::vector<glm::dvec3> points = pins.directions;
+        for (std::size_t i = 0; i < 3; ++i)
+            points[i] = glm::angleAxis(glm::radians(degrees), middle) * points[i];
+        CHECK(text_of(points, pins) == "");
     }
 }
 
