@@ -24,23 +24,6 @@ void require_unit(std::string_view unit) {
         throw InputError(fmt::format("a unit is at most {} bytes without control characters", max_unit));
 }
 
-/// Adds \p shift to the values of the scalar \p name of \p key.
-/// \throw InputError if a sum is no finite float
-void shift_field(Key& key, const std::string& name, double shift) {
-    if (shift == 0 || find_field(key.hierarchy->fields, {name, FieldKind::scalar}) == nullptr) return;
-    Hierarchy shifted = *key.hierarchy;
-    const auto field = std::ranges::find(shifted.fields, name, &Field::name);
-    for (float& value : field->values) {
-        const double sum = double{value} + shift;
-        if (!(std::abs(sum) <= double{std::numeric_limits<float>::max()}))
-            throw InputError(
-                fmt::format("key \"{}\": the offset of the field \"{}\" is too far from that of the family",
-                            key.name, name));
-        value = static_cast<float>(sum);
-    }
-    key.hierarchy = std::move(shifted);
-}
-
 }  // namespace
 
 Family with_field_unit(Family family, std::string_view field, std::string unit) {
@@ -60,6 +43,21 @@ Family with_time_unit(Family family, std::string unit) {
     return family;
 }
 
+void shift_scalar(Hierarchy& key, std::string_view name, std::string_view field, double shift) {
+    if (shift == 0) return;
+    for (Field& each : key.fields) {
+        if (each.kind != FieldKind::scalar || each.name != field) continue;
+        for (float& value : each.values) {
+            const double sum = double{value} + shift;
+            if (!(std::abs(sum) <= double{std::numeric_limits<float>::max()}))
+                throw InputError(fmt::format(
+                    "key \"{}\": the offset of the field \"{}\" is too far from that of the other keys", name,
+                    field));
+            value = static_cast<float>(sum);
+        }
+    }
+}
+
 std::vector<FieldScale> adopt_scales(const Family& family, std::vector<Key>& keys,
                                      std::span<const FieldScale> from) {
     std::vector<FieldScale> scales = family.field_scales;
@@ -73,7 +71,13 @@ std::vector<FieldScale> adopt_scales(const Family& family, std::vector<Key>& key
         FieldScale ours = scale_of(scales, name);
         if (!have_scalar(family.keys, name)) ours.offset = theirs.offset;
         if (ours.unit.empty()) ours.unit = theirs.unit;
-        for (Key& key : keys) shift_field(key, name, theirs.offset - ours.offset);
+        const double shift = theirs.offset - ours.offset;
+        for (Key& key : keys) {
+            if (shift == 0 || !have_scalar(std::span(&key, 1), name)) continue;
+            Hierarchy shifted = *key.hierarchy;
+            shift_scalar(shifted, key.name, name, shift);
+            key.hierarchy = std::move(shifted);
+        }
         set_scale(scales, std::move(ours));
     }
     return scales;

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "family/field_units.h"
 #include "hierarchy/field.h"
 
 namespace interleaf {
@@ -16,16 +17,8 @@ bool hold_scalar(const std::vector<Hierarchy>& keys, std::string_view name) {
     });
 }
 
-void shift_scalar(std::vector<Hierarchy>& keys, std::string_view name, double shift) {
-    if (shift == 0) return;
-    for (Hierarchy& key : keys)
-        for (Field& field : key.fields) {
-            if (field.kind != FieldKind::scalar || field.name != name) continue;
-            for (float& value : field.values) value = static_cast<float>(double{value} + shift);
-        }
-}
-
 /// Brings \p one to the scales of \p all, as adopt_scales() (family/field_units.h) does it for keys of a family.
+/// \pre \p one has a source per key
 void unite_scales(FileKeys& all, FileKeys& one) {
     std::vector<std::string> names;
     for (const Hierarchy& key : one.keys)
@@ -37,7 +30,8 @@ void unite_scales(FileKeys& all, FileKeys& one) {
         FieldScale ours = scale_of(all.scales, name);
         if (!hold_scalar(all.keys, name)) ours.offset = theirs.offset;
         if (ours.unit.empty()) ours.unit = theirs.unit;
-        shift_scalar(one.keys, name, theirs.offset - ours.offset);
+        for (std::size_t k = 0; k < one.keys.size(); ++k)
+            shift_scalar(one.keys[k], one.sources[k].name, name, theirs.offset - ours.offset);
         set_scale(all.scales, std::move(ours));
     }
 }
@@ -45,9 +39,9 @@ void unite_scales(FileKeys& all, FileKeys& one) {
 }  // namespace
 
 void append_keys(FileKeys& all, FileKeys one, KeySource file) {
+    if (one.sources.empty()) one.sources.push_back({std::move(file.name), 0});
     unite_scales(all, one);
     if (one.origin) all.origin = one.origin;
-    if (one.sources.empty()) one.sources.push_back({std::move(file.name), 0});
     for (KeySource& source : one.sources) all.sources.push_back({std::move(source.name), file.file});
     std::ranges::move(one.keys, std::back_inserter(all.keys));
     std::ranges::move(one.remarks, std::back_inserter(all.remarks));

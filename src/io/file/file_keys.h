@@ -32,6 +32,7 @@ struct FileKeys {
 /// Adds the keys \p one of one file to \p all, the keys of the files before it. Values of a field get the offset that
 /// the field has there already.
 /// \param file  the name of a key without source, and the index of the file
+/// \throw InputError if a value with the other offset is no finite float
 void append_keys(FileKeys& all, FileKeys one, KeySource file);
 
 /// Files that can be read, but are not keys as they are.
