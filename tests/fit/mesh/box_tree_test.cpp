@@ -18,8 +18,8 @@ std::vector<SpaceBox> random_boxes(std::mt19937& random, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         // Many centers coincide, as the centers of equal triangles do.
         const glm::dvec3 low =
-            i % 3 == 0 ? glm::dvec3(0.25) : glm::dvec3(place(random), place(random), place(random));
-        boxes.push_back({low, low + glm::dvec3(side(random), side(random), side(random))});
+            i % 3 == 0 ? glm::dvec3(0.25) : glm::dvec3{place(random), place(random), place(random)};
+        boxes.push_back({low, low + glm::dvec3{side(random), side(random), side(random)}});
     }
     return boxes;
 }
@@ -35,7 +35,7 @@ TEST_CASE("every box that contains a point is found, and the nearest box is the 
         const BoxTree tree(boxes);
         for (int trial = 0; trial < 200; ++trial) {
             const glm::dvec3 point = trial % 4 == 0 ? boxes[static_cast<std::size_t>(trial) % count].max
-                                                    : glm::dvec3(place(random), place(random), place(random));
+                                                    : glm::dvec3{place(random), place(random), place(random)};
             std::set<Index> found;
             tree.find(point, [&](Index item) {
                 if (boxes[item].contains(point)) found.insert(item);
@@ -70,15 +70,18 @@ TEST_CASE("a search ends where it is told to") {
     const auto calls_until = [&](double enough, double& nearest) {
         std::size_t calls = 0;
         nearest = std::numeric_limits<double>::infinity();
+        // The items are farther away than their boxes, as triangles are.
         tree.find_nearest(outside, nearest, enough, [&](Index item) {
             ++calls;
-            return many[item].squared_distance(outside);
+            return many[item].squared_distance(outside) + 4;
         });
         return calls;
     };
     double least = 0;
     double near_enough = 0;
+    double any = 0;
     const std::size_t all_calls = calls_until(0, least);
-    CHECK(calls_until(2 * least, near_enough) < all_calls);
-    CHECK(near_enough <= 2 * least);
+    CHECK(calls_until(1.5 * least, near_enough) < all_calls);
+    CHECK(near_enough <= 1.5 * least);
+    CHECK(calls_until(std::numeric_limits<double>::max(), any) < all_calls);
 }
