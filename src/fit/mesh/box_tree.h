@@ -64,6 +64,7 @@ class BoxTree {
     /// Calls \p squared_distance(Index item), the square of the item's distance from \p point, for all items
     /// that may be nearer than the square root of \p least. Keeps the smallest square so far in \p least.
     /// Stops as soon as \p least is at most \p enough.
+    /// \pre no item is nearer than its box
     template <typename SquaredDistance>
     void find_nearest(const glm::dvec3& point, double& least, double enough,
                       SquaredDistance squared_distance) const {
