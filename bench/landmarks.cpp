@@ -1,7 +1,8 @@
 // How well landmarks make bodies correspond. Takes a folder of closed meshes, NAME.off, each with a file
 // NAME.vts that has one landmark per line; the first column is a vertex. Lines with one number are landmarks of
-// one name. Fits each mesh, without and with matching, with some of the landmarks onto each of the first few, and measures where the others
-// arrive. Prints one line of JSON per pair, and one of all pairs.
+// one name. Fits each mesh, without and with matching, with some of the landmarks onto each of the first few, and
+// measures where the others arrive; or fits it with all landmarks. Prints one line of JSON per pair, and one of all
+// pairs.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -9,8 +10,10 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <span>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,8 +33,24 @@ namespace {
 
 using namespace interleaf;
 
-/// The lines whose landmarks are given to the fit: nose, the tips of the ears or horns, feet, and so on.
-constexpr std::array<std::size_t, 8> given_lines = {0, 5, 7, 9, 11, 13, 15, 16};
+/// The lines whose landmarks are given to the fit, unless all are: nose, the tips of the ears or horns, feet, and so
+/// on. The ears come last.
+constexpr std::array<std::size_t, 8> few_lines = {0, 5, 7, 9, 11, 13, 15, 16};
+
+/// The lines whose landmarks are given, and the others.
+struct Lines {
+    std::vector<std::size_t> given;
+    std::vector<std::size_t> held_out;
+};
+
+Lines lines_of(std::size_t count, bool all_given) {
+    Lines lines;
+    for (std::size_t line = 0; line < count; ++line) {
+        const bool is_given = all_given || std::ranges::find(few_lines, line) != few_lines.end();
+        (is_given ? lines.given : lines.held_out).push_back(line);
+    }
+    return lines;
+}
 
 struct Body {
     std::string name;
@@ -51,10 +70,6 @@ Body read_body(const std::filesystem::path& mesh) {
     }
     body.clean = clean_up({std::move(surface.positions), std::move(surface.triangles), {}}, {});
     return body;
-}
-
-bool is_given(std::size_t line) {
-    return std::ranges::find(given_lines, line) != given_lines.end();
 }
 
 /// Processor seconds that \p work takes.
@@ -94,14 +109,14 @@ struct Totals {
     std::size_t most_flipped = 0;
 };
 
-/// The mean distance, in square roots of the area, at which the landmarks that are not given arrive in \p key.
-double held_out_of(const Body& body, const FittedKey& first, const FittedKey& key) {
+/// The mean distance, in square roots of the area, at which the landmarks of \p lines arrive in \p key.
+double held_out_of(const Body& body, const FittedKey& first, const FittedKey& key,
+                   std::span<const std::size_t> lines) {
     const SphereRoots roots = FitOptions().roots;
     const double unit = extent_of(body.clean.mesh).size;
     const SurfaceGraph graph(body.clean.mesh.triangles, body.clean.mesh.positions);
     double sum = 0;
-    for (std::size_t line = 0; line < body.landmarks.size(); ++line) {
-        if (is_given(line)) continue;
+    for (const std::size_t line : lines) {
         const std::vector<glm::dvec3>& positions = body.clean.mesh.positions;
         const auto vertex = static_cast<Index>(std::ranges::find(positions, body.landmarks[line].position) -
                                                positions.begin());
@@ -109,10 +124,10 @@ double held_out_of(const Body& body, const FittedKey& first, const FittedKey& ke
             point_in_direction(key.hierarchy, roots, first.report.landmarks[line].direction);
         sum += distance_along(body.clean.mesh, graph, vertex, place) / unit;
     }
-    return sum / double(body.landmarks.size() - given_lines.size());
+    return sum / double(lines.size());
 }
 
-/// Whether the ears are named if they are swapped.
+/// Whether the last two landmarks are named if they are swapped.
 bool names_swap(const SurfaceMesh& mesh, LandmarkPins pins) {
     const std::size_t count = pins.directions.size();
     std::swap(pins.directions[count - 2], pins.directions[count - 1]);
@@ -127,16 +142,42 @@ bool names_swap(const SurfaceMesh& mesh, LandmarkPins pins) {
            text.find("left and right") != std::string::npos;
 }
 
+/// Measures where the landmarks that were not given arrive in \p key, and in the key with matching after the pins.
+void measure_held_out(const Body& body, const std::string& first_name, const FittedKey& first,
+                      const FittedKey& key, std::span<const Landmark> given, const Lines& lines,
+                      Totals& totals) {
+    std::vector<glm::dvec3> directions;
+    directions.reserve(given.size());
+    for (const Landmark& landmark : given) directions.push_back(*landmark.direction);
+    const double held_out = held_out_of(body, first, key, lines.held_out);
+    const auto model = model_of(first.mapped_mesh(), first.points, glm::dmat3(1), directions, {}, {});
+    FittedKey matched;
+    const double seconds = processor_seconds_of([&] {
+        matched =
+            fit(CleanMesh(body.clean), {.model = model.get(), .landmarks = {given.begin(), given.end()}});
+    });
+    const double held_out_matched = held_out_of(body, first, matched, lines.held_out);
+    totals.held_out += held_out;
+    totals.held_out_matched += held_out_matched;
+    totals.match_seconds += seconds;
+    bench::print_line({{"first", first_name},
+                       {"matched", body.name},
+                       {"held_out", held_out},
+                       {"held_out_matched", held_out_matched},
+                       {"match_fault", matched.report.match->fault},
+                       {"fit_seconds_matched", seconds}});
+}
+
 /// Fits \p body so that its given landmarks are at the directions in \p first.
-void measure_pair(const Body& body, const std::string& first_name, const FittedKey& first, Totals& totals) {
+void measure_pair(const Body& body, const std::string& first_name, const FittedKey& first, const Lines& lines,
+                  Totals& totals) {
     std::vector<Landmark> given;
     std::vector<glm::dvec3> first_places;
-    for (std::size_t line = 0; line < body.landmarks.size(); ++line)
-        if (is_given(line)) {
-            given.push_back(body.landmarks[line]);
-            given.back().direction = first.report.landmarks[line].direction;
-            first_places.push_back(first.report.landmarks[line].position);
-        }
+    for (const std::size_t line : lines.given) {
+        given.push_back(body.landmarks[line]);
+        given.back().direction = first.report.landmarks[line].direction;
+        first_places.push_back(first.report.landmarks[line].position);
+    }
     ++totals.pairs;
     try {
         const MeshWithLandmarks inserted = insert_landmarks(body.clean.mesh, given);
@@ -156,15 +197,6 @@ void measure_pair(const Body& body, const std::string& first_name, const FittedK
             processor_seconds_of([&] { key = fit(CleanMesh(body.clean), {.landmarks = given}); });
         totals.fit_seconds += seconds;
 
-        const double held_out = held_out_of(body, first, key);
-        const auto model =
-            model_of(first.mapped_mesh(), first.points, glm::dmat3(1), pins.directions, {}, {});
-        FittedKey matched;
-        const double match_seconds = processor_seconds_of(
-            [&] { matched = fit(CleanMesh(body.clean), {.model = model.get(), .landmarks = given}); });
-        const double held_out_matched = held_out_of(body, first, matched);
-        totals.held_out_matched += held_out_matched;
-        totals.match_seconds += match_seconds;
         totals.swaps_named += names_swap(inserted.mesh, pins);
         double off = 0;
         double most_off = 0;
@@ -173,7 +205,6 @@ void measure_pair(const Body& body, const std::string& first_name, const FittedK
             most_off = std::max(most_off, landmark.off_in_key);
         }
         const MorphDistortion distortion = morph_distortion(first.hierarchy, key.hierarchy, first_places);
-        totals.held_out += held_out;
         totals.off_in_key += off;
         totals.most_off_in_key = std::max(totals.most_off_in_key, most_off);
         totals.largest_hausdorff = std::max(totals.largest_hausdorff, key.report.quality.hausdorff);
@@ -184,15 +215,12 @@ void measure_pair(const Body& body, const std::string& first_name, const FittedK
                            {"agreement", map.agreement.mean_cosine},
                            {"mirrored", map.agreement.mirrored_cosine},
                            {"distortion_at_90_percent", distortion.at_90_percent},
-                           {"held_out", held_out},
-                           {"held_out_matched", held_out_matched},
-                           {"match_fault", matched.report.match->fault},
                            {"off_in_key", off},
                            {"most_off_in_key", most_off},
                            {"hausdorff", key.report.quality.hausdorff},
                            {"flipped_leaves", key.report.quality.flipped_leaves},
-                           {"fit_seconds", seconds},
-                           {"fit_seconds_matched", match_seconds}});
+                           {"fit_seconds", seconds}});
+        if (!lines.held_out.empty()) measure_held_out(body, first_name, first, key, given, lines, totals);
     } catch (const InputError& error) {
         ++totals.failed;
         bench::print_line({{"first", first_name}, {"other", body.name}, {"error", error.what()}});
@@ -202,10 +230,14 @@ void measure_pair(const Body& body, const std::string& first_name, const FittedK
 }  // namespace
 
 int main(int argc, char** argv) {
-    const auto firsts = argc == 3 ? parsed_number<std::size_t>(argv[2]).value_or(0) : 0;
+    const bool all_given = argc == 4 && std::string_view(argv[3]) == "all";
+    const auto firsts = argc == 3 || all_given ? parsed_number<std::size_t>(argv[2]).value_or(0) : 0;
     if (firsts == 0) {
-        std::fprintf(stderr, "usage: %s FOLDER FIRSTS (each of the first FIRSTS meshes to all others)\n",
-                     argv[0]);
+        std::fprintf(
+            stderr,
+            "usage: %s FOLDER FIRSTS [all] (each of the first FIRSTS meshes to all others, with some or all "
+            "landmarks)\n",
+            argv[0]);
         return 2;
     }
     try {
@@ -220,8 +252,10 @@ int main(int argc, char** argv) {
         Totals totals;
         for (std::size_t first = 0; first < std::min(firsts, bodies.size()); ++first) {
             const FittedKey key = fit(CleanMesh(bodies[first].clean), {.landmarks = bodies[first].landmarks});
+            const Lines lines = lines_of(bodies[first].landmarks.size(), all_given);
             for (const Body& body : bodies)
-                if (body.name != bodies[first].name) measure_pair(body, bodies[first].name, key, totals);
+                if (body.name != bodies[first].name)
+                    measure_pair(body, bodies[first].name, key, lines, totals);
         }
         const double fitted = std::max(1, totals.pairs - totals.failed);
         bench::print_line({{"pairs", totals.pairs},

@@ -33,7 +33,7 @@ constexpr double needle_angle_if_matched = 3.05;
 
 AlignedMap::AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
                        bool approximates, const std::optional<glm::dmat3>& rotation,
-                       bool is_of_large_triangles)
+                       bool is_of_large_triangles, std::span<const glm::dvec3> landmarks)
     : original(original_mesh),
       has_large_triangles(is_of_large_triangles),
       is_matched(false),
@@ -41,10 +41,10 @@ AlignedMap::AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, 
       fine(std::move(fine_mesh)),
       points(std::move(map)),
       mean_cosine(align(rotation.has_value())),
-      mapped(mesh(), rotated(rotation)) {}
+      mapped(mesh(), rotated(rotation), landmarks) {}
 
 AlignedMap::AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
-                       bool approximates)
+                       bool approximates, std::span<const glm::dvec3> landmarks)
     : original(original_mesh),
       has_large_triangles(false),
       is_matched(true),
@@ -52,7 +52,7 @@ AlignedMap::AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, 
       fine(std::move(fine_mesh)),
       points(std::move(map)),
       mean_cosine(interleaf::mean_cosine(mesh(), points)),
-      mapped(mesh(), points) {}
+      mapped(mesh(), points, landmarks) {}
 
 double AlignedMap::align(bool is_turned) {
     if (is_turned) rotate(points, rotation_to_surface(mesh(), points));

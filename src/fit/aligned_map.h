@@ -27,12 +27,14 @@ struct AlignedMap {
     /// \param is_approximate         whether \p fine_mesh only approximates the surface
     ///                               (surface_approximation.h); keys are then put onto the surface at the end
     /// \param is_of_large_triangles  whether \p original_mesh is one for which a finer mesh is tried
+    /// \param landmarks      see MappedSurface
     AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
-               bool is_approximate, const std::optional<glm::dmat3>& rotation, bool is_of_large_triangles);
+               bool is_approximate, const std::optional<glm::dmat3>& rotation, bool is_of_large_triangles,
+               std::span<const glm::dvec3> landmarks = {});
 
     /// A map that is in its final position, because it is matched to another body's map.
     AlignedMap(const SurfaceMesh& original_mesh, SurfaceMesh fine_mesh, std::vector<glm::dvec3> map,
-               bool is_approximate);
+               bool is_approximate, std::span<const glm::dvec3> landmarks = {});
     AlignedMap(const AlignedMap&) = delete;
     AlignedMap& operator=(const AlignedMap&) = delete;
 

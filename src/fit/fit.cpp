@@ -61,6 +61,15 @@ void check_options(const FitOptions& options) {
     check_directions(options.landmarks);
 }
 
+/// The landmarks to which a key is to be near: none if they are not pinned, so that they do not change the first key.
+std::vector<glm::dvec3> pinned_positions(std::span<const Landmark> landmarks, const LandmarkPins* pins) {
+    std::vector<glm::dvec3> positions;
+    if (pins == nullptr) return positions;
+    positions.reserve(landmarks.size());
+    for (const Landmark& landmark : landmarks) positions.push_back(landmark.position);
+    return positions;
+}
+
 /// Samples and smooths.
 SampledSurface leaves_over(const AlignedMap& map, const SphereRoots& roots, const SamplingOptions& options,
                            const Progress& progress) {
@@ -192,9 +201,10 @@ std::optional<MatchReport> match_to_model(JudgedMap& judged, const LandmarkPins*
     JudgedMap judged_match;
     const auto judge_match = [&](const MatchedMap& matched, const Progress& inner) {
         stopwatch.lap("matching");
-        judged_match = judge(
-            std::make_unique<AlignedMap>(map.original, matched.mesh, matched.points, map.is_approximate),
-            options.roots, stopwatch, inner);
+        judged_match =
+            judge(std::make_unique<AlignedMap>(map.original, matched.mesh, matched.points, map.is_approximate,
+                                               pinned_positions(options.landmarks, pins)),
+                  options.roots, stopwatch, inner);
         if (std::string fault = fault_of_match(judged_match, judged.quality, options.limits); !fault.empty())
             return fault;
         if (!models_key) {
@@ -225,12 +235,14 @@ FittedKey fit_clean(const SurfaceMesh& mesh, const LandmarkPins* pins, Keeps kee
                     const Progress& progress) {
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
+    const std::vector<glm::dvec3> landmarks = pinned_positions(options.landmarks, pins);
     JudgedMap judged = choose_map(mesh,
                                   {.roots = options.roots,
                                    .rotation = options.rotation,
                                    .keeps = keeps,
                                    .limits = options.limits,
-                                   .pins = pins},
+                                   .pins = pins,
+                                   .landmarks = landmarks},
                                   stopwatch, part_of(progress, 0, options.model ? mapped_at : judged_at));
     std::optional<MatchReport> match =
         match_to_model(judged, pins, options, stopwatch, part_of(progress, mapped_at, judged_at));

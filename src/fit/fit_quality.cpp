@@ -132,13 +132,6 @@ std::vector<Triangle> triangles_of(const SampledSurface& surface) {
 
 }  // namespace
 
-double box_diagonal(const SurfaceMesh& mesh) {
-    SpaceBox box{mesh.positions[0], mesh.positions[0]};
-    for (const glm::dvec3& position : mesh.positions)
-        box = {glm::min(box.min, position), glm::max(box.max, position)};
-    return glm::distance(box.min, box.max);
-}
-
 double hausdorff_distance(const MeshView& a, const MeshView& b, const Progress& progress) {
     const Distances there = distances(a, SurfaceDistance(b.triangles, b.positions), progress, 0);
     const Distances back = distances(b, SurfaceDistance(a.triangles, a.positions), progress, 0.5);

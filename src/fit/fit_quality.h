@@ -10,9 +10,6 @@
 
 namespace interleaf {
 
-/// The diagonal of the axis-aligned box around a mesh.
-double box_diagonal(const SurfaceMesh& mesh);
-
 /// A mesh that another object owns.
 struct MeshView {
     std::span<const Triangle> triangles;

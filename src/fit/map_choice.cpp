@@ -179,7 +179,7 @@ FoundMap candidate(const SurfaceMesh& original, SurfaceMesh fine, bool is_approx
         stopwatch.lap("refining");
     }
     made.map = std::make_unique<AlignedMap>(original, std::move(fine), std::move(points), is_approximate,
-                                            rotation, has_large_triangles);
+                                            rotation, has_large_triangles, options.landmarks);
     stopwatch.lap("alignment");
     made.surface = sampled(*made.map, options.roots, part_of(progress, 0.9, 1));
     made.faulty = count_faulty_leaves(made.map->mapped, made.surface);

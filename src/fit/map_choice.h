@@ -32,6 +32,7 @@ struct MapChoiceOptions {
     /// Vertices of the mesh that lie at given directions; null for none. The map is then neither centered nor
     /// turned.
     const LandmarkPins* pins = nullptr;
+    std::span<const glm::dvec3> landmarks{};  ///< positions to which the key is to be near (MappedSurface)
 };
 
 /// A map, with the key by which the map is judged.

@@ -48,6 +48,10 @@ class Window {
 
     GLFWwindow* handle() const;
 
+    /// Makes the window \p size, or so much smaller that it and its frame fit onto the screen with the pointer, beside
+    /// panels of the desktop; screen coordinates.
+    void resize_within_screen(glm::ivec2 size);
+
     /// Size of the framebuffer in pixels.
     glm::ivec2 framebuffer_size() const;
 

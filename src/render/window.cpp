@@ -1,9 +1,14 @@
 // A GLFW window with its context.
+#include <optional>
+#include <span>
+
 #include <fmt/core.h>
 #include <glad/gl.h>
 // GLFW must not include OpenGL headers of its own.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "render/context.h"
 #include "render/debug_messages.h"
@@ -43,6 +48,35 @@ void hint(bool visible) {
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
 }
 
+/// The part of a screen that panels of the desktop leave free; screen coordinates.
+struct WorkArea {
+    glm::ivec2 corner{};
+    glm::ivec2 size{};
+
+    bool contains(glm::ivec2 point) const {
+        return glm::all(glm::greaterThanEqual(point, corner)) &&
+               glm::all(glm::lessThan(point, corner + size));
+    }
+};
+
+/// That of the screen with the pointer, where desktops open windows; otherwise of the first screen, if there is any.
+std::optional<WorkArea> work_area_for(GLFWwindow* window) {
+    glm::ivec2 corner;
+    glm::dvec2 pointer;  // from the corner
+    glfwGetWindowPos(window, &corner.x, &corner.y);
+    glfwGetCursorPos(window, &pointer.x, &pointer.y);
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    std::optional<WorkArea> first;
+    for (GLFWmonitor* monitor : std::span(monitors, static_cast<std::size_t>(count))) {
+        WorkArea area;
+        glfwGetMonitorWorkarea(monitor, &area.corner.x, &area.corner.y, &area.size.x, &area.size.y);
+        if (area.contains(corner + glm::ivec2(pointer))) return area;
+        if (!first) first = area;
+    }
+    return first;
+}
+
 }  // namespace
 
 Window::State::State(const std::string& title, int width, int height, bool visible) {
@@ -63,6 +97,16 @@ Window& Window::operator=(Window&& other) noexcept = default;
 
 GLFWwindow* Window::handle() const {
     return state_->window;
+}
+
+void Window::resize_within_screen(glm::ivec2 size) {
+    if (const auto area = work_area_for(state_->window)) {
+        glm::ivec2 before;
+        glm::ivec2 after;
+        glfwGetWindowFrameSize(state_->window, &before.x, &before.y, &after.x, &after.y);
+        size = glm::max(glm::min(size, area->size - before - after), glm::ivec2(1));
+    }
+    glfwSetWindowSize(state_->window, size.x, size.y);
 }
 
 glm::ivec2 Window::framebuffer_size() const {

@@ -51,6 +51,11 @@ Desktop::Desktop() : display_(XOpenDisplay(nullptr)) {
     XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
 }
 
+glm::ivec2 Desktop::screen_size() const {
+    const int screen = DefaultScreen(display_.get());
+    return {DisplayWidth(display_.get(), screen), DisplayHeight(display_.get(), screen)};
+}
+
 WindowName Desktop::window_of(pid_t process) const {
     Window root = None;
     Window parent = None;

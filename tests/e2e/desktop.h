@@ -34,6 +34,9 @@ class Desktop {
     /// \throw std::runtime_error if there is no display
     Desktop();
 
+    /// Pixels.
+    glm::ivec2 screen_size() const;
+
     /// The window of \p process; 0 while it has none.
     WindowName window_of(pid_t process) const;
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "e2e/running_viewer.h"
+#include "scratch_folder.h"
 #include <X11/keysym.h>
 #include <doctest/doctest.h>
 #include <fmt/core.h>
@@ -72,6 +73,22 @@ TEST_CASE("the window opens on the five keys at time 0, with a shaded surface in
     CHECK(weight_sum(state) == doctest::Approx(1));
     const Picture picture = viewer.settled_picture();
     CHECK(std::set<std::uint32_t>(picture.begin(), picture.end()).size() > 200);
+}
+
+TEST_CASE("the window fits onto the screen, also if it was larger on another one") {
+    const ScratchFolder home;
+    for (const bool was_larger : {false, true}) {
+        CAPTURE(was_larger);
+        if (was_larger) {
+            std::filesystem::create_directory(home.path() / "interleaf");
+            std::ofstream(home.path() / "interleaf" / "settings.json")
+                << R"({"window": {"width": 3000, "height": 2000}})";
+        }
+        const RunningViewer viewer(home.path());
+        const glm::ivec2 screen = viewer.desktop().screen_size();
+        REQUIRE(screen.x < 1280);
+        CHECK(viewer.state()["window"] == State({screen.x, screen.y}));
+    }
 }
 
 TEST_CASE("dragging in the domain keeps the point under the pointer, and changes neither time nor camera") {
@@ -476,9 +493,9 @@ TEST_CASE("the mouse in the view moves only the camera, and F shows the whole mo
 
 TEST_CASE("larger text moves the panels, which are drawn whole") {
     const RunningViewer viewer;
-    const State start = viewer.state();
-    viewer.point_at(view_pixel(start));
+    viewer.point_at(view_pixel(viewer.state()));
     const Picture before = viewer.settled_picture();
+    const State start = viewer.state();
     viewer.press(XK_equal, XK_Control_L);
     viewer.wait_for("wider panels", [&](const State& s) {
         return s["rects"]["keys"][2].get<float>() > start["rects"]["keys"][2].get<float>();

@@ -129,7 +129,7 @@ class Viewer {
 
 Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
                std::vector<std::filesystem::path> meshes, const ViewerOptions& options)
-    : window_("Interleaf", options.size.value_or(first_size).x, options.size.value_or(first_size).y),
+    : window_("Interleaf", options.size.value_or(first_size).x, options.size.value_or(first_size).y, false),
       state_(std::move(family), family_folder(sources)),
       files_(state_, std::move(sources), options.picture.has_value()),
       meshes_(std::move(meshes)),
@@ -137,8 +137,8 @@ Viewer::Viewer(Family family, std::vector<std::filesystem::path> sources,
       picture_file_(options.picture) {
     if (options.trace) trace_.emplace(*options.trace);
     if (options.stats) stats_.emplace(*options.stats);
-    if (const auto last = files_.window_size(); last && !options.size)
-        glfwSetWindowSize(window_.handle(), last->x, last->y);
+    if (!options.size) window_.resize_within_screen(files_.window_size().value_or(first_size));
+    glfwShowWindow(window_.handle());
     state_.appearance = files_.appearance();
     begin_with(options, state_, glfwGetTime());
     change_shortcuts(input_.shortcuts, files_.settings(), state_, gui_);

@@ -2,7 +2,20 @@
 
 #include <cstddef>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 namespace interleaf {
+
+double box_diagonal(const SurfaceMesh& mesh) {
+    glm::dvec3 least = mesh.positions[0];
+    glm::dvec3 largest = least;
+    for (const glm::dvec3& position : mesh.positions) {
+        least = glm::min(least, position);
+        largest = glm::max(largest, position);
+    }
+    return glm::distance(least, largest);
+}
 
 void append_mean(std::vector<MeshField>& scalars, std::span<const Index> vertices,
                  std::span<const double> weights) {

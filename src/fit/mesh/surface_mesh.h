@@ -22,6 +22,9 @@ struct SurfaceMesh {
     std::vector<MeshField> scalars{};
 };
 
+/// The diagonal of the axis-aligned box around a mesh with vertices.
+double box_diagonal(const SurfaceMesh& mesh);
+
 /// Appends to each of \p scalars the weighted mean of its values at \p vertices, the value of a new vertex.
 void append_mean(std::vector<MeshField>& scalars, std::span<const Index> vertices,
                  std::span<const double> weights);

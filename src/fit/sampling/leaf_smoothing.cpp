@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "fit/mesh/progress_meter.h"
 #include "fit/mesh/space_triangle.h"
 #include "fit/mesh/surface_distance.h"
+#include "fit/sampling/star_grid.h"
 
 namespace interleaf {
 namespace {
@@ -33,28 +35,8 @@ constexpr double near_enough = 0.9;
 /// The same for a move that mends a needle, in the last rounds.
 constexpr double near_enough_for_needle = 1.25;
 
-/// Distances are measured on grids over the leaves of a star. A coarse grid comes first and rules out most places.
-constexpr int coarse_parts = 4;
-constexpr int fine_parts = 2 * coarse_parts;
-
-/// Places on a leaf that are measured, of the grid that divides each edge into \p parts. The first coordinate belongs
-/// to the middle of the star. The edge to the second corner is left out, because the next leaf of the star has it.
-std::vector<glm::dvec3> star_grid(int parts) {
-    std::vector<glm::dvec3> places;
-    for (int i = 0; i < parts; ++i)
-        for (int j = i == 0 ? 1 : 0; i + j < parts; ++j)
-            places.push_back({double(i) / parts, double(j) / parts, double(parts - i - j) / parts});
-    return places;
-}
-
-/// The places of the fine grid that the coarse one lacks.
-std::vector<glm::dvec3> places_between() {
-    const std::vector<glm::dvec3> coarse = star_grid(coarse_parts);
-    std::vector<glm::dvec3> places = star_grid(fine_parts);
-    std::erase_if(places,
-                  [&](const glm::dvec3& place) { return std::ranges::find(coarse, place) != coarse.end(); });
-    return places;
-}
+/// After a move no landmark may be farther from the key than this fraction of the box diagonal, unless it was before.
+constexpr double near_landmark = 0.002;
 
 /// The cosine of the least angle; 1 for a triangle without area.
 double max_cosine(const TriangleCorners& corners) {
@@ -173,6 +155,7 @@ class Smoothing {
     bool is_better(Index vertex, double cosine, const Fault& before) const;
     double max_distance(ProgressMeter& meter) const;
     bool is_near(Index vertex, std::span<const glm::dvec3> grid) const;
+    bool is_near_landmarks(Index vertex, const Place& before) const;
 
     TriangleCorners corners(Index leaf) const { return corners_of(leaves_[leaf], surface_); }
     std::array<glm::dvec3, 3> directions(Index leaf) const {
@@ -199,10 +182,6 @@ class Smoothing {
     Place place_of(Index vertex) const {
         return {surface_.sphere_points[vertex], surface_.mesh_points[vertex], surface_.positions[vertex]};
     }
-    Place place_at(const glm::dvec3& direction, Index guess) const {
-        const MeshPoint point = mapped_.location.locate(direction, guess);
-        return {direction, point, glm::vec3(mapped_.position(point))};
-    }
     void put(Index vertex, const Place& place) {
         surface_.sphere_points[vertex] = place.direction;
         surface_.mesh_points[vertex] = place.point;
@@ -210,21 +189,22 @@ class Smoothing {
     }
 
     const double good_cosine_ = cosine_of(smoothed_angle);
-    const std::vector<glm::dvec3> coarse_grid_ = star_grid(coarse_parts);
-    const std::vector<glm::dvec3> places_between_ = places_between();
+    const StarGrids grids_;
     const MappedSurface& mapped_;
     SampledSurface& surface_;
     std::vector<Triangle> leaves_;
     std::vector<Index> star_begin_;
-    std::vector<Index> stars_;     ///< leaves around vertices
-    std::vector<Index> inside_;    ///< the first of the mesh's vertices that lie in a leaf
-    std::vector<Index> next_;      ///< per vertex, the next vertex in the same leaf
-    std::vector<bool> at_rest_;    ///< whether a vertex found no better place since its star changed
+    std::vector<Index> stars_;          ///< leaves around vertices
+    std::vector<Index> inside_;         ///< the first of the mesh's vertices that lie in a leaf
+    std::vector<Index> next_;           ///< per vertex, the next vertex in the same leaf
+    std::vector<bool> at_rest_;         ///< whether a vertex found no better place since its star changed
+    std::vector<MeshPoint> landmarks_;  ///< the places of the mapped landmarks on leaves, wherever these move
+    const double allowed_landmark_distance_ = near_landmark * box_diagonal(mapped_.mesh);
     double max_distance_ = 0;      ///< before smoothing
     double allowed_distance_ = 0;  ///< for the present moves
 };
 
-/// Puts every vertex of the mesh into the leaf into which the map takes it.
+/// Puts every vertex of the mesh, and every landmark, into the leaf into which the map takes it.
 void Smoothing::assign_vertices(ProgressMeter& meter) {
     const SphereLocation location(leaves_, surface_.sphere_points);
     inside_.assign(leaves_.size(), no_index);
@@ -235,6 +215,9 @@ void Smoothing::assign_vertices(ProgressMeter& meter) {
         next_[vertex] = std::exchange(inside_[leaf], vertex);
         meter.step();
     }
+    landmarks_.reserve(mapped_.landmarks.size());
+    for (const MappedLandmark& landmark : mapped_.landmarks)
+        landmarks_.push_back(location.locate(landmark.direction));
 }
 
 /// The same for the vertices in a star whose middle has moved.
@@ -265,9 +248,8 @@ std::vector<Index> Smoothing::faulty_leaves(ProgressMeter& meter) const {
         found.emplace_back(-here.turned_over - here.cosine, leaf);
     }
     std::ranges::sort(found);
-    std::vector<Index> leaves(found.size());
-    std::ranges::transform(found, leaves.begin(), &std::pair<double, Index>::second);
-    return leaves;
+    const auto leaves = found | std::views::values;
+    return {leaves.begin(), leaves.end()};
 }
 
 /// The distance of the mesh from the key, at the vertices of the mesh and at the middles of leaves.
@@ -322,6 +304,22 @@ bool Smoothing::is_near(Index vertex, std::span<const glm::dvec3> grid) const {
     return true;
 }
 
+/// Whether the landmarks in the star of \p vertex are near, or at least as near as with the vertex at \p before.
+bool Smoothing::is_near_landmarks(Index vertex, const Place& before) const {
+    for (std::size_t k = 0; k < landmarks_.size(); ++k) {
+        const auto& [leaf, weights] = landmarks_[k];
+        const auto corner = std::ranges::find(leaves_[leaf], vertex) - leaves_[leaf].begin();
+        if (corner == 3) continue;
+        const auto [a, b, c] = corners(leaf);
+        const glm::dvec3 gap =
+            weights[0] * a + weights[1] * b + weights[2] * c - mapped_.landmarks[k].position;
+        const glm::dvec3 move = weights[static_cast<int>(corner)] *
+                                (glm::dvec3(surface_.positions[vertex]) - glm::dvec3(before.position));
+        if (glm::length(gap) > std::max(allowed_landmark_distance_, glm::length(gap - move))) return false;
+    }
+    return true;
+}
+
 /// Places that keep the star one to one and its least angle no smaller, with the cosine of that angle; best first.
 std::vector<std::pair<double, Place>> Smoothing::better_places(Index vertex, const Fault& before) {
     const Place here = place_of(vertex);
@@ -334,7 +332,8 @@ std::vector<std::pair<double, Place>> Smoothing::better_places(Index vertex, con
             const glm::dvec3 direction = glm::normalize(here.direction + part * way);
             surface_.sphere_points[vertex] = direction;
             if (!is_one_to_one(star(vertex))) continue;
-            const Place place = place_at(direction, here.point.triangle);
+            const MeshPoint point = mapped_.location.locate(direction, here.point.triangle);
+            const Place place{direction, point, glm::vec3(mapped_.position(point))};
             put(vertex, place);
             double cosine = -1;
             for (const Index other : star(vertex)) {
@@ -366,8 +365,8 @@ bool Smoothing::improve(Index vertex) {
     const Place here = place_of(vertex);
     for (const auto& [cosine, place] : better_places(vertex, before)) {
         put(vertex, place);
-        if (is_better(vertex, cosine, before) && is_near(vertex, coarse_grid_) &&
-            is_near(vertex, places_between_)) {
+        if (is_better(vertex, cosine, before) && is_near_landmarks(vertex, here) &&
+            is_near(vertex, grids_.coarse) && is_near(vertex, grids_.between)) {
             assign_anew(star(vertex));
             for (const Index leaf : star(vertex))
                 for (const Index neighbor : leaves_[leaf]) at_rest_[neighbor] = false;

@@ -5,6 +5,7 @@
 // leaves that have a small angle or are turned over against the surface. No move makes the least angle of a
 // star smaller while that angle is small, or turns more of its leaves over. After a move, the measured
 // distance between the star and the mesh is smaller than the largest distance was before, unless it mends a needle.
+// Landmarks stay near the key's points in their directions.
 #pragma once
 
 #include <cstddef>

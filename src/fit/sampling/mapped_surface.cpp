@@ -2,11 +2,21 @@
 
 namespace interleaf {
 
-MappedSurface::MappedSurface(const SurfaceMesh& surface, std::span<const glm::dvec3> map)
+MappedSurface::MappedSurface(const SurfaceMesh& surface, std::span<const glm::dvec3> map,
+                             std::span<const glm::dvec3> landmark_positions)
     : mesh(surface), points(map), location(mesh.triangles, points), distance(mesh.triangles, mesh.positions) {
     normals.reserve(mesh.triangles.size());
     for (const auto& [a, b, c] : mesh.triangles)
         normals.push_back(unit_normal({mesh.positions[a], mesh.positions[b], mesh.positions[c]}));
+    landmarks.reserve(landmark_positions.size());
+    for (const glm::dvec3& landmark : landmark_positions) {
+        MeshPoint point;
+        distance(landmark, point.triangle);
+        const auto& [a, b, c] = mesh.triangles[point.triangle];
+        point.barycentric =
+            nearest_place(landmark, {mesh.positions[a], mesh.positions[b], mesh.positions[c]});
+        landmarks.push_back({glm::normalize(point.of(std::span(mesh.triangles), points)), position(point)});
+    }
 }
 
 }  // namespace interleaf

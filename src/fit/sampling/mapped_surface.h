@@ -15,10 +15,18 @@
 
 namespace interleaf {
 
+/// A point of a surface that a key is to show in the direction into which the map takes it.
+struct MappedLandmark {
+    glm::dvec3 direction;
+    glm::dvec3 position;
+};
+
 struct MappedSurface {
-    /// \param surface  must outlive this object
-    /// \param map      must outlive this object; meets the precondition of SphereLocation
-    MappedSurface(const SurfaceMesh& surface, std::span<const glm::dvec3> map);
+    /// \param surface    must outlive this object
+    /// \param map        must outlive this object; meets the precondition of SphereLocation
+    /// \param landmarks  positions; their nearest points of the surface are meant
+    MappedSurface(const SurfaceMesh& surface, std::span<const glm::dvec3> map,
+                  std::span<const glm::dvec3> landmarks = {});
 
     glm::dvec3 position(const MeshPoint& point) const {
         return point.of(std::span(mesh.triangles), std::span(mesh.positions));
@@ -29,6 +37,7 @@ struct MappedSurface {
     SphereLocation location;             ///< in this map
     SurfaceDistance distance;            ///< from the mesh
     std::vector<glm::dvec3> normals;     ///< unit vectors, one per triangle; zero for triangles without area
+    std::vector<MappedLandmark> landmarks;
 };
 
 /// A place on a leaf, and the place on the surface that the map puts there.

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "fit/mesh/progress_meter.h"
@@ -93,6 +94,9 @@ class Sampler {
     /// places of a grid and at the vertices of the surface; \p least if that is larger.
     double close_distance(const AdaptiveMesh& mesh, Index leaf, double least) const;
 
+    /// The largest distance of a landmark in a leaf from the leaf's point in its direction; 0 without landmarks.
+    double landmark_distance(const AdaptiveMesh& mesh, Index leaf) const;
+
     /// Number of vertices of the surface in a leaf.
     std::size_t vertex_count(Index leaf) const { return vertices_of(leaves_[leaf]).size(); }
 
@@ -142,6 +146,7 @@ class Sampler {
     std::vector<MeshPoint> mesh_points_;
     std::vector<Index> vertices_;  ///< of the surface; those in one leaf are consecutive
     std::vector<LeafRecord> leaves_;
+    std::vector<Index> leaves_of_landmarks_;
     std::vector<DividedEdge> divided_edges_;  ///< in the present step
 };
 
@@ -165,6 +170,8 @@ void Sampler::assign_vertices(const SphereRoots& roots) {
     vertices_.resize(mapped_.points.size());
     for (std::size_t v = 0; v < mapped_.points.size(); ++v)
         vertices_[leaves_[root_of[v]].end++] = static_cast<Index>(v);
+    for (const MappedLandmark& landmark : mapped_.landmarks)
+        leaves_of_landmarks_.push_back(root_location.locate(landmark.direction).triangle);
 }
 
 /// Performs one bisection: the first child takes the place of its parent.
@@ -184,6 +191,9 @@ void Sampler::divide_vertices(Index first, Index second) {
         return side_of_arc(apex, middle, mapped_.points[vertex]) >= 0;
     });
     const auto between = static_cast<Index>(divide - vertices_.begin());
+    for (std::size_t k = 0; k < leaves_of_landmarks_.size(); ++k)
+        if (leaves_of_landmarks_[k] == first && side_of_arc(apex, middle, mapped_.landmarks[k].direction) < 0)
+            leaves_of_landmarks_[k] = second;
     if (leaves_.size() <= second) leaves_.resize(second + 1);
 
     // The sides of the children, numbered as in hierarchy/triangle.h: the first has the half at corners[2].
@@ -221,7 +231,27 @@ double Sampler::error(const AdaptiveMesh& mesh, Index leaf) {
     const double size =
         std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
                   glm::distance(corners[2], corners[0])});
-    return record.distance + turn_share * size * std::sqrt(squared_turn);
+    return std::max(record.distance + turn_share * size * std::sqrt(squared_turn),
+                    landmark_distance(mesh, leaf));
+}
+
+double Sampler::landmark_distance(const AdaptiveMesh& mesh, Index leaf) const {
+    if (mesh.level(leaf) >= deepest_level) return 0;
+    double largest = 0;
+    for (std::size_t k = 0; k < leaves_of_landmarks_.size(); ++k) {
+        if (leaves_of_landmarks_[k] != leaf) continue;
+        const auto& [a, b, c] = mesh.vertices(leaf);
+        const glm::dvec3 &u = sphere_points_[a], &v = sphere_points_[b], &w = sphere_points_[c];
+        const auto& [direction, position] = mapped_.landmarks[k];
+        glm::dvec3 place(side_of_arc(v, w, direction), side_of_arc(w, u, direction),
+                         side_of_arc(u, v, direction));
+        place = glm::max(place, glm::dvec3(0));
+        place /= place[0] + place[1] + place[2];
+        const TriangleCorners corners = corners_of(mesh, leaf);
+        const glm::dvec3 in_key = place[0] * corners[0] + place[1] * corners[1] + place[2] * corners[2];
+        largest = std::max(largest, glm::distance(in_key, position));
+    }
+    return largest;
 }
 
 double Sampler::close_distance(const AdaptiveMesh& mesh, Index leaf, double least) const {
@@ -284,7 +314,8 @@ SampledSurface sample_surface(const MappedSurface& mapped, const SphereRoots& ro
     if (options.tolerance > 0) {
         refine_greedily(leaves,
                         [&](const AdaptiveMesh& refined, Index leaf) {
-                            return close_distance(refined, leaf, options.tolerance);
+                            return std::max(close_distance(refined, leaf, options.tolerance),
+                                            sampler.landmark_distance(refined, leaf));
                         },
                         {.leaves = options.leaves, .tolerance = options.tolerance, .after_step = after_step});
     } else {

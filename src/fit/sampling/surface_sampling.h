@@ -5,7 +5,8 @@
 // The leaf with the largest error is bisected next, at the middle of its refinement edge on the sphere. The
 // error is the distance of the leaf from the surface plus a term for the turn of the normal. It is measured
 // at a few places of the leaf and at all vertices of the surface that are mapped into the leaf; without these
-// vertices, thin parts would be missed. Leveling comes last: it measures the distance alone, closely, and
+// vertices, thin parts would be missed. If a landmark in the leaf is farther than that from the leaf's point in its
+// direction, this distance is the error. Leveling comes last: it measures the distance alone, closely, and
 // bisects the farthest leaves.
 #pragma once
 
@@ -24,9 +25,9 @@ struct SamplingOptions {
     Index leaves = 20000;       ///< maximum, reached as closely as closure allows
     Index max_leveling = 2000;  ///< number of leaves kept for leveling, at most a tenth of all
 
-    /// If not 0: bisects, apart from closure, only the leaves that are farther than this from the surface
-    /// when they are made, in the unit of the surface. Their neighbors may change later, so the caller must
-    /// measure the key.
+    /// If not 0: bisects, apart from closure, only the leaves that are farther than this from the surface, or from a
+    /// landmark in its direction, when they are made, in the unit of the surface. Their neighbors may change later,
+    /// so the caller must measure the key.
     double tolerance = 0;
 };
 

@@ -93,7 +93,7 @@ TEST_CASE("landmarks do not change the first key, and the second key has them wh
     CHECK(contains(other.report.landmark_faults[0], "'5' is"));
     for (std::size_t k = 0; k < vertices.size(); ++k) {
         CHECK(other.report.landmarks[k].direction == with.report.landmarks[k].direction);
-        CHECK(other.report.landmarks[k].off_in_key < 0.01);
+        CHECK(other.report.landmarks[k].off_in_key < 0.0025);
     }
     options.landmarks[0].direction.reset();
     CHECK(contains(text_of_thrown<UsageError>([&] { fit(second.mesh, options); }), "expected all or none"));

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "fit/fit_quality.h"
+#include "fit/landmarks/landmark_report.h"
 #include "fit/mesh/surface_distance.h"
 #include "fit/star_shapes.h"
 #include "hierarchy/checker.h"
@@ -108,6 +109,37 @@ TEST_CASE("smoothing leaves root vertices where they are, and does the same each
     CHECK(std::memcmp(first.before.positions.data(), first.after.positions.data(), bytes) != 0);
     REQUIRE(first.after.positions.size() == again.after.positions.size());
     CHECK(std::memcmp(first.after.positions.data(), again.after.positions.data(), bytes) == 0);
+}
+
+TEST_CASE("smoothing leaves landmarks near the points of the key in their directions") {
+    const MappedMesh mapped = six_arms(5);
+    const SphereRoots roots = project_to_sphere(cube());
+    const double near = 0.002 * box_diagonal(mapped.mesh);
+    std::vector<glm::dvec3> landmarks;
+    std::vector<glm::dvec3> directions;
+    for (std::size_t v = 0; v < mapped.points.size(); v += 10) {
+        landmarks.push_back(mapped.mesh.positions[v]);
+        directions.push_back(mapped.points[v]);
+    }
+    const auto distances_of = [&](const SampledSurface& surface) {
+        const Hierarchy key = hierarchy_from_leaves(roots.complex, surface.leaves, surface.positions);
+        std::vector<double> distances(landmarks.size());
+        for (std::size_t k = 0; k < landmarks.size(); ++k)
+            distances[k] = glm::distance(landmarks[k], point_in_direction(key, roots, directions[k]));
+        return distances;
+    };
+    const auto moved_away = [&](std::span<const glm::dvec3> held) {
+        const MappedSurface located(mapped.mesh, mapped.points, held);
+        SampledSurface surface = sample_surface(located, roots, {.leaves = 3000}, {});
+        const std::vector<double> before = distances_of(surface);
+        smooth_leaves(located, roots.complex.vertex_count(), surface, {});
+        const std::vector<double> after = distances_of(surface);
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < after.size(); ++k) count += after[k] > std::max(near, before[k]) + 1e-6;
+        return count;
+    };
+    CHECK(moved_away({}) > 0);
+    CHECK(moved_away(landmarks) == 0);
 }
 
 TEST_CASE("a surface without bad leaves is left as it is") {

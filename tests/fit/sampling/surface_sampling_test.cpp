@@ -13,6 +13,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "fit/fit_quality.h"
+#include "fit/landmarks/landmark_report.h"
 #include "fit/mesh/space_triangle.h"
 #include "fit/mesh/surface_distance.h"
 #include "fit/sphere_map/alignment.h"
@@ -187,6 +188,32 @@ TEST_CASE("a tolerance takes no more leaves than reach it without one") {
         CHECK(within.leaves.size() < 5000);
         CHECK(measure_quality(located, within, {}).hausdorff < 1.1 * reached);
     }
+}
+
+TEST_CASE("the key is near a landmark, also along the surface") {
+    // On a slab, the leaves of whose faces have no error, whatever part of a face they show.
+    MappedMesh slab = unit_sphere_mesh(4);
+    for (glm::dvec3& position : slab.mesh.positions) {
+        position /= std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
+        position.x *= 2 + position.x;
+    }
+    const SphereRoots roots = project_to_sphere(cube());
+    const auto farthest_with = [&](const SamplingOptions& options, std::span<const glm::dvec3> held) {
+        const SampledSurface surface =
+            sample_surface(MappedSurface(slab.mesh, slab.points, held), roots, options, {});
+        const Hierarchy key = hierarchy_from_leaves(roots.complex, surface.leaves, surface.positions);
+        double farthest = 0;
+        for (std::size_t v = 0; v < slab.points.size(); v += 37)
+            farthest = std::max(farthest, glm::distance(slab.mesh.positions[v],
+                                                        point_in_direction(key, roots, slab.points[v])));
+        return farthest;
+    };
+    std::vector<glm::dvec3> landmarks;
+    for (std::size_t v = 0; v < slab.points.size(); v += 37) landmarks.push_back(slab.mesh.positions[v]);
+    const double farthest = farthest_with({.leaves = 3000}, landmarks);
+    CHECK(farthest_with({.leaves = 3000}, {}) > 1.5 * farthest);
+    CHECK(farthest_with({.leaves = 100000, .tolerance = 0.05}, {}) > 0.05);
+    CHECK(farthest_with({.leaves = 100000, .tolerance = 0.05}, landmarks) <= 0.05);
 }
 
 TEST_CASE("the roots alone are a key") {
