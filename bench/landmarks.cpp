@@ -1,7 +1,7 @@
 // How well landmarks make bodies correspond. Takes a folder of closed meshes, NAME.off, each with a file
 // NAME.vts that has one landmark per line; the first column is a vertex. Lines with one number are landmarks of
 // one name. Fits each mesh, without and with matching, with some of the landmarks onto each of the first few, and
-// measures where the others arrive; or fits it with all landmarks. Prints one line of JSON per pair, and one of all
+// measures where the others arrive; or fits it with all landmarks. Prints one line of JSON per fit, and one of all
 // pairs.
 #include <algorithm>
 #include <array>

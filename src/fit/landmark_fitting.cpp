@@ -59,19 +59,14 @@ std::vector<FittedLandmark> fitted_landmarks(std::span<const Landmark> landmarks
         from_original.emplace(map.original.triangles, map.original.positions);
     for (const Landmark& landmark : landmarks) {
         FittedLandmark each{.name = landmark.name};
-        MeshPoint point;
-        each.from_mesh = map.mapped.distance(landmark.position, point.triangle) / diagonal;
-        const auto& [a, b, c] = map.mesh().triangles[point.triangle];
-        const std::span<const glm::dvec3> positions = map.mesh().positions;
-        point.barycentric = nearest_place(landmark.position, {positions[a], positions[b], positions[c]});
+        const MeshPoint point = map.mapped.nearest_point(landmark.position);
         each.position = map.mapped.position(point);
         if (from_original) {
             Index nearest = no_index;
             each.position = from_original->nearest_point(landmark.position, nearest);
-            each.from_mesh = glm::distance(each.position, landmark.position) / diagonal;
         }
-        each.direction = landmark.direction.value_or(
-            glm::normalize(point.of(std::span(map.mesh().triangles), map.mapped.points)));
+        each.from_mesh = glm::distance(each.position, landmark.position) / diagonal;
+        each.direction = landmark.direction.value_or(map.mapped.direction(point));
         each.off_in_key =
             glm::distance(each.position, point_in_direction(key.hierarchy, key.roots, each.direction)) /
             diagonal;

@@ -41,7 +41,7 @@ namespace interleaf {
 
 namespace {
 
-/// Size of the window when it is opened for the first time; screen coordinates.
+/// Size of the window when it is opened for the first time, if the screen has room for it; screen coordinates.
 constexpr glm::ivec2 first_size{1280, 800};
 
 /// Longest interval between two checks of the autosave and of the files on disk; seconds.

@@ -10,13 +10,17 @@ MappedSurface::MappedSurface(const SurfaceMesh& surface, std::span<const glm::dv
         normals.push_back(unit_normal({mesh.positions[a], mesh.positions[b], mesh.positions[c]}));
     landmarks.reserve(landmark_positions.size());
     for (const glm::dvec3& landmark : landmark_positions) {
-        MeshPoint point;
-        distance(landmark, point.triangle);
-        const auto& [a, b, c] = mesh.triangles[point.triangle];
-        point.barycentric =
-            nearest_place(landmark, {mesh.positions[a], mesh.positions[b], mesh.positions[c]});
-        landmarks.push_back({glm::normalize(point.of(std::span(mesh.triangles), points)), position(point)});
+        const MeshPoint point = nearest_point(landmark);
+        landmarks.push_back({direction(point), position(point)});
     }
+}
+
+MeshPoint MappedSurface::nearest_point(const glm::dvec3& place) const {
+    MeshPoint point;
+    distance(place, point.triangle);
+    const auto& [a, b, c] = mesh.triangles[point.triangle];
+    point.barycentric = nearest_place(place, {mesh.positions[a], mesh.positions[b], mesh.positions[c]});
+    return point;
 }
 
 }  // namespace interleaf

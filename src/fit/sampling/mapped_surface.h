@@ -31,6 +31,12 @@ struct MappedSurface {
     glm::dvec3 position(const MeshPoint& point) const {
         return point.of(std::span(mesh.triangles), std::span(mesh.positions));
     }
+    /// The unit vector in the direction of a point.
+    glm::dvec3 direction(const MeshPoint& point) const {
+        return glm::normalize(point.of(std::span(mesh.triangles), points));
+    }
+    /// The point of the surface that is nearest to \p place.
+    MeshPoint nearest_point(const glm::dvec3& place) const;
 
     const SurfaceMesh& mesh;             ///< closed, of genus 0
     std::span<const glm::dvec3> points;  ///< the map to the unit sphere, one per vertex, one to one
