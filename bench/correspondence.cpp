@@ -1,9 +1,11 @@
 // How well automatic matching (fit/correspondence) makes two bodies correspond, for pairs of meshes, without and
-// with matching. Pairs of meshes with landmark files beside them, NAME.json, are measured with landmarks, too.
+// with matching. Pairs of meshes with landmark files beside them, NAME.json, are measured with landmarks, too: placed
+// by these, and matched where the meshes are.
 //
 // Usage: bench_correspondence FOLDER... or bench_correspondence A B [A B ...]: a folder stands for the pairs
-// NAME-1.obj, NAME-2.obj in it. Prints two lines of JSON per pair, or four. Lengths are percent of the box diagonal of the
-// first mesh.
+// NAME-1.obj, NAME-2.obj in it. Prints two lines of JSON per pair, or five. Lengths are percent of the box diagonal of
+// the first mesh. half_area is the area half way over the mean of the keys' areas, half_area_of_one_size the same of
+// keys that are scaled to one area.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,6 +22,7 @@
 #include <glm/geometric.hpp>
 
 #include "fit/fit.h"
+#include "fit/half_way.h"
 #include "fit/landmarks/landmark_targets.h"
 #include "fit/mesh/surface_distance.h"
 #include "hierarchy/error.h"
@@ -103,6 +106,7 @@ Json figures_of(const FittedKey& first, const FittedKey& second) {
             {"keys", percent * hausdorff_distance({triangles, b}, mesh, {})},
             {"cosine", cosine / whole},
             {"half_area", 2 * area_of(triangles, half) / (area_a + area_b)},
+            {"half_area_of_one_size", half_way_area(first.hierarchy, second.hierarchy, glm::dmat3(1))},
             {"stretched", 100 * stretched / whole}};
 }
 
@@ -139,7 +143,7 @@ void print_figures(const std::string& name, const std::string& match, const Fitt
     std::fflush(stdout);
 }
 
-/// Fits the second mesh of a pair to the first, placed by landmarks if both have some.
+/// Fits the second mesh of a pair to the first, with landmarks if both have some.
 class Measurement {
   public:
     explicit Measurement(const MeshPair& pair)
@@ -155,21 +159,23 @@ class Measurement {
     }
 
     void run() {
-        measure("none", false, false);
-        measure("auto", true, false);
+        measure("none", false, {});
+        measure("auto", true, {});
         if (landmarks_.empty()) return;
-        measure("landmarks", false, true);
-        measure("landmarks and auto", true, true);
+        measure("landmarks", false, LandmarkPlacing::similarity);
+        measure("landmarks and auto", true, LandmarkPlacing::similarity);
+        measure("landmarks and auto, kept in place", true, LandmarkPlacing::keep);
     }
 
   private:
-    void measure(const std::string& match, bool is_matched, bool has_landmarks) {
+    /// \param placing  none for a fit without landmarks
+    void measure(const std::string& match, bool is_matched, std::optional<LandmarkPlacing> placing) {
         FitOptions options;
         CleanMesh clean = second_;
         std::vector<glm::dvec3> directions;
-        if (has_landmarks) {
+        if (placing) {
             AimedLandmarks aimed = aim(landmarks_, targets_of(first_.report.landmarks));
-            if (const auto placement = placement_of(aimed, {})) {
+            if (const auto placement = placement_of(aimed, placing)) {
                 for (glm::dvec3& position : clean.mesh.positions) position = (*placement)(position);
                 for (Landmark& landmark : aimed.landmarks)
                     landmark.position = (*placement)(landmark.position);

@@ -4,25 +4,26 @@
 #include <utility>
 
 #include "fit/mesh/surface_distance.h"
+#include "fit/sampling/leaf_faults.h"
 #include "fit/sampling/leaf_smoothing.h"
 #include "fit/sphere_map/alignment.h"
 
 namespace interleaf {
 namespace {
 
-/// Maximum number of vertices, per leaf, that may look for better places on a refined mesh. On a body so long
-/// that most leaves stay needles, further rounds take time and improve little.
+/// Maximum number of vertices, per leaf, that may look for better places on a refined mesh, and over a matched map. On
+/// a body so long that most leaves stay needles, and where a match stretches the surface, further rounds take time and
+/// improve little.
 constexpr double tries_per_leaf = 0.5;
-/// The same per round.
+/// The same per round on a refined mesh.
 constexpr double tries_per_leaf_and_round = 0.25;
 
-/// The same on a mesh of large triangles that is not refined, and over a matched map, if more than this fraction of
-/// the leaves needs smoothing.
+/// The same on a mesh of large triangles that is not refined, if more than this fraction of the leaves needs smoothing.
 constexpr double faulty_part_of_many = 0.3;
 constexpr double tries_per_leaf_if_many = 2;
 
-/// There, further rounds go through the worst leaves only, with at most this many vertices per leaf of the key.
-/// The leaves with the least angles and those turned over still improve.
+/// There, and over a matched map, further rounds go through the worst leaves only, with at most this many vertices per
+/// leaf of the key. The leaves with the least angles and those turned over still improve.
 constexpr double tries_of_worst_per_leaf = 0.1;
 
 /// Over a matched map, leaves with an angle below this, in degrees, are worth a greater distance: below 3, the match is
@@ -68,15 +69,19 @@ void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& sur
             const Progress& progress) {
     const double leaves = double(surface.leaves.size());
     SmoothingLimits limits;
-    if (map.is_refined() && !map.is_matched) {
-        limits.tries = static_cast<std::size_t>(tries_per_leaf * leaves);
-        limits.tries_per_round = static_cast<std::size_t>(tries_per_leaf_and_round * leaves);
-    } else if ((map.has_large_triangles || map.is_matched) &&
+    const auto tries = [&](double per_leaf) { return static_cast<std::size_t>(per_leaf * leaves); };
+    if (map.is_matched) {
+        limits.tries = tries(tries_per_leaf);
+        limits.tries_of_worst = tries(tries_of_worst_per_leaf);
+        limits.needle_angle = needle_angle_if_matched;
+    } else if (map.is_refined()) {
+        limits.tries = tries(tries_per_leaf);
+        limits.tries_per_round = tries(tries_per_leaf_and_round);
+    } else if (map.has_large_triangles &&
                double(count_faulty_leaves(map.mapped, surface)) > faulty_part_of_many * leaves) {
-        limits.tries = static_cast<std::size_t>(tries_per_leaf_if_many * leaves);
-        limits.tries_of_worst = static_cast<std::size_t>(tries_of_worst_per_leaf * leaves);
+        limits.tries = tries(tries_per_leaf_if_many);
+        limits.tries_of_worst = tries(tries_of_worst_per_leaf);
     }
-    if (map.is_matched) limits.needle_angle = needle_angle_if_matched;
     smooth_leaves(map.mapped, roots.complex.vertex_count(), surface, progress, limits);
     if (!map.is_approximate) return;
     const SurfaceDistance distance(map.original.triangles, map.original.positions);

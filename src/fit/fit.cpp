@@ -148,19 +148,24 @@ bool is_accepted(const JudgedMap& judged, const FitLimits& limits) {
     return fault_of_fit(judged.quality, judged.surface.leaves.size(), limits).empty();
 }
 
+/// The least angle, in degrees, that the key of a matched map is to have; 0 for any.
+double wanted_angle(const FitQuality& unmatched) {
+    constexpr double small_angle = 3;
+    constexpr double good_angle = 6;
+    return unmatched.min_angle > good_angle ? small_angle : 0;
+}
+
 /// Why a matched map is not taken, in words: its key is refused, or much worse than that of the unmatched map.
 std::string fault_of_match(const JudgedMap& matched, const FitQuality& unmatched, const FitLimits& limits) {
     constexpr double farther = 1.3;
     constexpr double margin = 2e-4;
-    constexpr double small_angle = 3;
-    constexpr double good_angle = 6;
     const FitQuality& quality = matched.quality;
     std::string fault = fault_of_fit(quality, matched.surface.leaves.size(), limits);
     if (!fault.empty()) return fault;
     if (quality.hausdorff > farther * unmatched.hausdorff + margin)
         return fmt::format("{:.3g} % of the box diagonal from the surface, {:.3g} % without matching",
                            100 * quality.hausdorff, 100 * unmatched.hausdorff);
-    if (quality.min_angle < small_angle && unmatched.min_angle > good_angle)
+    if (quality.min_angle < wanted_angle(unmatched))
         return fmt::format("the least angle of a leaf is {:.1f} degrees, {:.1f} without matching",
                            quality.min_angle, unmatched.min_angle);
     return {};
@@ -204,7 +209,7 @@ std::optional<MatchReport> match_to_model(JudgedMap& judged, const LandmarkPins*
         judged_match =
             judge(std::make_unique<AlignedMap>(map.original, matched.mesh, matched.points, map.is_approximate,
                                                pinned_positions(options.landmarks, pins)),
-                  options.roots, stopwatch, inner);
+                  options.roots, wanted_angle(judged.quality), stopwatch, inner);
         if (std::string fault = fault_of_match(judged_match, judged.quality, options.limits); !fault.empty())
             return fault;
         if (!models_key) {
@@ -301,7 +306,7 @@ FittedKey fit_mapped(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, co
     auto map =
         std::make_unique<AlignedMap>(mesh, SurfaceMesh{}, std::move(points), false, options.rotation, false);
     stopwatch.lap("alignment");
-    JudgedMap judged = judge(std::move(map), options.roots, stopwatch, part_of(progress, 0, 0.5));
+    JudgedMap judged = judge(std::move(map), options.roots, 0, stopwatch, part_of(progress, 0, 0.5));
     return key_of(std::move(judged), options, nullptr, std::move(times), part_of(progress, 0.5, 1));
 }
 
@@ -369,7 +374,7 @@ std::optional<FittedKey> fit_continued(const CleanMesh& clean, const FittedKey& 
         try {
             JudgedMap judged =
                 judge(std::make_unique<AlignedMap>(clean.mesh, map.mesh, std::move(points), false),
-                      options.roots, stopwatch, part_of(onward, begin, end));
+                      options.roots, wanted_angle(wanted), stopwatch, part_of(onward, begin, end));
             if (fault_of_match(judged, wanted, options.limits).empty())
                 return of_clean_mesh(
                     key_of(std::move(judged), options, nullptr, times, part_of(onward, judged_at, 1)), clean);

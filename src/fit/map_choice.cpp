@@ -12,7 +12,7 @@
 #include "fit/landmarks/pinned_map.h"
 #include "fit/mesh/progress_meter.h"
 #include "fit/mesh/surface_distance.h"
-#include "fit/sampling/leaf_smoothing.h"
+#include "fit/sampling/leaf_faults.h"
 #include "fit/sphere_map/surface_approximation.h"
 #include "fit/sphere_map/surface_refinement.h"
 #include "hierarchy/error.h"
@@ -42,9 +42,11 @@ constexpr double max_flipped_part = 3;
 /// smoothed.
 constexpr double far_from_accepted = 2;
 
-/// A key of a matched map with this multiple of the flipped leaves for which it would be refused stays refused,
-/// however it is smoothed.
-constexpr double lost_flipped_part = 8;
+/// A key of a matched map is refused before it is smoothed if it has this multiple of the flipped leaves for which it
+/// would be refused, or if this fraction of its leaves are needles where none is accepted. Of 28 such keys that were
+/// smoothed nevertheless, one became acceptable.
+constexpr double lost_flipped_part = 2;
+constexpr double lost_needle_part = 0.01;
 
 /// The refined mesh is as fine as this many equilateral triangles. A finer mesh gives better leaves. But on a
 /// long thin body, the map of the finer mesh may shrink a limb; then a coarser mesh is tried.
@@ -113,9 +115,8 @@ double distance_at_vertices(const AlignedMap& map, const SampledSurface& surface
     return largest / box_diagonal(map.original);
 }
 
-/// Smooths and measures. A key that is certainly refused is not smoothed: the key of a bad map that is so far
-/// from the surface that smoothing, which moves vertices along the surface, cannot bring it near, or the key of a
-/// matched map that folds over the surface.
+/// Smooths and measures. The key of a bad map is not smoothed if it is so far from the surface that smoothing, which
+/// moves vertices along the surface, cannot bring it near.
 JudgedMap judged(FoundMap candidate, const SphereRoots& roots, const FitLimits& limits, Stopwatch& stopwatch,
                  const Progress& progress) {
     const auto is_far = [&] {
@@ -124,8 +125,7 @@ JudgedMap judged(FoundMap candidate, const SphereRoots& roots, const FitLimits& 
         stopwatch.lap("measuring");
         return distance > far_from_accepted * limits.hausdorff;
     };
-    const bool is_folded = candidate.map->is_matched && candidate.flipped_part(limits) > lost_flipped_part;
-    if (is_folded || (candidate.map->has_large_triangles && candidate.is_bad(limits) && is_far())) {
+    if (candidate.map->has_large_triangles && candidate.is_bad(limits) && is_far()) {
         const FitQuality quality = quality_of(*candidate.map, candidate.surface, part_of(progress, 0.2, 1));
         stopwatch.lap("measuring");
         return {std::move(candidate.map), std::move(candidate.surface), quality, candidate.method,
@@ -238,13 +238,17 @@ Index judged_leaves(const SphereRoots& roots) {
     return std::max<Index>(20000, roots.complex.triangle_count());
 }
 
-JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots, Stopwatch& stopwatch,
-                const Progress& progress) {
+JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots, double least_angle,
+                Stopwatch& stopwatch, const Progress& progress) {
     FoundMap made;
     made.surface = sampled(*map, roots, part_of(progress, 0, 0.15));
     made.shapes = measure_shapes(map->mapped, made.surface);
     stopwatch.lap("sampling");
     made.map = std::move(map);
+    const double needles =
+        double(count_needles(made.surface, least_angle)) / double(made.surface.leaves.size());
+    if (made.map->is_matched && (made.flipped_part({}) > lost_flipped_part || needles > lost_needle_part))
+        return {std::move(made.map), std::move(made.surface), made.shapes};
     return judged(std::move(made), roots, {}, stopwatch, part_of(progress, 0.15, 1));
 }
 

@@ -38,7 +38,7 @@ struct MapChoiceOptions {
 /// A map, with the key by which the map is judged.
 struct JudgedMap {
     std::unique_ptr<const AlignedMap> map;
-    SampledSurface surface;  ///< of judged_leaves(), smoothed
+    SampledSurface surface;  ///< of judged_leaves(), smoothed unless it is certainly refused
     FitQuality quality;      ///< of that surface
     MapMethod method = MapMethod::progressive;
     LandmarkAgreement agreement{};  ///< where there are pins
@@ -47,9 +47,11 @@ struct JudgedMap {
 /// Number of leaves of the key by which a map is judged: 20,000, or the number of roots if that is larger.
 Index judged_leaves(const SphereRoots& roots);
 
-/// Samples, smooths and measures.
-JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots, Stopwatch& stopwatch,
-                const Progress& progress);
+/// Samples, smooths and measures. If so many leaves of a matched map are turned over, or needles, that smoothing cannot
+/// mend all of them, the key is neither smoothed nor measured: the distances of its quality stay 0.
+/// \param least_angle  degrees; leaves with a smaller angle are needles, which the caller refuses. 0 for none
+JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots, double least_angle,
+                Stopwatch& stopwatch, const Progress& progress);
 
 /// Maps, centers, checks, samples and judges a clean mesh.
 /// \throw InputError  if no map is one to one; a LandmarkError (pinned_map.h) at once

@@ -48,10 +48,17 @@ constexpr double hopeless_distortion = 3.5;
 /// The body's mesh waits if its energy after the first passes is over this multiple of that of the model's mesh.
 constexpr double clearly_worse = 1.1;
 
-/// At the end, shapes on the sphere are restored where their distortion is larger than the first of these; where that
-/// gives no good key, than the next. Each attempt takes as long as a key. Landmarks promise that one will do.
-constexpr std::array<double, 2> worst_shapes = {4, 1.3};
-constexpr std::array<double, 4> worst_shapes_with_landmarks = {4, 2, 1.3, 1};
+/// At the end, shapes on the sphere are restored where their distortion is larger than this.
+constexpr double worst_shape = 4;
+
+/// Where that gives no good key, more shapes are restored: in one large step, which keeps more area between bone and
+/// sphere of the five keys, then from the first map again in small ones, which more often give a good key.
+struct Restoring {
+    double worst_shape;
+    bool begins_anew = false;
+};
+constexpr std::array<Restoring, 5> restorings = {{{worst_shape}, {1.3}, {2, true}, {1.3}, {1}}};
+constexpr std::array<Restoring, 4> restorings_with_landmarks = {{{worst_shape}, {2}, {1.3}, {1}}};
 
 /// Vertices of the even mesh of a body with \p count vertices. Over twice as many would only cost time.
 std::size_t even_vertices(const MatchOptions& options, std::size_t count) {
@@ -197,8 +204,8 @@ class Match {
     bool are_too_unlike() const { return are_too_unlike_; }
 
     /// \return false if there is nothing to restore
-    bool restore(double worst_shape, Candidate& candidate) {
-        if (!restore_shapes(body_, worst_shape, candidate.points, meter_)) return false;
+    bool restore(double worst, Candidate& candidate) {
+        if (!restore_shapes(body_, worst, candidate.points, meter_)) return false;
         if (is_one_to_one(candidate)) candidate.figures = figures_of(candidate.points);
         return true;
     }
@@ -288,7 +295,7 @@ class Match {
 
     std::optional<Candidate> finished(Candidate candidate) {
         if (candidate.points.empty() || !is_one_to_one(candidate)) return std::nullopt;
-        restore_shapes(body_, worst_shapes.front(), candidate.points, meter_);
+        restore_shapes(body_, worst_shape, candidate.points, meter_);
         if (!is_one_to_one(candidate)) return std::nullopt;
         candidate.figures = figures_of(candidate.points);
         return candidate;
@@ -350,8 +357,8 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
     const double disagreement = report.before.energy - MatchWeights().distortion * report.before.distortion;
     if (report.before.distortion < options.enough && disagreement < max_disagreement)
         return unmatched(std::move(report), "the maps agree already");
-    const std::span<const double> attempts =
-        held.empty() ? std::span<const double>(worst_shapes) : worst_shapes_with_landmarks;
+    const std::span<const Restoring> attempts =
+        held.empty() ? std::span<const Restoring>(restorings) : restorings_with_landmarks;
     const double attempt = (1 - finishing_begins) / double(2 * attempts.size());  // both ways
     double part = finishing_begins;
     std::string fault = "there is no room for a vertex, or triangles turn over";
@@ -362,12 +369,16 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
         for (Candidate& candidate : candidates) {
             if (report.passes == 0) fault = "the matched map agrees no better";
             if (report.passes == 0) report.passes = candidate.passes;
-            for (const double worst : attempts) {
+            if (!(candidate.figures.energy < report.before.energy)) continue;
+            const std::vector<glm::dvec3> first_points = candidate.points;
+            for (const Restoring& restoring : attempts) {
                 both.begin_part(part);
                 part += attempt;
-                if (worst < attempts.front() && !both.restore(worst, candidate)) continue;
+                if (restoring.begins_anew) candidate.points = first_points;
+                if (restoring.worst_shape < worst_shape && !both.restore(restoring.worst_shape, candidate))
+                    continue;
                 if (!both.is_one_to_one(candidate) || !(candidate.figures.energy < report.before.energy))
-                    break;
+                    continue;
                 MatchedMap matched{.mesh = with_middles(mesh, halved, body.triangles),
                                    .points = candidate.points,
                                    .report = report};

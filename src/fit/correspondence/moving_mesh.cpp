@@ -145,10 +145,18 @@ void MovingMesh::gather(Index vertex) {
     });
 }
 
+void MovingMesh::list_present() {
+    vertices_.clear();
+    for (Index v = 0; v < mesh_.vertex_capacity(); ++v)
+        if (mesh_.has_vertex(v)) vertices_.push_back(v);
+    triangles_.clear();
+    for (Index t = 0; t < mesh_.triangle_capacity(); ++t)
+        if (mesh_.has_triangle(t)) triangles_.push_back(t);
+}
+
 void MovingMesh::update_masses() {
-    std::fill(mass_.begin(), mass_.end(), 0.0);
-    for (Index t = 0; t < mesh_.triangle_capacity(); ++t) {
-        if (!mesh_.has_triangle(t)) continue;
+    for (const Index v : vertices_) mass_[v] = 0;
+    for (const Index t : triangles_) {
         const std::array<Index, 3> corners = {mesh_.origin(3 * t), mesh_.origin(3 * t + 1),
                                               mesh_.origin(3 * t + 2)};
         const double there = doubled_area_of(places_.in_space[corners[0]], places_.in_space[corners[1]],

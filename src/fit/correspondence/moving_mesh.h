@@ -116,6 +116,7 @@ class MovingMesh {
     void gather(Index vertex);
     void update_shape(Index triangle);
     void update_shapes_at(Index vertex);
+    void list_present();
     void update_masses();
     void fit_affine();
     glm::dvec3 affine_place(Index vertex) const { return linear_ * moving_.positions()[vertex] + offset_; }
@@ -147,6 +148,8 @@ class MovingMesh {
     ProgressMeter& meter_;
     HalfEdgeMesh mesh_;
     std::size_t count_;
+    std::vector<Index> vertices_;    ///< that are not collapsed, in order, since list_present()
+    std::vector<Index> triangles_;   ///< the same
     std::size_t relaxed_count_ = 0;  ///< number of vertices when the whole mesh was last relaxed
     std::vector<Index> collapses_;
     std::size_t base_ = 0;  ///< number of collapses that refine() does not undo

@@ -50,8 +50,7 @@ void MovingMesh::fit_affine() {
     double whole = 0;
     glm::dvec3 center(0);
     glm::dvec3 center_there(0);
-    for (Index v = 0; v < mesh_.vertex_capacity(); ++v) {
-        if (!mesh_.has_vertex(v)) continue;
+    for (const Index v : vertices_) {
         whole += mass_[v];
         center += mass_[v] * moving_.positions()[v];
         center_there += mass_[v] * places_.in_space[v];
@@ -60,8 +59,7 @@ void MovingMesh::fit_affine() {
     center_there /= whole;
     glm::dmat3 own(0.0);
     glm::dmat3 across(0.0);
-    for (Index v = 0; v < mesh_.vertex_capacity(); ++v) {
-        if (!mesh_.has_vertex(v)) continue;
+    for (const Index v : vertices_) {
         const glm::dvec3 from = moving_.positions()[v] - center;
         own += mass_[v] / whole * glm::outerProduct(from, from);
         across += mass_[v] / whole * glm::outerProduct(places_.in_space[v] - center_there, from);
@@ -243,8 +241,8 @@ int MovingMesh::sweep() {
 
 int MovingMesh::move_active() {
     int moved = 0;
-    for (Index v = 0; v < mesh_.vertex_capacity(); ++v) {
-        if (!mesh_.has_vertex(v) || !std::exchange(is_active_[v], char{0})) continue;
+    for (const Index v : vertices_) {
+        if (!std::exchange(is_active_[v], char{0})) continue;
         if (!(relax_vertex(v) > still_gain)) continue;
         ++moved;
         is_active_[v] = 1;
@@ -255,12 +253,14 @@ int MovingMesh::move_active() {
 
 void MovingMesh::relax(int sweeps) {
     relaxed_count_ = count_;
+    list_present();
     std::fill(is_active_.begin(), is_active_.end(), char{1});
     for (int i = 0; i < sweeps && sweep() > 0; ++i) meter_.step();
 }
 
 /// Relaxes from the vertices within \p rings rings of edges about \p vertex on.
 void MovingMesh::relax_around(Index vertex, int rings, int sweeps) {
+    list_present();
     std::fill(is_active_.begin(), is_active_.end(), char{0});
     for (const Index v : vertices_around(vertex, rings)) is_active_[v] = 1;
     for (int i = 0; i < sweeps && move_active() > 0; ++i) meter_.step();
@@ -277,14 +277,13 @@ void MovingMesh::relax_stiffly(double factor) {
 MatchFigures MovingMesh::figures() {
     constexpr double largest_distortion = 20;  // per area
     constexpr double much = 8;
+    list_present();
     update_masses();
     fit_affine();
     MatchFigures figures;
     double whole = 0;
-    for (Index v = 0; v < mesh_.vertex_capacity(); ++v)
-        if (mesh_.has_vertex(v)) figures.energy += data_energy(v, places_.on_mesh[v], places_.in_space[v]);
-    for (Index t = 0; t < mesh_.triangle_capacity(); ++t) {
-        if (!mesh_.has_triangle(t)) continue;
+    for (const Index v : vertices_) figures.energy += data_energy(v, places_.on_mesh[v], places_.in_space[v]);
+    for (const Index t : triangles_) {
         const std::array<Index, 3> corners = {mesh_.origin(3 * t), mesh_.origin(3 * t + 1),
                                               mesh_.origin(3 * t + 2)};
         std::array<glm::dvec3, 3> own{};

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <ranges>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "fit/mesh/progress_meter.h"
 #include "fit/mesh/space_triangle.h"
 #include "fit/mesh/surface_distance.h"
+#include "fit/sampling/leaf_faults.h"
 #include "fit/sampling/star_grid.h"
 
 namespace interleaf {
@@ -32,38 +32,11 @@ constexpr std::size_t max_places = 8;
 /// needed because distances are measured at some places only.
 constexpr double near_enough = 0.9;
 
-/// The same for a move that mends a needle, in the last rounds.
-constexpr double near_enough_for_needle = 1.25;
+/// The same for moves that mend needles, in the last rounds: the second only if the first does not mend all.
+constexpr std::array<double, 2> near_enough_for_needles = {1.25, 1.6};
 
 /// After a move no landmark may be farther from the key than this fraction of the box diagonal, unless it was before.
 constexpr double near_landmark = 0.002;
-
-/// The cosine of the least angle; 1 for a triangle without area.
-double max_cosine(const TriangleCorners& corners) {
-    double largest = -1;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const glm::dvec3 a = corners[(i + 1) % 3] - corners[i];
-        const glm::dvec3 b = corners[(i + 2) % 3] - corners[i];
-        const double lengths = std::sqrt(glm::dot(a, a) * glm::dot(b, b));
-        if (!(lengths > 0)) return 1;
-        largest = std::max(largest, glm::dot(a, b) / lengths);
-    }
-    return largest;
-}
-
-double cosine_of(double degrees) {
-    return std::cos(degrees * std::numbers::pi / 180);
-}
-
-TriangleCorners corners_of(const Triangle& leaf, const SampledSurface& surface) {
-    const auto& [a, b, c] = leaf;
-    return {surface.positions[a], surface.positions[b], surface.positions[c]};
-}
-
-bool is_faulty(const Triangle& leaf, const SampledSurface& surface, const MappedSurface& mapped,
-               double good_cosine) {
-    return max_cosine(corners_of(leaf, surface)) > good_cosine || is_turned_over(leaf, surface, mapped);
-}
 
 /// The faults of some leaves.
 struct Fault {
@@ -85,6 +58,8 @@ class Smoothing {
         for (const Leaf& leaf : surface.leaves) leaves_.push_back(leaf.vertices);
         gather_stars();
         assign_vertices(meter);
+        for (Index leaf = 0; leaf < leaves_.size(); ++leaf)
+            turned_over_.push_back(is_turned_over(leaves_[leaf], surface_, mapped_));
         max_distance_ = max_distance(meter);
     }
 
@@ -111,23 +86,25 @@ class Smoothing {
 
     /// Mends leaves with a smaller angle than \p degrees, somewhat farther from the surface; none if one of them stays.
     void mend_needles(double degrees, std::size_t fixed_vertices, ProgressMeter& meter) {
-        const double cosine = cosine_of(degrees);
+        const double cosine = cosine_of_degrees(degrees);
         const auto is_needle = [&](Index leaf) { return max_cosine(corners(leaf)) > cosine; };
         std::vector<Index> needles;
         for (Index leaf = 0; leaf < leaves_.size(); ++leaf)
             if (is_needle(leaf)) needles.push_back(leaf);
         if (needles.empty()) return;
         const SampledSurface before = surface_;
-        allowed_distance_ = near_enough_for_needle * max_distance_;
-        bool moved = true;
-        for (int round = 0; round < max_rounds && moved; ++round) {
-            moved = false;
-            for (const Index leaf : needles)
-                for (const Index vertex : leaves_[leaf]) {
-                    if (vertex < fixed_vertices || !is_needle(leaf)) continue;
-                    moved = improve(vertex) || moved;
-                    meter.step(5000);
-                }
+        for (const double near_enough_for_needle : near_enough_for_needles) {
+            allowed_distance_ = near_enough_for_needle * max_distance_;
+            bool moved = true;
+            for (int round = 0; round < max_rounds && moved; ++round) {
+                moved = false;
+                for (const Index leaf : needles)
+                    for (const Index vertex : leaves_[leaf]) {
+                        if (vertex < fixed_vertices || !is_needle(leaf)) continue;
+                        moved = improve(vertex) || moved;
+                        meter.step(5000);
+                    }
+            }
         }
         if (std::ranges::any_of(needles, is_needle)) surface_ = before;
     }
@@ -152,7 +129,7 @@ class Smoothing {
     std::vector<Index> faulty_leaves(ProgressMeter& meter) const;
     bool improve(Index vertex);
     std::vector<std::pair<double, Place>> better_places(Index vertex, const Fault& before);
-    bool is_better(Index vertex, double cosine, const Fault& before) const;
+    bool is_better(Index vertex, double cosine, const Fault& before);
     double max_distance(ProgressMeter& meter) const;
     bool is_near(Index vertex, std::span<const glm::dvec3> grid) const;
     bool is_near_landmarks(Index vertex, const Place& before) const;
@@ -171,13 +148,13 @@ class Smoothing {
     Fault fault(std::span<const Index> star) const {
         Fault found{0, good_cosine_};
         for (const Index leaf : star) {
-            found.turned_over += is_turned_over(leaves_[leaf], surface_, mapped_);
+            found.turned_over += turned_over_[leaf];
             found.cosine = std::max(found.cosine, max_cosine(corners(leaf)));
         }
         return found;
     }
     bool is_faulty(Index leaf) const {
-        return interleaf::is_faulty(leaves_[leaf], surface_, mapped_, good_cosine_);
+        return turned_over_[leaf] || max_cosine(corners(leaf)) > good_cosine_;
     }
     Place place_of(Index vertex) const {
         return {surface_.sphere_points[vertex], surface_.mesh_points[vertex], surface_.positions[vertex]};
@@ -188,16 +165,18 @@ class Smoothing {
         surface_.positions[vertex] = place.position;
     }
 
-    const double good_cosine_ = cosine_of(smoothed_angle);
+    const double good_cosine_ = cosine_of_degrees(smoothed_angle);
     const StarGrids grids_;
     const MappedSurface& mapped_;
     SampledSurface& surface_;
     std::vector<Triangle> leaves_;
     std::vector<Index> star_begin_;
-    std::vector<Index> stars_;          ///< leaves around vertices
-    std::vector<Index> inside_;         ///< the first of the mesh's vertices that lie in a leaf
-    std::vector<Index> next_;           ///< per vertex, the next vertex in the same leaf
-    std::vector<bool> at_rest_;         ///< whether a vertex found no better place since its star changed
+    std::vector<Index> stars_;           ///< leaves around vertices
+    std::vector<Index> inside_;          ///< the first of the mesh's vertices that lie in a leaf
+    std::vector<Index> next_;            ///< per vertex, the next vertex in the same leaf
+    std::vector<char> turned_over_;      ///< per leaf, whether it is turned over
+    std::vector<char> new_turned_over_;  ///< the same of a star that is tried, in its order
+    std::vector<bool> at_rest_;          ///< whether a vertex found no better place since its star changed
     std::vector<MeshPoint> landmarks_;  ///< the places of the mapped landmarks on leaves, wherever these move
     const double allowed_landmark_distance_ = near_landmark * box_diagonal(mapped_.mesh);
     double max_distance_ = 0;      ///< before smoothing
@@ -350,11 +329,13 @@ std::vector<std::pair<double, Place>> Smoothing::better_places(Index vertex, con
 }
 
 /// Whether the star of \p vertex, with the \p cosine of its least angle, is less faulty than before.
-bool Smoothing::is_better(Index vertex, double cosine, const Fault& before) const {
+bool Smoothing::is_better(Index vertex, double cosine, const Fault& before) {
     int allowed = before.turned_over - (std::max(cosine, good_cosine_) < before.cosine ? 0 : 1);
     if (allowed < 0) return false;
+    new_turned_over_.clear();
     return std::ranges::all_of(star(vertex), [&](Index leaf) {
-        allowed -= is_turned_over(leaves_[leaf], surface_, mapped_);
+        new_turned_over_.push_back(is_turned_over(leaves_[leaf], surface_, mapped_));
+        allowed -= new_turned_over_.back();
         return allowed >= 0;
     });
 }
@@ -368,6 +349,8 @@ bool Smoothing::improve(Index vertex) {
         if (is_better(vertex, cosine, before) && is_near_landmarks(vertex, here) &&
             is_near(vertex, grids_.coarse) && is_near(vertex, grids_.between)) {
             assign_anew(star(vertex));
+            for (std::size_t k = 0; k < star(vertex).size(); ++k)
+                turned_over_[star(vertex)[k]] = new_turned_over_[k];
             for (const Index leaf : star(vertex))
                 for (const Index neighbor : leaves_[leaf]) at_rest_[neighbor] = false;
             return true;
@@ -387,13 +370,6 @@ void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, Samp
     Smoothing smoothing(mapped, surface, meter);
     smoothing.run(fixed_vertices, limits, meter);
     if (limits.needle_angle > 0) smoothing.mend_needles(limits.needle_angle, fixed_vertices, meter);
-}
-
-std::size_t count_faulty_leaves(const MappedSurface& mapped, const SampledSurface& surface) {
-    const double good_cosine = cosine_of(smoothed_angle);
-    return static_cast<std::size_t>(std::ranges::count_if(surface.leaves, [&](const Leaf& leaf) {
-        return is_faulty(leaf.vertices, surface, mapped, good_cosine);
-    }));
 }
 
 }  // namespace interleaf

@@ -17,9 +17,6 @@
 
 namespace interleaf {
 
-/// Leaves with an angle below this one, in degrees, are smoothed.
-inline constexpr double smoothed_angle = 18;
-
 /// Limits of the work, in vertices that look for better places.
 struct SmoothingLimits {
     /// After this many, no round goes through all faulty leaves any more.
@@ -29,7 +26,7 @@ struct SmoothingLimits {
     /// Maximum per further round, which goes through the worst leaves only. 0 for no further round.
     std::size_t tries_of_worst = 0;
     /// Leaves below this angle, in degrees, are tried once more at the end, with up to 1.25 of the largest distance
-    /// before. If one of them stays, all these moves are undone. 0: they are not tried.
+    /// before, and where that does not do, 1.6. If one of them stays, all these moves are undone. 0: they are not tried.
     double needle_angle = 0;
 };
 
@@ -42,8 +39,5 @@ struct SmoothingLimits {
 /// \throw Cancelled
 void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, SampledSurface& surface,
                    const Progress& progress, const SmoothingLimits& limits = {});
-
-/// Number of leaves that smooth_leaves() tries to improve: leaves with a small angle, or turned over.
-std::size_t count_faulty_leaves(const MappedSurface& mapped, const SampledSurface& surface);
 
 }  // namespace interleaf

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -309,4 +311,52 @@ TEST_CASE("fit with a model matches the key, and without one fits as before") {
     CHECK(matched.report.match->half_way_area_after > matched.report.match->half_way_area_before);
     CHECK(matched.report.match->half_way_area_after > 0.95);
     CHECK(matched.report.quality.hausdorff < 0.005);
+}
+
+TEST_CASE("a way that starts clearly worse is gone on with only when all keys of the other way are refused") {
+    const auto hand = [](double length, double tilt) {
+        return testing::star_shape(5, [=](const glm::dvec3& u) {
+            constexpr double width = 0.08;
+            double radius = 1;
+            for (const double y : {-0.6, -0.2, 0.2, 0.6}) {
+                const glm::dvec3 away = u - glm::normalize(glm::dvec3(1, y, tilt));
+                radius += length / (1 + glm::dot(away, away) / (width * width));
+            }
+            return radius;
+        });
+    };
+    const MappedMesh first = hand(2.4, 0);
+    const MappedMesh second = hand(1.2, 0.3);
+    const auto model = model_of(first.mesh, first.points, glm::dmat3(1), {}, quick, {});
+    std::vector<int> work;  // before each key that is judged, and after the last one, in reports of progress
+    std::vector<double> energies;
+    const auto match_with = [&](std::size_t refused) {
+        work.assign(1, 0);
+        energies.clear();
+        const auto count = [&](std::string_view, double) {
+            ++work.back();
+            return true;
+        };
+        return match(*model, second.mesh, second.points, glm::dmat3(1), {}, quick, count,
+                     [&](const MatchedMap& map, const Progress&) {
+                         work.push_back(0);
+                         energies.push_back(map.report.after.energy);
+                         return energies.size() > refused ? std::string() : std::string("bad leaves");
+                     });
+    };
+    CHECK(match_with(100).report.fault == "no good key: bad leaves");
+    const auto going_on =
+        std::max_element(work.begin() + 1, work.end() - 1);  // the second way moves only then
+    for (auto other = work.begin() + 1; other != work.end(); ++other)
+        CHECK((other == going_on || *other * 5 < *going_on));
+    const auto refused = static_cast<std::size_t>(going_on - work.begin());
+    REQUIRE(refused >= 2);
+    const std::vector<double> all = energies;
+    CHECK(all[0] < all[refused]);
+
+    CHECK(match_with(0).report.fault == "");
+    CHECK(energies.size() == 1);
+    CHECK(work[1] * 5 < work[0]);
+    CHECK(match_with(refused).report.after.energy == all[refused]);
+    CHECK(energies.size() == refused + 1);
 }

@@ -193,5 +193,8 @@ TEST_CASE("a few needles are mended at the cost of a little distance, or none is
     CHECK(mended.min_angle >= 13);
     CHECK(mended.hausdorff <= 1.3 * measure_quality(located, plain, {}).hausdorff);
     CHECK(mended.flipped_leaves == 0);
+    const FitQuality farther = measure_quality(located, smoothed(15), {});  // the first distance does not do
+    CHECK(farther.min_angle > 14);
+    CHECK(farther.hausdorff <= 1.7 * measure_quality(located, plain, {}).hausdorff);
     CHECK(smoothed(17.9).positions == plain.positions);
 }
