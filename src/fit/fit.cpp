@@ -209,7 +209,7 @@ std::optional<MatchReport> match_to_model(JudgedMap& judged, const LandmarkPins*
         judged_match =
             judge(std::make_unique<AlignedMap>(map.original, matched.mesh, matched.points, map.is_approximate,
                                                pinned_positions(options.landmarks, pins)),
-                  options.roots, wanted_angle(judged.quality), stopwatch, inner);
+                  options.roots, options.limits, wanted_angle(judged.quality), stopwatch, inner);
         if (std::string fault = fault_of_match(judged_match, judged.quality, options.limits); !fault.empty())
             return fault;
         if (!models_key) {
@@ -306,7 +306,8 @@ FittedKey fit_mapped(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, co
     auto map =
         std::make_unique<AlignedMap>(mesh, SurfaceMesh{}, std::move(points), false, options.rotation, false);
     stopwatch.lap("alignment");
-    JudgedMap judged = judge(std::move(map), options.roots, 0, stopwatch, part_of(progress, 0, 0.5));
+    JudgedMap judged =
+        judge(std::move(map), options.roots, options.limits, 0, stopwatch, part_of(progress, 0, 0.5));
     return key_of(std::move(judged), options, nullptr, std::move(times), part_of(progress, 0.5, 1));
 }
 
@@ -372,9 +373,9 @@ std::optional<FittedKey> fit_continued(const CleanMesh& clean, const FittedKey& 
         stopwatch.lap("continuing the map");
         if (points.empty()) break;
         try {
-            JudgedMap judged =
-                judge(std::make_unique<AlignedMap>(clean.mesh, map.mesh, std::move(points), false),
-                      options.roots, wanted_angle(wanted), stopwatch, part_of(onward, begin, end));
+            JudgedMap judged = judge(
+                std::make_unique<AlignedMap>(clean.mesh, map.mesh, std::move(points), false), options.roots,
+                options.limits, wanted_angle(wanted), stopwatch, part_of(onward, begin, end));
             if (fault_of_match(judged, wanted, options.limits).empty())
                 return of_clean_mesh(
                     key_of(std::move(judged), options, nullptr, times, part_of(onward, judged_at, 1)), clean);

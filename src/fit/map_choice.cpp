@@ -238,8 +238,8 @@ Index judged_leaves(const SphereRoots& roots) {
     return std::max<Index>(20000, roots.complex.triangle_count());
 }
 
-JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots, double least_angle,
-                Stopwatch& stopwatch, const Progress& progress) {
+JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots, const FitLimits& limits,
+                double least_angle, Stopwatch& stopwatch, const Progress& progress) {
     FoundMap made;
     made.surface = sampled(*map, roots, part_of(progress, 0, 0.15));
     made.shapes = measure_shapes(map->mapped, made.surface);
@@ -247,9 +247,9 @@ JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots,
     made.map = std::move(map);
     const double needles =
         double(count_needles(made.surface, least_angle)) / double(made.surface.leaves.size());
-    if (made.map->is_matched && (made.flipped_part({}) > lost_flipped_part || needles > lost_needle_part))
+    if (made.map->is_matched && (made.flipped_part(limits) > lost_flipped_part || needles > lost_needle_part))
         return {std::move(made.map), std::move(made.surface), made.shapes};
-    return judged(std::move(made), roots, {}, stopwatch, part_of(progress, 0.15, 1));
+    return judged(std::move(made), roots, limits, stopwatch, part_of(progress, 0.15, 1));
 }
 
 JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, Stopwatch& stopwatch,

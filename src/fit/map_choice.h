@@ -50,8 +50,8 @@ Index judged_leaves(const SphereRoots& roots);
 /// Samples, smooths and measures. If so many leaves of a matched map are turned over, or needles, that smoothing cannot
 /// mend all of them, the key is neither smoothed nor measured: the distances of its quality stay 0.
 /// \param least_angle  degrees; leaves with a smaller angle are needles, which the caller refuses. 0 for none
-JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots, double least_angle,
-                Stopwatch& stopwatch, const Progress& progress);
+JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots, const FitLimits& limits,
+                double least_angle, Stopwatch& stopwatch, const Progress& progress);
 
 /// Maps, centers, checks, samples and judges a clean mesh.
 /// \throw InputError  if no map is one to one; a LandmarkError (pinned_map.h) at once

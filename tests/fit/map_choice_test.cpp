@@ -21,7 +21,7 @@ JudgedMap judge_as_matched(const MappedMesh& body, double least_angle) {
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
     return judge(std::make_unique<AlignedMap>(body.mesh, SurfaceMesh{}, body.points, false),
-                 project_to_sphere(cube()), least_angle, stopwatch, {});
+                 project_to_sphere(cube()), {}, least_angle, stopwatch, {});
 }
 
 /// An ellipsoid of the given length under the map of a sphere, so that triangles are stretched.
