@@ -58,8 +58,11 @@ class Smoothing {
         for (const Leaf& leaf : surface.leaves) leaves_.push_back(leaf.vertices);
         gather_stars();
         assign_vertices(meter);
-        for (Index leaf = 0; leaf < leaves_.size(); ++leaf)
-            turned_over_.push_back(is_turned_over(leaves_[leaf], surface_, mapped_));
+        turned_over_.reserve(leaves_.size());
+        for (const Triangle& leaf : leaves_) {
+            meter.step();
+            turned_over_.push_back(is_turned_over(leaf, surface_, mapped_));
+        }
         max_distance_ = max_distance(meter);
     }
 
@@ -93,17 +96,19 @@ class Smoothing {
             if (is_needle(leaf)) needles.push_back(leaf);
         if (needles.empty()) return;
         const SampledSurface before = surface_;
+        const auto improve_needles = [&] {
+            bool moved = false;
+            for (const Index leaf : needles)
+                for (const Index vertex : leaves_[leaf]) {
+                    if (vertex < fixed_vertices || !is_needle(leaf)) continue;
+                    moved = improve(vertex) || moved;
+                    meter.step(5000);
+                }
+            return moved;
+        };
         for (const double near_enough_for_needle : near_enough_for_needles) {
             allowed_distance_ = near_enough_for_needle * max_distance_;
-            bool moved = true;
-            for (int round = 0; round < max_rounds && moved; ++round) {
-                moved = false;
-                for (const Index leaf : needles)
-                    for (const Index vertex : leaves_[leaf]) {
-                        if (vertex < fixed_vertices || !is_needle(leaf)) continue;
-                        moved = improve(vertex) || moved;
-                        meter.step(5000);
-                    }
+            for (int round = 0; round < max_rounds && improve_needles(); ++round) {
             }
         }
         if (std::ranges::any_of(needles, is_needle)) surface_ = before;
