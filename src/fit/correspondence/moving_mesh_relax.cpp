@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
 #include "fit/correspondence/moving_mesh.h"
@@ -32,14 +33,20 @@ double value_at(const MatchedBody& body, const MeshPoint& place) {
            values[c] * place.barycentric.z;
 }
 
-/// The rotation that turns positions best into places, or none if that is no small one: bodies stand about alike.
-glm::dmat3 small_rotation(const glm::dmat3& across) {
-    constexpr double least_cosine = 0.85;
+/// The rotation that turns positions best into places, unless it is large: bodies stand about alike. Between 32 and 37
+/// degrees a part of it is taken, because sweeps would go back and forth over a sudden limit forever.
+glm::dmat3 trusted_rotation(const glm::dmat3& across) {
+    constexpr double trusted_cosine = 0.85;
+    constexpr double distrusted_cosine = 0.8;
     const std::array<glm::dvec3, 3> axes = {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
     const std::array<glm::dvec3, 3> turned = {across[0], across[1], across[2]};
-    const glm::dmat3 rotation = fit_rotation(axes, turned).rotation;
-    const double cosine = (rotation[0][0] + rotation[1][1] + rotation[2][2] - 1) / 2;
-    return cosine > least_cosine ? rotation : glm::dmat3(1);
+    const RotationFit best = fit_rotation(axes, turned);
+    const double cosine = (best.rotation[0][0] + best.rotation[1][1] + best.rotation[2][2] - 1) / 2;
+    if (cosine >= trusted_cosine) return best.rotation;
+    const double trust = std::max(0.0, (cosine - distrusted_cosine) / (trusted_cosine - distrusted_cosine));
+    const glm::dquat q = best.quaternion.w < 0 ? -best.quaternion : best.quaternion;
+    return glm::mat3_cast(
+        glm::normalize(glm::dquat(1 - trust + trust * q.w, trust * q.x, trust * q.y, trust * q.z)));
 }
 
 }  // namespace
@@ -65,7 +72,7 @@ void MovingMesh::fit_affine() {
         across += mass_[v] / whole * glm::outerProduct(places_.in_space[v] - center_there, from);
     }
     const glm::dmat3 drawn(ridge * (own[0][0] + own[1][1] + own[2][2]) / 3);
-    rotation_ = small_rotation(across);
+    rotation_ = trusted_rotation(across);
     linear_ = (across + drawn * rotation_) * glm::inverse(own + drawn);
     offset_ = center_there - linear_ * center;
 }

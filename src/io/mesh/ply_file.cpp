@@ -1,6 +1,6 @@
-// Reads the Polygon File Format of Stanford: a header that declares elements and their properties, then the
-// values of the elements as text or binary. The reader takes vertices (x, y, z; red, green, blue if present; other
-// floats as scalars), faces and triangle strips, and skips all other elements and properties.
+// Reads the Polygon File Format of Stanford: a header (ply_header.h), then the values of the elements as text or
+// binary. The reader takes vertices (x, y, z; red, green, blue if present; other floats as scalars), faces and triangle
+// strips, and skips all other elements and properties.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -9,11 +9,13 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "hierarchy/error.h"
 #include "io/mesh/ear_clipping.h"
+#include "io/mesh/ply_header.h"
 #include "io/mesh/polygon_mesh.h"
 #include "io/mesh/surface_file.h"
 #include "io/text/json_place.h"
@@ -24,46 +26,17 @@
 namespace interleaf {
 namespace {
 
-struct Type {
-    std::string_view name;
-    std::string_view other_name;
-    std::size_t bytes;
-    bool is_signed;
-    bool is_float;
-};
-
-constexpr std::array<Type, 8> types = {{{"char", "int8", 1, true, false},
-                                        {"uchar", "uint8", 1, false, false},
-                                        {"short", "int16", 2, true, false},
-                                        {"ushort", "uint16", 2, false, false},
-                                        {"int", "int32", 4, true, false},
-                                        {"uint", "uint32", 4, false, false},
-                                        {"float", "float32", 4, true, true},
-                                        {"double", "float64", 8, true, true}}};
-
-struct Property {
-    std::string_view name;
-    const Type* type;
-    const Type* count_type;  ///< of a list; nullptr for one value
-};
-
-struct Element {
-    std::string_view name;
-    std::uint64_t count;
-    std::vector<Property> properties;
-};
-
-enum class Form { text, little_endian, big_endian };
-
 class PlyReader {
   public:
-    PlyReader(std::string_view bytes, std::string_view name) : whole_(bytes), rest_(bytes), name_(name) {
+    PlyReader(std::string_view bytes, std::string_view name)
+        : name_(name), header_(read_ply_header(bytes, name)), rest_(header_.values) {
         mesh_.max_triangles = max_triangles_of(bytes.size());
+        mesh_.remarks = header_.remarks;
     }
 
     PolygonMesh read() {
-        read_header();
-        for (const Element& element : elements_) {
+        const bool is_row_per_line = header_.form == PlyHeader::Form::text && has_row_per_line();
+        for (const Element& element : header_.elements) {
             if (element.properties.empty()) continue;  // takes no bytes
             if (element.name == "vertex") mesh_.positions.reserve(at_most(element));
             for (number_ = 0; number_ < element.count; ++number_) {
@@ -76,12 +49,14 @@ class PlyReader {
                     read_strips(element);
                 else
                     for (const Property& property : element.properties) pass_over(property);
+                if (is_row_per_line) end_line();
             }
         }
-        const bool has_more = form_ == Form::text ? !Words(rest_).next().empty() : !rest_.empty();
-        if (!unknown_line_.empty() && has_more)
+        const bool has_more =
+            header_.form == PlyHeader::Form::text ? !Words(rest_).next().empty() : !rest_.empty();
+        if (!header_.unknown_line.empty() && has_more)
             throw InputError(fmt::format("{}: more follows than the header declares, of which a line says {}",
-                                         name_, in_quotes(unknown_line_)));
+                                         name_, in_quotes(header_.unknown_line)));
         if (mesh_.colors.size() != mesh_.positions.size()) mesh_.colors.clear();
         std::erase_if(mesh_.scalars, [&](const MeshField& scalar) {
             return scalar.values.size() != mesh_.positions.size();
@@ -94,9 +69,11 @@ class PlyReader {
     }
 
   private:
-    [[noreturn]] void fail_in_header(std::string_view what) const {
-        throw InputError(fmt::format("{}: line {}: {}", name_, line_number_, what));
-    }
+    using Type = PlyHeader::Type;
+    using Property = PlyHeader::Property;
+    using Element = PlyHeader::Element;
+    using Form = PlyHeader::Form;
+
     [[noreturn]] void fail(std::string_view what) const {
         throw InputError(fmt::format("{}: {}: {}", name_, place(), what));
     }
@@ -109,100 +86,31 @@ class PlyReader {
         std::size_t bytes = 0;
         for (const Property& property : element.properties) {
             const Type& type = property.count_type != nullptr ? *property.count_type : *property.type;
-            bytes += form_ == Form::text ? digit_and_blank : type.bytes;
+            bytes += header_.form == Form::text ? digit_and_blank : type.bytes;
         }
         return static_cast<std::size_t>(std::min<std::uint64_t>(element.count, rest_.size() / bytes + 1));
     }
 
-    static const Type* find_type(std::string_view name) {
-        const auto* const found = std::ranges::find_if(
-            types, [name](const Type& type) { return type.name == name || type.other_name == name; });
-        return found == types.end() ? nullptr : found;
-    }
-
-    void read_header() {
-        bool has_format = false;
-        for (line_number_ = 1;; ++line_number_) {
-            if (rest_.empty()) fail_in_header("the file ends, expected end_header");
-            std::string_view line = take_header_line();
-            const std::string_view whole = line;
-            const std::string_view keyword = take_word(line);
-            if (line_number_ == 1) {
-                if (keyword != "ply") fail_in_header("expected ply");
-            } else if (keyword == "format") {
-                read_format(take_word(line));
-                has_format = true;
-            } else if (keyword == "element") {
-                read_element(line);
-            } else if (keyword == "property") {
-                read_property(line);
-            } else if (keyword == "end_header") {
-                break;
-            } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-                if (!looks_like_text(whole)) fail_in_header("is not text, expected end_header before");
-                unknown_line_ = whole;
-                mesh_.remarks.push_back(
-                    fmt::format("Line {} of the header, {}, was ignored.", line_number_, in_quotes(whole)));
-                constexpr std::size_t max_unknown_lines = 100;
-                if (mesh_.remarks.size() > max_unknown_lines)
-                    fail_in_header("expected format, element, property or end_header");
-            }
+    /// Whether there are as many lines that are not blank as rows of values.
+    bool has_row_per_line() const {
+        std::uint64_t lines = 0;
+        for (std::string_view rest = rest_; !rest.empty();) {
+            std::string_view line = take_line(rest);
+            if (!take_word(line).empty()) ++lines;
         }
-        if (!has_format) fail_in_header("the header ends, expected a format in it");
+        std::uint64_t rows = 0;
+        for (const Element& element : header_.elements)
+            if (!element.properties.empty()) rows += element.count;
+        return lines == rows;
     }
 
-    /// The next line of the header. All lines end like the first one, so that it is clear which bytes follow
-    /// the last one.
-    std::string_view take_header_line() {
-        const std::size_t first_end = whole_.find_first_of("\r\n");
-        if (first_end == std::string_view::npos || whole_[first_end] == '\n' ||
-            (first_end + 1 < whole_.size() && whole_[first_end + 1] == '\n'))
-            return take_line(rest_);
-        const std::string_view line = rest_.substr(0, rest_.find('\r'));
-        rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
-        return line;
-    }
-
-    void read_format(std::string_view word) {
-        if (word == "ascii")
-            form_ = Form::text;
-        else if (word == "binary_little_endian")
-            form_ = Form::little_endian;
-        else if (word == "binary_big_endian")
-            form_ = Form::big_endian;
-        else
-            fail_in_header(fmt::format("format {}, expected ascii, binary_little_endian or binary_big_endian",
-                                       in_quotes(word)));
-    }
-
-    void read_element(std::string_view line) {
-        const std::string_view name = take_word(line);
-        const std::string_view word = take_word(line);
-        std::uint64_t count = 0;
-        if (name.empty() || parse_all(word, count) != std::errc())
-            fail_in_header(fmt::format("{} found, expected an element's name and count", in_quotes(word)));
-        constexpr std::size_t max_elements = 1000;
-        if (elements_.size() == max_elements) fail_in_header("more than 1000 elements");
-        elements_.push_back({name, count, {}});
-    }
-
-    void read_property(std::string_view line) {
-        if (elements_.empty()) fail_in_header("a property, expected an element before it");
-        const auto take_type = [&] {
-            const std::string_view word = take_word(line);
-            const Type* type = find_type(word);
-            if (type == nullptr) fail_in_header(fmt::format("{} is not a type", in_quotes(word)));
-            return type;
-        };
-        Property property{};
-        std::string_view rest = line;
-        if (take_word(rest) == "list") {
-            line = rest;
-            property.count_type = take_type();
-        }
-        property.type = take_type();
-        property.name = take_word(line);
-        elements_.back().properties.push_back(property);
+    /// Passes over the values on the rest of the line, which some programs write without declaring them.
+    void end_line() {
+        if (rest_.empty()) return;
+        std::string_view line = take_line(rest_);
+        if (take_word(line).empty() || std::exchange(has_undeclared_, true)) return;
+        mesh_.remarks.push_back(
+            fmt::format("Values that the header does not declare, first of {}, were ignored.", place()));
     }
 
     /// The next word of the text, on any line.
@@ -217,7 +125,7 @@ class PlyReader {
 
     /// The next value as a double, which can hold the values of all types.
     double next(const Type& type) {
-        if (form_ == Form::text) {
+        if (header_.form == Form::text) {
             const std::string_view word = next_word();
             const std::optional<double> number = parse_coordinate(word);
             if (!number) fail(fmt::format("{} found, expected a number", in_quotes(word)));
@@ -226,7 +134,7 @@ class PlyReader {
         if (rest_.size() < type.bytes) fail("the file ends within it");
         std::uint64_t bits = 0;
         for (std::size_t i = 0; i < type.bytes; ++i) {
-            const std::size_t place = form_ == Form::little_endian ? i : type.bytes - 1 - i;
+            const std::size_t place = header_.form == Form::little_endian ? i : type.bytes - 1 - i;
             bits |= std::uint64_t{static_cast<unsigned char>(rest_[place])} << (8 * i);
         }
         rest_.remove_prefix(type.bytes);
@@ -349,13 +257,10 @@ class PlyReader {
         if (!has_corners) fail("expected the property list vertex_indices");
     }
 
-    std::string_view whole_;
-    std::string_view rest_;
     std::string_view name_;
-    std::string_view unknown_line_;  ///< a line of the header; empty if there is none
-    std::size_t line_number_ = 0;
-    Form form_ = Form::text;
-    std::vector<Element> elements_;
+    PlyHeader header_;
+    std::string_view rest_;
+    bool has_undeclared_ = false;  ///< values
     std::string_view element_;
     std::uint64_t number_ = 0;
     std::vector<Index> corners_;

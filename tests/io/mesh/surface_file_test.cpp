@@ -509,6 +509,32 @@ TEST_CASE("a PLY with lines of all kinds is read") {
     }
 }
 
+TEST_CASE("a text PLY whose lines have more values than its header declares is read by lines") {
+    // MeshLab once wrote the colors of faces as lists, but declared them as single values.
+    const std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 4\nproperty list uchar int vertex_indices\n"
+        "property uchar red\nend_header\n";
+    const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+    const std::string declared = "3 0 2 1 9\n3 0 1 3 9\n\n3 1 2 3 9\n3 2 0 3 9\n";
+    const SurfaceFile expected = parse_ply(head + vertices + declared, "p");
+    CHECK(expected.remarks.empty());
+    const std::string more = "3 0 2 1 9\n3 0 1 3 9 1 1 1\n\n3 1 2 3 9 1 1\n3 2 0 3 9\n";
+    const SurfaceFile read = parse_ply(head + vertices + more, "p");
+    CHECK(read.triangles == expected.triangles);
+    CHECK(read.positions == expected.positions);
+    REQUIRE(read.remarks.size() == 1);
+    CHECK(read.remarks[0] ==
+          "Values that the header does not declare, first of face 1 (counted from 0), were ignored.");
+    // The same values on other lines are read as they come.
+    const SurfaceFile on_one = parse_ply(head + "0 0 0 1 0 0 0 1 0 0 0 1 " + declared, "p");
+    CHECK(on_one.triangles == expected.triangles);
+    CHECK(on_one.positions == expected.positions);
+    CHECK(on_one.remarks.empty());
+    CHECK_THROWS_AS(parse_ply(head + vertices + "3 0 2 1 9 3 0\n1 3 9 3 1 2\n3 9 3 2 0 3\n9 9\n", "p"),
+                    InputError);
+}
+
 TEST_CASE("triangle strips of a PLY are read, as text and binary") {
     // Around the pyramid, then over its base. One strip ends, another continues after a repeated corner.
     constexpr std::int32_t strip[] = {0, 1, 4, 2, -1, 2, 3, 4, 0, -1, 3, 2, 0, 1, 1};
