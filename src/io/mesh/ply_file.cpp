@@ -31,7 +31,7 @@ class PlyReader {
     PlyReader(std::string_view bytes, std::string_view name)
         : name_(name), header_(read_ply_header(bytes, name)), rest_(header_.values) {
         mesh_.max_triangles = max_triangles_of(bytes.size());
-        mesh_.remarks = header_.remarks;
+        mesh_.remarks = std::move(header_.remarks);
     }
 
     PolygonMesh read() {
