@@ -13,10 +13,10 @@
 
 #include "fit/aligned_map.h"
 #include "fit/correspondence/continued_map.h"
-#include "fit/half_way.h"
 #include "fit/landmark_fitting.h"
 #include "fit/landmarks/pinned_map.h"
 #include "fit/map_choice.h"
+#include "fit/match_to_model.h"
 #include "fit/sampling/mapped_surface.h"
 #include "fit/sampling/sampled_fields.h"
 #include "fit/sampling/surface_sampling.h"
@@ -40,11 +40,12 @@ constexpr int max_tries = 4;
 constexpr double map_begins = 0.1;
 constexpr double second_map_begins = 0.9;
 
-/// The fraction of the way from a clean mesh to its key at which the map is judged.
+/// The fractions of the way from a clean mesh to its key at which the map is chosen and judged.
+constexpr double chosen_at = 0.7;
 constexpr double judged_at = 0.87;
 
-/// The same of the map before it is matched to a model's.
-constexpr double mapped_at = 0.3;
+/// The fraction at which a map is chosen that is matched to a model's.
+constexpr double chosen_before_match = 0.2;
 
 /// Where a map is continued, shapes on the sphere are restored where their distortion is larger than the first of
 /// these; where that gives no good key, than the next. The more is restored, the further points slide.
@@ -103,16 +104,9 @@ std::pair<SampledSurface, FitQuality> sample_within(const AlignedMap& map, const
 /// \param pins  null for none
 FittedKey key_of(JudgedMap judged, const FitOptions& options, const LandmarkPins* pins,
                  std::vector<StageTime> times, const Progress& progress) {
+    require_accepted(judged, options.limits, pins);
     const AlignedMap& map = *judged.map;
     SampledSurface surface = std::move(judged.surface);
-    const std::string fault = fault_of_fit(judged.quality, surface.leaves.size(), options.limits);
-    if (!fault.empty()) {
-        const std::string text = fmt::format("no good key: {}{}", fault,
-                                             pins != nullptr ? advice_on(judged.agreement, *pins) : "");
-        if (pins != nullptr && judged.agreement.is_doubtful()) throw LandmarkError(text);
-        throw InputError(text);
-    }
-
     FittedKey key;
     FitReport& report = key.report;
     report.mesh_vertices = map.original.positions.size();
@@ -144,96 +138,6 @@ FittedKey key_of(JudgedMap judged, const FitOptions& options, const LandmarkPins
     return key;
 }
 
-bool is_accepted(const JudgedMap& judged, const FitLimits& limits) {
-    return fault_of_fit(judged.quality, judged.surface.leaves.size(), limits).empty();
-}
-
-/// The least angle, in degrees, that the key of a matched map is to have; 0 for any.
-double wanted_angle(const FitQuality& unmatched) {
-    constexpr double small_angle = 3;
-    constexpr double good_angle = 6;
-    return unmatched.min_angle > good_angle ? small_angle : 0;
-}
-
-/// Why a matched map is not taken, in words: its key is refused, or much worse than that of the unmatched map.
-std::string fault_of_match(const JudgedMap& matched, const FitQuality& unmatched, const FitLimits& limits) {
-    constexpr double farther = 1.3;
-    constexpr double margin = 2e-4;
-    const FitQuality& quality = matched.quality;
-    std::string fault = fault_of_fit(quality, matched.surface.leaves.size(), limits);
-    if (!fault.empty()) return fault;
-    if (quality.hausdorff > farther * unmatched.hausdorff + margin)
-        return fmt::format("{:.3g} % of the box diagonal from the surface, {:.3g} % without matching",
-                           100 * quality.hausdorff, 100 * unmatched.hausdorff);
-    if (quality.min_angle < wanted_angle(unmatched))
-        return fmt::format("the least angle of a leaf is {:.1f} degrees, {:.1f} without matching",
-                           quality.min_angle, unmatched.min_angle);
-    return {};
-}
-
-/// The key of a model, to compare others with. It is not smoothed.
-Hierarchy key_of_model(const MatchedBody& model, const SphereRoots& roots, const Progress& progress) {
-    const SurfaceMesh mesh{
-        .positions = model.mesh().positions, .triangles = model.mesh().triangles, .colors = {}};
-    const SampledSurface surface =
-        sample_surface(MappedSurface(mesh, model.points()), roots,
-                       {.leaves = judged_leaves(roots), .max_leveling = 0}, progress);
-    return hierarchy_from_leaves(roots.complex, surface.leaves, surface.positions);
-}
-
-/// Matches an accepted map to the model's, if the options name a model. Keeps the map where the matched map gives
-/// no key that is accepted.
-/// \param pins  null for none
-std::optional<MatchReport> match_to_model(JudgedMap& judged, const LandmarkPins* pins,
-                                          const FitOptions& options, Stopwatch& stopwatch,
-                                          const Progress& progress) {
-    if (options.model == nullptr || !is_accepted(judged, options.limits)) return std::nullopt;
-    if (pins != nullptr && !faults_of(judged.agreement, *pins).empty()) {
-        MatchReport report;
-        report.fault = "landmarks are probably wrong";
-        return report;
-    }
-    const AlignedMap& map = *judged.map;
-    const std::span<const Index> held = pins != nullptr ? pins->vertices : std::span<const Index>();
-    std::optional<Hierarchy> models_key;
-    const auto half_way_area_of = [&](const SampledSurface& surface) {
-        return half_way_area(*models_key,
-                             hierarchy_from_leaves(options.roots.complex, surface.leaves, surface.positions),
-                             options.rotation);
-    };
-    double area_before = 0;
-    double area_after = 0;
-    JudgedMap judged_match;
-    const auto judge_match = [&](const MatchedMap& matched, const Progress& inner) {
-        stopwatch.lap("matching");
-        judged_match =
-            judge(std::make_unique<AlignedMap>(map.original, matched.mesh, matched.points, map.is_approximate,
-                                               pinned_positions(options.landmarks, pins)),
-                  options.roots, options.limits, wanted_angle(judged.quality), stopwatch, inner);
-        if (std::string fault = fault_of_match(judged_match, judged.quality, options.limits); !fault.empty())
-            return fault;
-        if (!models_key) {
-            models_key = key_of_model(*options.model, options.roots, part_of(inner, 1, 1));
-            area_before = half_way_area_of(judged.surface);
-        }
-        area_after = half_way_area_of(judged_match.surface);
-        stopwatch.lap("comparing half way");
-        // Landmarks say what corresponds, and may be kept in poses in which areas half way say nothing.
-        return pins != nullptr ? std::string() : fault_of_half_way(area_after, area_before);
-    };
-    MatchedMap matched = match(*options.model, map.mesh(), map.points, options.rotation, held,
-                               options.matching, progress, judge_match);
-    stopwatch.lap("matching");
-    if (matched.report.fault.empty()) {
-        judged_match.method = judged.method;
-        judged_match.agreement = judged.agreement;
-        judged = std::move(judged_match);
-    }
-    matched.report.half_way_area_before = area_before;
-    matched.report.half_way_area_after = matched.report.fault.empty() ? area_after : area_before;
-    return std::move(matched.report);
-}
-
 /// Maps a clean mesh, samples it, and accepts or refuses the key.
 /// \param pins  of vertices of \p mesh; null for none
 FittedKey fit_clean(const SurfaceMesh& mesh, const LandmarkPins* pins, Keeps keeps, const FitOptions& options,
@@ -241,16 +145,24 @@ FittedKey fit_clean(const SurfaceMesh& mesh, const LandmarkPins* pins, Keeps kee
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
     const std::vector<glm::dvec3> landmarks = pinned_positions(options.landmarks, pins);
-    JudgedMap judged = choose_map(mesh,
-                                  {.roots = options.roots,
-                                   .rotation = options.rotation,
-                                   .keeps = keeps,
-                                   .limits = options.limits,
-                                   .pins = pins,
-                                   .landmarks = landmarks},
-                                  stopwatch, part_of(progress, 0, options.model ? mapped_at : judged_at));
-    std::optional<MatchReport> match =
-        match_to_model(judged, pins, options, stopwatch, part_of(progress, mapped_at, judged_at));
+    ChosenMap chosen =
+        choose_map(mesh,
+                   {.roots = options.roots,
+                    .rotation = options.rotation,
+                    .keeps = keeps,
+                    .limits = options.limits,
+                    .pins = pins,
+                    .landmarks = landmarks},
+                   stopwatch, part_of(progress, 0, options.model ? chosen_before_match : chosen_at));
+    JudgedMap judged;
+    std::optional<MatchReport> match;
+    if (options.model) {
+        std::tie(judged, match) = match_to_model(std::move(chosen), options, pins, landmarks, stopwatch,
+                                                 part_of(progress, chosen_before_match, judged_at));
+    } else {
+        judged = judge(std::move(chosen), options.roots, options.limits, stopwatch,
+                       part_of(progress, chosen_at, judged_at));
+    }
     FittedKey key =
         key_of(std::move(judged), options, pins, std::move(times), part_of(progress, judged_at, 1));
     key.report.map_keeps = keeps;

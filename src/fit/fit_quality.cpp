@@ -1,6 +1,7 @@
 #include "fit/fit_quality.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -8,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "fit/mesh/parallel_work.h"
 #include "fit/mesh/progress_meter.h"
 #include "fit/mesh/space_triangle.h"
 #include "fit/mesh/surface_distance.h"
@@ -70,8 +72,7 @@ struct Distances {
 };
 
 /// Distances of the vertices of \p from, and of grids over its triangles, from a mesh.
-Distances distances(const MeshView& from, const SurfaceDistance& distance, const Progress& progress,
-                    double begin) {
+Distances distances(const MeshView& from, const SurfaceDistance& distance, const Progress& progress) {
     double area = 0;
     for (const Triangle& triangle : from.triangles) area += doubled_area(corners_of(from, triangle)) / 2;
     // A grid of right triangles with this side has about that many places.
@@ -86,12 +87,11 @@ Distances distances(const MeshView& from, const SurfaceDistance& distance, const
 
     Distances found;
     ProgressMeter meter(progress);
-    meter.enter("measuring", begin);
+    meter.enter("measuring", 0);
     std::size_t count = 0;
     Index nearest = no_index;
     const auto measure = [&](const glm::dvec3& place) {
-        meter.set_part(
-            begin + std::min(0.5, double(++count) / (places_per_mesh + double(from.positions.size())) / 2));
+        meter.set_part(std::min(1.0, double(++count) / (places_per_mesh + double(from.positions.size()))));
         meter.step();
         const double here = distance(place, nearest);
         found.largest = std::max(found.largest, here);
@@ -123,6 +123,21 @@ Distances distances(const MeshView& from, const SurfaceDistance& distance, const
     return found;
 }
 
+/// A mesh, and what measures the distance from it.
+struct MeasuredMesh {
+    MeshView mesh;
+    const SurfaceDistance& distance;
+};
+
+/// Distances of \p a from \p b, and of \p b from \p a on another thread.
+std::array<Distances, 2> distances_both_ways(const MeasuredMesh& a, const MeasuredMesh& b,
+                                             const Progress& progress) {
+    ParallelWork<Distances> back(
+        [&](const Progress& is_wanted) { return distances(b.mesh, a.distance, is_wanted); });
+    const Distances there = distances(a.mesh, b.distance, progress);
+    return {there, back.wait("measuring", part_of(progress, 1, 1))};
+}
+
 std::vector<Triangle> triangles_of(const SampledSurface& surface) {
     std::vector<Triangle> triangles;
     triangles.reserve(surface.leaves.size());
@@ -133,8 +148,8 @@ std::vector<Triangle> triangles_of(const SampledSurface& surface) {
 }  // namespace
 
 double hausdorff_distance(const MeshView& a, const MeshView& b, const Progress& progress) {
-    const Distances there = distances(a, SurfaceDistance(b.triangles, b.positions), progress, 0);
-    const Distances back = distances(b, SurfaceDistance(a.triangles, a.positions), progress, 0.5);
+    const auto [there, back] = distances_both_ways({a, SurfaceDistance(a.triangles, a.positions)},
+                                                   {b, SurfaceDistance(b.triangles, b.positions)}, progress);
     return std::max(there.largest, back.largest);
 }
 
@@ -164,9 +179,9 @@ FitQuality measure_quality(const MappedSurface& mapped, const SurfaceMesh& origi
     if (&original != &mapped.mesh) from_original.emplace(original.triangles, original.positions);
 
     const double diagonal = box_diagonal(original);
-    const Distances to_key = distances(flat_original, SurfaceDistance(triangles, positions), progress, 0);
-    const Distances to_surface =
-        distances(key, from_original ? *from_original : mapped.distance, progress, 0.5);
+    const auto [to_key, to_surface] =
+        distances_both_ways({flat_original, from_original ? *from_original : mapped.distance},
+                            {key, SurfaceDistance(triangles, positions)}, progress);
     FitQuality quality = measure_shapes(mapped, surface);
     quality.hausdorff = std::max(to_key.largest, to_surface.largest) / diagonal;
     quality.root_mean_square = std::sqrt((to_key.mean_square + to_surface.mean_square) / 2) / diagonal;

@@ -73,24 +73,18 @@ constexpr double farther_than_poor = 1.1;
 constexpr double hopeless_angle = 1;
 constexpr double hopeless_flipped_part = 1.5;
 
-/// A map that is tried.
-struct FoundMap {
-    std::unique_ptr<const AlignedMap> map;
-    SampledSurface surface;  ///< with judged_leaves() leaves, not smoothed
-    std::size_t faulty = 0;  ///< number of leaves that need smoothing
-    FitQuality shapes{};     ///< of that surface, without distances
-    MapMethod method = MapMethod::progressive;
-    LandmarkAgreement agreement{};
+double faulty_part(const FoundMap& found) {
+    return double(found.faulty) / double(found.surface.leaves.size());
+}
 
-    double faulty_part() const { return double(faulty) / double(surface.leaves.size()); }
-    /// As a fraction of the flipped leaves for which the map would be refused.
-    double flipped_part(const FitLimits& limits) const {
-        return double(shapes.flipped_leaves) / (limits.flipped_part * double(surface.leaves.size()));
-    }
-    bool is_bad(const FitLimits& limits) const {
-        return faulty_part() > max_faulty || flipped_part(limits) > max_flipped_part;
-    }
-};
+/// As a fraction of the flipped leaves for which the map would be refused.
+double flipped_part(const FoundMap& found, const FitLimits& limits) {
+    return double(found.shapes.flipped_leaves) / (limits.flipped_part * double(found.surface.leaves.size()));
+}
+
+bool is_bad(const FoundMap& found, const FitLimits& limits) {
+    return faulty_part(found) > max_faulty || flipped_part(found, limits) > max_flipped_part;
+}
 
 SampledSurface sampled(const AlignedMap& map, const SphereRoots& roots, const Progress& progress) {
     return sample_surface(map.mapped, roots, {.leaves = judged_leaves(roots)}, progress);
@@ -125,7 +119,7 @@ JudgedMap judged(FoundMap candidate, const SphereRoots& roots, const FitLimits& 
         stopwatch.lap("measuring");
         return distance > far_from_accepted * limits.hausdorff;
     };
-    if (candidate.map->has_large_triangles && candidate.is_bad(limits) && is_far()) {
+    if (candidate.map->has_large_triangles && is_bad(candidate, limits) && is_far()) {
         const FitQuality quality = quality_of(*candidate.map, candidate.surface, part_of(progress, 0.2, 1));
         stopwatch.lap("measuring");
         return {std::move(candidate.map), std::move(candidate.surface), quality, candidate.method,
@@ -190,8 +184,8 @@ FoundMap candidate(const SurfaceMesh& original, SurfaceMesh fine, bool is_approx
 
 /// The better of two maps, before smoothing.
 bool is_better(const FoundMap& a, const FoundMap& b, const FitLimits& limits) {
-    const double flipped = a.flipped_part(limits);
-    const double flipped_of_b = b.flipped_part(limits);
+    const double flipped = flipped_part(a, limits);
+    const double flipped_of_b = flipped_part(b, limits);
     if (std::max(flipped, flipped_of_b) > max_flipped_part) return flipped < flipped_of_b;
     return a.faulty < b.faulty;
 }
@@ -224,8 +218,8 @@ bool is_hopeless(const FitQuality& smoothed) {
 bool is_sure_to_take(const JudgedMap& refined, const FoundMap& as_it_is, const FitLimits& limits,
                      const Progress& progress) {
     const bool is_certainly_poor =
-        as_it_is.shapes.min_angle < hopeless_angle || as_it_is.flipped_part(limits) > hopeless_flipped_part;
-    const bool is_mended_little = as_it_is.faulty_part() > many_faulty;
+        as_it_is.shapes.min_angle < hopeless_angle || flipped_part(as_it_is, limits) > hopeless_flipped_part;
+    const bool is_mended_little = faulty_part(as_it_is) > many_faulty;
     const bool is_best = refined.quality.min_angle >= smoothed_angle && refined.quality.flipped_leaves == 0;
     return (is_certainly_poor || is_mended_little || is_best) &&
            is_no_worse(refined.quality, quality_of(*as_it_is.map, as_it_is.surface, progress),
@@ -247,12 +241,19 @@ JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots,
     made.map = std::move(map);
     const double needles =
         double(count_needles(made.surface, least_angle)) / double(made.surface.leaves.size());
-    if (made.map->is_matched && (made.flipped_part(limits) > lost_flipped_part || needles > lost_needle_part))
+    if (made.map->is_matched &&
+        (flipped_part(made, limits) > lost_flipped_part || needles > lost_needle_part))
         return {std::move(made.map), std::move(made.surface), made.shapes};
     return judged(std::move(made), roots, limits, stopwatch, part_of(progress, 0.15, 1));
 }
 
-JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, Stopwatch& stopwatch,
+JudgedMap judge(ChosenMap chosen, const SphereRoots& roots, const FitLimits& limits, Stopwatch& stopwatch,
+                const Progress& progress) {
+    if (auto* const known = std::get_if<JudgedMap>(&chosen)) return std::move(*known);
+    return judged(std::get<FoundMap>(std::move(chosen)), roots, limits, stopwatch, progress);
+}
+
+ChosenMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, Stopwatch& stopwatch,
                      const Progress& progress) {
     const auto judged_in = [&](FoundMap made, double begin, double end) {
         return judged(std::move(made), options.roots, options.limits, stopwatch,
@@ -260,7 +261,7 @@ JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
     };
     const TriangleShapes shapes = triangle_shapes(mesh);
     if (shapes.large < large_part)
-        return judged_in(candidate(mesh, {}, false, options, stopwatch, part_of(progress, 0, 0.8)), 0.8, 1);
+        return candidate(mesh, {}, false, options, stopwatch, part_of(progress, 0, 1));
 
     std::string fault;
     const auto try_to_map = [&](SurfaceMesh fine, bool is_approximate, double begin,
@@ -279,7 +280,7 @@ JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
     const bool has_needles = shapes.needles > needle_part;
     if (!has_needles) {
         as_it_is = try_to_map({}, false, 0, 0.2);
-        if (as_it_is && as_it_is->faulty_part() < few_faulty) return judged_in(*std::move(as_it_is), 0.8, 1);
+        if (as_it_is && faulty_part(*as_it_is) < few_faulty) return *std::move(as_it_is);
     }
     std::optional<FoundMap> refined;
     for (const auto& [triangles, begin, end] :
@@ -292,9 +293,9 @@ JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
         stopwatch.lap("refining");
         std::optional<FoundMap> made = try_to_map(std::move(fine), has_needles, begin, end);
         if (made && (!refined || is_better(*made, *refined, options.limits))) refined = std::move(made);
-        if (refined && !refined->is_bad(options.limits)) break;
+        if (refined && !is_bad(*refined, options.limits)) break;
     }
-    if (has_needles && (!refined || refined->is_bad(options.limits)))
+    if (has_needles && (!refined || is_bad(*refined, options.limits)))
         as_it_is = try_to_map({}, false, 0.6, 0.7);
     if (!as_it_is && !refined) throw InputError(fault);
     const auto better_of = [&](JudgedMap of_refined, JudgedMap of_original) {
@@ -308,10 +309,9 @@ JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
         if (!as_it_is) return judged_refined;
         return better_of(std::move(judged_refined), judged_in(*std::move(as_it_is), 0.9, 1));
     }
-    if (!refined || !is_better(*refined, *as_it_is, options.limits))
-        return judged_in(*std::move(as_it_is), 0.8, 1);
+    if (!refined || !is_better(*refined, *as_it_is, options.limits)) return *std::move(as_it_is);
     JudgedMap judged_refined = judged_in(*std::move(refined), 0.7, 0.8);
-    if (as_it_is->is_bad(options.limits) && !is_hopeless(judged_refined.quality)) return judged_refined;
+    if (is_bad(*as_it_is, options.limits) && !is_hopeless(judged_refined.quality)) return judged_refined;
     const bool is_sure =
         is_sure_to_take(judged_refined, *as_it_is, options.limits, part_of(progress, 0.8, 0.85));
     stopwatch.lap("choosing the map");

@@ -8,7 +8,10 @@
 // The mesh of needles itself is also mapped if the refined map is bad, or if leaves of its key are needles.
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <span>
+#include <variant>
 
 #include <glm/mat3x3.hpp>
 
@@ -35,6 +38,16 @@ struct MapChoiceOptions {
     std::span<const glm::dvec3> landmarks{};  ///< positions to which the key is to be near (MappedSurface)
 };
 
+/// A map, with a key that is not judged yet.
+struct FoundMap {
+    std::unique_ptr<const AlignedMap> map;
+    SampledSurface surface;  ///< of judged_leaves(), not smoothed
+    std::size_t faulty = 0;  ///< number of leaves that need smoothing
+    FitQuality shapes{};     ///< of that surface, without distances
+    MapMethod method = MapMethod::progressive;
+    LandmarkAgreement agreement{};  ///< where there are pins
+};
+
 /// A map, with the key by which the map is judged.
 struct JudgedMap {
     std::unique_ptr<const AlignedMap> map;
@@ -43,6 +56,9 @@ struct JudgedMap {
     MapMethod method = MapMethod::progressive;
     LandmarkAgreement agreement{};  ///< where there are pins
 };
+
+/// A chosen map. Its key is judged already where the choice depended on that.
+using ChosenMap = std::variant<FoundMap, JudgedMap>;
 
 /// Number of leaves of the key by which a map is judged: 20,000, or the number of roots if that is larger.
 Index judged_leaves(const SphereRoots& roots);
@@ -53,10 +69,15 @@ Index judged_leaves(const SphereRoots& roots);
 JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots, const FitLimits& limits,
                 double least_angle, Stopwatch& stopwatch, const Progress& progress);
 
-/// Maps, centers, checks, samples and judges a clean mesh.
+/// Smooths and measures, unless the key is judged already.
+/// \throw Cancelled
+JudgedMap judge(ChosenMap chosen, const SphereRoots& roots, const FitLimits& limits, Stopwatch& stopwatch,
+                const Progress& progress);
+
+/// Maps, centers, checks and samples a clean mesh.
 /// \throw InputError  if no map is one to one; a LandmarkError (pinned_map.h) at once
 /// \throw Cancelled
-JudgedMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, Stopwatch& stopwatch,
+ChosenMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, Stopwatch& stopwatch,
                      const Progress& progress);
 
 }  // namespace interleaf

@@ -211,9 +211,10 @@ TEST_CASE("it ends at whatever call of progress says so, and says how far it is"
         return true;
     });
     REQUIRE(calls > 20);
-    // Cancels at every one of the first calls, then more sparsely.
+    // Cancels at every one of the first calls, then more sparsely. Near the end, the number of calls differs: they come
+    // with time while measuring waits for another thread.
     const auto first = static_cast<int>(trials(8));
-    for (int stop = 1; stop <= calls; stop += stop < first ? 1 : 1 + calls / first) {
+    for (int stop = 1; stop <= calls * 3 / 4; stop += stop < first ? 1 : 1 + calls / first) {
         int left = stop;
         CHECK_THROWS_AS(fit(mesh, {.leaves = 500}, [&](std::string_view, double) { return --left > 0; }),
                         Cancelled);

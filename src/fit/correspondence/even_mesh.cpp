@@ -110,7 +110,9 @@ SurfaceMesh with_middles(const SurfaceMesh& mesh, std::span<const std::array<Ind
     return fine;
 }
 
-CoarsenedMesh coarsened(const SphereMesh& mesh, std::size_t vertices, ProgressMeter& meter) {
+CoarsenedMesh coarsened(const SphereMesh& mesh, std::size_t vertices, const Progress& progress) {
+    ProgressMeter meter(progress);
+    meter.enter("making an even mesh", 0);
     HalfEdgeMesh half_edges(static_cast<Index>(mesh.positions.size()), mesh.triangles);
     std::vector<char> are_held(mesh.positions.size(), 0);
     for (const SphereLandmark& landmark : mesh.landmarks) are_held[landmark.vertex] = 1;

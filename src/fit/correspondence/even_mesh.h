@@ -13,6 +13,7 @@
 #include "fit/mesh/half_edge_mesh.h"
 #include "fit/mesh/progress_meter.h"
 #include "fit/mesh/surface_mesh.h"
+#include "hierarchy/progress.h"
 #include "hierarchy/triangle.h"
 
 namespace interleaf {
@@ -49,6 +50,6 @@ struct CoarsenedMesh {
 /// collapsed.
 /// \param mesh  area 1; its map is one to one
 /// \throw Cancelled
-CoarsenedMesh coarsened(const SphereMesh& mesh, std::size_t vertices, ProgressMeter& meter);
+CoarsenedMesh coarsened(const SphereMesh& mesh, std::size_t vertices, const Progress& progress);
 
 }  // namespace interleaf

@@ -121,7 +121,8 @@ class MovingMesh {
     void fit_affine();
     glm::dvec3 affine_place(Index vertex) const { return linear_ * moving_.positions()[vertex] + offset_; }
     double data_energy(Index vertex, const MeshPoint& place, const glm::dvec3& position) const;
-    double star_energy(Index vertex, const MeshPoint& place, const glm::dvec3& position) const;
+    std::optional<double> energy_below(double limit, Index vertex, const MeshPoint& place,
+                                       const glm::dvec3& position) const;
     void hold_landmarks();
     bool is_positive_at(const glm::dvec3& point) const;
     bool is_roomy_at(const glm::dvec3& point) const;

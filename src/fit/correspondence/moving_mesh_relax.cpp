@@ -87,10 +87,17 @@ double MovingMesh::data_energy(Index vertex, const MeshPoint& place, const glm::
             weights_.outwardness * outward * outward);
 }
 
-double MovingMesh::star_energy(Index vertex, const MeshPoint& place, const glm::dvec3& position) const {
+/// The energy of the gathered star with the vertex at \p place; none if it is not less than \p limit.
+std::optional<double> MovingMesh::energy_below(double limit, Index vertex, const MeshPoint& place,
+                                               const glm::dvec3& position) const {
     double sum = 0;
-    for (const StarSide& side : star_) sum += distortion_of(side.triangle, position);
-    return weights_.distortion * sum + data_energy(vertex, place, position);
+    for (const StarSide& side : star_) {
+        sum += distortion_of(side.triangle, position);
+        if (!(weights_.distortion * sum < limit)) return std::nullopt;
+    }
+    const double energy = weights_.distortion * sum + data_energy(vertex, place, position);
+    if (!(energy < limit)) return std::nullopt;
+    return energy;
 }
 
 bool MovingMesh::is_positive_at(const glm::dvec3& point) const {
@@ -121,8 +128,8 @@ void MovingMesh::put(Index vertex, const MeshPoint& place) {
 /// \return the new energy
 std::optional<double> MovingMesh::try_place(Index vertex, const MeshPoint& place, double energy) {
     const glm::dvec3 position = onto_.position(place);
-    const double there = star_energy(vertex, place, position);
-    if (!(there < energy)) return std::nullopt;
+    const std::optional<double> there = energy_below(energy, vertex, place, position);
+    if (!there) return std::nullopt;
     const glm::dvec3 point = onto_.point(place);
     if (!is_positive_at(point) || (avoids_needles_ && !is_roomy_at(point))) return std::nullopt;
     places_.on_mesh[vertex] = place;

@@ -21,6 +21,7 @@
 #include "fit/mesh/half_edge_mesh.h"
 #include "fit/mesh/progress_meter.h"
 #include "fit/star_shapes.h"
+#include "hierarchy/error.h"
 
 using namespace interleaf;
 using interleaf::testing::MappedMesh;
@@ -203,7 +204,7 @@ TEST_CASE("an even mesh has the wanted number of vertices, and its map is one to
         ProgressMeter meter(none);
         SphereMesh divided = whole;
         split_long_edges(divided, vertices, meter);
-        const SphereMesh even = coarsened(divided, vertices, meter).mesh;
+        const SphereMesh even = coarsened(divided, vertices, {}).mesh;
         CHECK(even.positions.size() <= vertices);
         CHECK(even.positions.size() > 0.7 * double(vertices));
         const SurfaceMesh mesh{.positions = even.positions, .triangles = even.triangles, .colors = {}};
@@ -325,13 +326,23 @@ TEST_CASE("fit with a model matches the key, and without one fits as before") {
     FitOptions options{.leaves = 2000};
     options.model = model.get();
     options.matching = quick;
-    const FittedKey matched = fit(second.mesh, options);
+    double last = 0;
+    bool falls = false;
+    const FittedKey matched = fit(second.mesh, options, [&](std::string_view, double part) {
+        falls = falls || part < last;
+        last = part;
+        return true;
+    });
+    CHECK_FALSE(falls);
     REQUIRE(matched.report.match);
     CHECK(matched.report.match->fault == "");
     CHECK(matched.report.match->after.energy < matched.report.match->before.energy);
     CHECK(matched.report.match->half_way_area_after > matched.report.match->half_way_area_before);
     CHECK(matched.report.match->half_way_area_after > 0.95);
     CHECK(matched.report.quality.hausdorff < 0.005);
+
+    options.limits.hausdorff = 1e-6;  // refuses the key without matching, whatever the match gives
+    CHECK_THROWS_WITH_AS(fit(second.mesh, options), doctest::Contains("no good key"), InputError);
 }
 
 TEST_CASE("a way that starts clearly worse is gone on with only when all keys of the other way are refused") {
