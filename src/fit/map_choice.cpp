@@ -38,6 +38,9 @@ constexpr double many_faulty = 0.3;
 constexpr double max_faulty = 0.4;
 constexpr double max_flipped_part = 3;
 
+/// With this multiple of the flipped leaves for which it would be refused, a key stays refused, however it is smoothed.
+constexpr double lost_flipped_multiple = 20;
+
 /// A key that is this many times as far from the surface as an accepted one stays refused, however it is
 /// smoothed.
 constexpr double far_from_accepted = 2;
@@ -195,12 +198,13 @@ bool is_no_worse(const FitQuality& a, const FitQuality& b, double farther = 1) {
            a.min_angle >= b.min_angle && a.flipped_leaves <= b.flipped_leaves;
 }
 
+bool is_accepted(const JudgedMap& judged, const FitLimits& limits) {
+    return fault_of_fit(judged.quality, judged.surface.leaves.size(), limits).empty();
+}
+
 /// Whether the key of a refined mesh is chosen over the key of the mesh as it is.
 bool is_to_take(const JudgedMap& refined, const JudgedMap& as_it_is, const FitLimits& limits) {
-    const auto is_accepted = [&](const JudgedMap& judged) {
-        return fault_of_fit(judged.quality, judged.surface.leaves.size(), limits).empty();
-    };
-    if (!is_accepted(refined) || !is_accepted(as_it_is)) return is_accepted(refined);
+    if (!is_accepted(refined, limits) || !is_accepted(as_it_is, limits)) return is_accepted(refined, limits);
     const double flipped_limit = limits.flipped_part * double(as_it_is.surface.leaves.size());
     const bool is_poor = as_it_is.quality.min_angle < poor_angle ||
                          double(as_it_is.quality.flipped_leaves) > poor_flipped_part * flipped_limit;
@@ -312,6 +316,8 @@ ChosenMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
     if (!refined || !is_better(*refined, *as_it_is, options.limits)) return *std::move(as_it_is);
     JudgedMap judged_refined = judged_in(*std::move(refined), 0.7, 0.8);
     if (is_bad(*as_it_is, options.limits) && !is_hopeless(judged_refined.quality)) return judged_refined;
+    const bool is_lost = flipped_part(*as_it_is, options.limits) > lost_flipped_multiple;
+    if (is_lost && is_accepted(judged_refined, options.limits)) return judged_refined;
     const bool is_sure =
         is_sure_to_take(judged_refined, *as_it_is, options.limits, part_of(progress, 0.8, 0.85));
     stopwatch.lap("choosing the map");
