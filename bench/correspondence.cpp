@@ -7,6 +7,7 @@
 // the first mesh. half_area is the area half way over the mean of the keys' areas, half_area_of_one_size the same of
 // keys that are scaled to one area.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -119,16 +120,27 @@ Json key_figures(const FittedKey& key) {
             {"seconds", seconds}};
 }
 
-double processor_seconds_since(std::clock_t start) {
-    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
+/// How long work takes on one core, and how long it takes with all cores.
+class WorkClock {
+  public:
+    double processor_seconds() const {
+        return static_cast<double>(std::clock() - processor_) / CLOCKS_PER_SEC;
+    }
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::clock_t processor_ = std::clock();
+    Clock::time_point begin_ = Clock::now();
+};
 
 void print_figures(const std::string& name, const std::string& match, const FittedKey& first,
-                   const FittedKey& second, double processor_seconds) {
+                   const FittedKey& second, const WorkClock& clock) {
     Json line = {{"pair", name}, {"match", match}};
     line.update(figures_of(first, second));
     line.update(key_figures(second));
-    line["processor_seconds"] = processor_seconds;
+    line["processor_seconds"] = clock.processor_seconds();
+    line["seconds"] = clock.seconds();
     if (const auto& report = second.report.match)
         line.update({{"fault", report->fault},
                      {"passes", report->passes},
@@ -188,9 +200,9 @@ class Measurement {
             model = model_of(first_.mapped_mesh(), first_.points, glm::dmat3(1), directions, options.matching,
                              {});
         options.model = model.get();
-        const std::clock_t start = std::clock();
+        const WorkClock clock;
         const FittedKey key = fit(std::move(clean), options);
-        print_figures(name_, match, first_, key, processor_seconds_since(start));
+        print_figures(name_, match, first_, key, clock);
     }
 
     std::string name_;
