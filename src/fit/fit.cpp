@@ -216,7 +216,7 @@ FittedKey fit_mapped(const SurfaceMesh& mesh, std::vector<glm::dvec3> points, co
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
     auto map =
-        std::make_unique<AlignedMap>(mesh, SurfaceMesh{}, std::move(points), false, options.rotation, false);
+        std::make_shared<AlignedMap>(mesh, SurfaceMesh{}, std::move(points), false, options.rotation, false);
     stopwatch.lap("alignment");
     JudgedMap judged =
         judge(std::move(map), options.roots, options.limits, 0, stopwatch, part_of(progress, 0, 0.5));
@@ -286,7 +286,7 @@ std::optional<FittedKey> fit_continued(const CleanMesh& clean, const FittedKey& 
         if (points.empty()) break;
         try {
             JudgedMap judged = judge(
-                std::make_unique<AlignedMap>(clean.mesh, map.mesh, std::move(points), false), options.roots,
+                std::make_shared<AlignedMap>(clean.mesh, map.mesh, std::move(points), false), options.roots,
                 options.limits, wanted_angle(wanted), stopwatch, part_of(onward, begin, end));
             if (fault_of_match(judged, wanted, options.limits).empty())
                 return of_clean_mesh(

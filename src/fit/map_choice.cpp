@@ -38,8 +38,8 @@ constexpr double many_faulty = 0.3;
 constexpr double max_faulty = 0.4;
 constexpr double max_flipped_part = 3;
 
-/// With this multiple of the flipped leaves for which it would be refused, a key stays refused, however it is smoothed.
-constexpr double lost_flipped_multiple = 20;
+/// A key of which more than this fraction of the leaves is turned over stays refused, however it is smoothed.
+constexpr double beyond_smoothing = 0.1;
 
 /// A key that is this many times as far from the surface as an accepted one stays refused, however it is
 /// smoothed.
@@ -87,6 +87,10 @@ double flipped_part(const FoundMap& found, const FitLimits& limits) {
 
 bool is_bad(const FoundMap& found, const FitLimits& limits) {
     return faulty_part(found) > max_faulty || flipped_part(found, limits) > max_flipped_part;
+}
+
+bool is_lost(const FoundMap& found) {
+    return double(found.shapes.flipped_leaves) > beyond_smoothing * double(found.surface.leaves.size());
 }
 
 SampledSurface sampled(const AlignedMap& map, const SphereRoots& roots, const Progress& progress) {
@@ -175,7 +179,7 @@ FoundMap candidate(const SurfaceMesh& original, SurfaceMesh fine, bool is_approx
             throw InputError(fmt::format("the refined map to the sphere is not valid: {}", fault));
         stopwatch.lap("refining");
     }
-    made.map = std::make_unique<AlignedMap>(original, std::move(fine), std::move(points), is_approximate,
+    made.map = std::make_shared<AlignedMap>(original, std::move(fine), std::move(points), is_approximate,
                                             rotation, has_large_triangles, options.landmarks);
     stopwatch.lap("alignment");
     made.surface = sampled(*made.map, options.roots, part_of(progress, 0.9, 1));
@@ -236,7 +240,7 @@ Index judged_leaves(const SphereRoots& roots) {
     return std::max<Index>(20000, roots.complex.triangle_count());
 }
 
-JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots, const FitLimits& limits,
+JudgedMap judge(std::shared_ptr<const AlignedMap> map, const SphereRoots& roots, const FitLimits& limits,
                 double least_angle, Stopwatch& stopwatch, const Progress& progress) {
     FoundMap made;
     made.surface = sampled(*map, roots, part_of(progress, 0, 0.15));
@@ -310,14 +314,14 @@ ChosenMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
         JudgedMap judged_refined = judged_in(*std::move(refined), 0.6, 0.8);
         if (!has_needles || !is_hopeless(judged_refined.quality)) return judged_refined;
         as_it_is = try_to_map({}, false, 0.8, 0.9);
-        if (!as_it_is) return judged_refined;
+        if (!as_it_is || (is_lost(*as_it_is) && is_accepted(judged_refined, options.limits)))
+            return judged_refined;
         return better_of(std::move(judged_refined), judged_in(*std::move(as_it_is), 0.9, 1));
     }
     if (!refined || !is_better(*refined, *as_it_is, options.limits)) return *std::move(as_it_is);
     JudgedMap judged_refined = judged_in(*std::move(refined), 0.7, 0.8);
     if (is_bad(*as_it_is, options.limits) && !is_hopeless(judged_refined.quality)) return judged_refined;
-    const bool is_lost = flipped_part(*as_it_is, options.limits) > lost_flipped_multiple;
-    if (is_lost && is_accepted(judged_refined, options.limits)) return judged_refined;
+    if (is_lost(*as_it_is) && is_accepted(judged_refined, options.limits)) return judged_refined;
     const bool is_sure =
         is_sure_to_take(judged_refined, *as_it_is, options.limits, part_of(progress, 0.8, 0.85));
     stopwatch.lap("choosing the map");

@@ -40,7 +40,7 @@ struct MapChoiceOptions {
 
 /// A map, with a key that is not judged yet.
 struct FoundMap {
-    std::unique_ptr<const AlignedMap> map;
+    std::shared_ptr<const AlignedMap> map;
     SampledSurface surface;  ///< of judged_leaves(), not smoothed
     std::size_t faulty = 0;  ///< number of leaves that need smoothing
     FitQuality shapes{};     ///< of that surface, without distances
@@ -50,7 +50,7 @@ struct FoundMap {
 
 /// A map, with the key by which the map is judged.
 struct JudgedMap {
-    std::unique_ptr<const AlignedMap> map;
+    std::shared_ptr<const AlignedMap> map;
     SampledSurface surface;  ///< of judged_leaves(), smoothed unless it is certainly refused
     FitQuality quality;      ///< of that surface
     MapMethod method = MapMethod::progressive;
@@ -66,7 +66,7 @@ Index judged_leaves(const SphereRoots& roots);
 /// Samples, smooths and measures. If so many leaves of a matched map are turned over, or needles, that smoothing cannot
 /// mend all of them, the key is neither smoothed nor measured: the distances of its quality stay 0.
 /// \param least_angle  degrees; leaves with a smaller angle are needles, which the caller refuses. 0 for none
-JudgedMap judge(std::unique_ptr<const AlignedMap> map, const SphereRoots& roots, const FitLimits& limits,
+JudgedMap judge(std::shared_ptr<const AlignedMap> map, const SphereRoots& roots, const FitLimits& limits,
                 double least_angle, Stopwatch& stopwatch, const Progress& progress);
 
 /// Smooths and measures, unless the key is judged already.

@@ -8,6 +8,8 @@
 
 #include <fmt/core.h>
 
+#include "fit/aligned_map.h"
+#include "fit/correspondence/matched_body.h"
 #include "fit/half_way.h"
 #include "fit/landmarks/pinned_map.h"
 #include "fit/mesh/parallel_work.h"
@@ -23,32 +25,34 @@ class UnmatchedKey {
   public:
     /// The arguments must outlive this object, but for the first.
     UnmatchedKey(ChosenMap chosen, const FitOptions& options, const LandmarkPins* pins)
-        : limits_(options.limits),
-          pins_(pins),
-          work_([chosen = std::move(chosen), &options](const Progress& progress) mutable {
-              std::vector<StageTime> times;  // this thread takes none of the time that people wait
-              Stopwatch stopwatch(times);
-              return judge(std::move(chosen), options.roots, options.limits, stopwatch, progress);
-          }) {}
+        : options_(options), pins_(pins), chosen_(std::move(chosen)) {}
 
     /// \throw InputError  if the key is known already, and refused
     void require_not_refused() {
-        if (!judged_ && work_.is_done()) get({});
+        if (!is_awaited_ && work_.is_done()) get({});
     }
 
     /// Waits until the key is judged.
     /// \throw InputError  if it is refused
     JudgedMap& get(const Progress& progress) {
-        if (!judged_) judged_ = work_.wait("measuring", progress);
-        require_accepted(*judged_, limits_, pins_);
-        return *judged_;
+        if (!std::exchange(is_awaited_, true)) judged_ = work_.wait("measuring", progress);
+        require_accepted(judged_, options_.limits, pins_);
+        return judged_;
     }
 
   private:
-    const FitLimits& limits_;
+    JudgedMap judge_chosen(const Progress& progress) {
+        std::vector<StageTime> times;  // of work that nobody waits for
+        Stopwatch stopwatch(times);
+        return judge(std::move(chosen_), options_.roots, options_.limits, stopwatch, progress);
+    }
+
+    const FitOptions& options_;
     const LandmarkPins* pins_;
-    std::optional<JudgedMap> judged_;
-    ParallelWork<JudgedMap> work_;
+    ChosenMap chosen_;
+    JudgedMap judged_;
+    bool is_awaited_ = false;
+    ParallelWork<JudgedMap> work_{[this](const Progress& progress) { return judge_chosen(progress); }};
 };
 
 /// The key of a model, to compare others with. It is not smoothed.
@@ -97,7 +101,8 @@ std::pair<JudgedMap, MatchReport> match_to_model(ChosenMap chosen, const FitOpti
                                                  const LandmarkPins* pins,
                                                  std::span<const glm::dvec3> landmarks, Stopwatch& stopwatch,
                                                  const Progress& progress) {
-    const AlignedMap& map = *std::visit([](const auto& made) { return made.map.get(); }, chosen);
+    const auto held_map = std::visit([](const auto& made) { return made.map; }, chosen);
+    const AlignedMap& map = *held_map;
     const bool are_doubtful =
         pins != nullptr &&
         !faults_of(std::visit([](const auto& made) { return made.agreement; }, chosen), *pins).empty();
@@ -120,7 +125,7 @@ std::pair<JudgedMap, MatchReport> match_to_model(ChosenMap chosen, const FitOpti
         stopwatch.lap("matching");
         const JudgedMap& without = unmatched.get(part_of(inner, 0, 0));
         stopwatch.lap("waiting for the key without matching");
-        judged_match = judge(std::make_unique<AlignedMap>(map.original, matched.mesh, matched.points,
+        judged_match = judge(std::make_shared<AlignedMap>(map.original, matched.mesh, matched.points,
                                                           map.is_approximate, landmarks),
                              options.roots, options.limits, wanted_angle(without.quality), stopwatch, inner);
         if (std::string fault = fault_of_match(judged_match, without.quality, options.limits); !fault.empty())

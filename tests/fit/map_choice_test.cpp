@@ -20,7 +20,7 @@ namespace {
 JudgedMap judge_as_matched(const MappedMesh& body, double least_angle) {
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
-    return judge(std::make_unique<AlignedMap>(body.mesh, SurfaceMesh{}, body.points, false),
+    return judge(std::make_shared<AlignedMap>(body.mesh, SurfaceMesh{}, body.points, false),
                  project_to_sphere(cube()), {}, least_angle, stopwatch, {});
 }
 

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <span>
 #include <utility>
-
-#include <glm/geometric.hpp>
 
 #include "fit/correspondence/direction_insertion.h"
 #include "fit/correspondence/even_mesh.h"

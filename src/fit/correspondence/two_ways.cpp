@@ -101,6 +101,7 @@ std::vector<Candidate> TwoWays::candidates(bool tries_hard) {
         go_on_with_own({going_on_begins, model_goes_on_from}, found);
     if (auto candidate = models.wait("matching", part_of(progress_, model_goes_on_from, finishing_begins)))
         found.push_back(measured(*std::move(candidate)));
+    models_progress_ = {};
     std::ranges::sort(found, {}, [](const Candidate& candidate) { return candidate.figures.energy; });
     return found;
 }

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <future>
 #include <string_view>
 #include <utility>
@@ -15,34 +16,39 @@ namespace interleaf {
 template <typename Result>
 class ParallelWork {
   public:
-    /// \param work  called as work(const Progress&), on another thread, or by wait() if there is none. What it uses must
-    ///              outlive this object
-    template <typename Work>
+    using Work = std::function<Result(const Progress& progress)>;
+
+    /// Begins the work, on another thread; where none can be had, wait() does it. What it uses must outlive this object.
     explicit ParallelWork(Work work)
-        : result_(std::async(std::launch::async | std::launch::deferred,
-                             [this, work = std::move(work)]() mutable { return work(progress_); })) {}
+        : work_(std::move(work)),
+          result_(std::async(std::launch::async | std::launch::deferred, [this] { return work_(told_); })) {}
 
     /// Ends the work, and waits until it has ended.
     ~ParallelWork() { is_dropped_ = true; }
     ParallelWork(const ParallelWork&) = delete;
     ParallelWork& operator=(const ParallelWork&) = delete;
 
-    bool is_done() const { return result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
+    bool is_done() const { return status_after(std::chrono::milliseconds(0)) == std::future_status::ready; }
 
     /// Waits for the result, and reports meanwhile how far the work is, as \p stage. To be called once.
     /// \throw Cancelled  if progress says so
     /// \throw ...        what the work throws
     Result wait(std::string_view stage, const Progress& progress) {
         constexpr std::chrono::milliseconds between_reports(20);
-        while (result_.wait_for(between_reports) == std::future_status::timeout)
+        std::future_status status = status_after(between_reports);
+        if (status == std::future_status::deferred) return work_(progress);
+        for (; status != std::future_status::ready; status = status_after(between_reports))
             if (progress && !progress(stage, part_)) throw Cancelled();
         return result_.get();
     }
 
   private:
+    std::future_status status_after(std::chrono::milliseconds time) const { return result_.wait_for(time); }
+
+    const Work work_;
     std::atomic<bool> is_dropped_ = false;
     std::atomic<double> part_ = 0;  ///< of the work that is done
-    const Progress progress_ = [this](std::string_view, double part) {
+    const Progress told_ = [this](std::string_view, double part) {
         part_ = part;
         return !is_dropped_;
     };
