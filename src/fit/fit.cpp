@@ -45,7 +45,7 @@ constexpr double chosen_at = 0.7;
 constexpr double judged_at = 0.87;
 
 /// The fraction at which a map is chosen that is matched to a model's.
-constexpr double chosen_before_match = 0.2;
+constexpr double chosen_before_match = 0.1;
 
 /// Where a map is continued, shapes on the sphere are restored where their distortion is larger than the first of
 /// these; where that gives no good key, than the next. The more is restored, the further points slide.

@@ -105,7 +105,6 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
         return unmatched(std::move(report), "the maps agree already");
     const std::span<const Restoring> attempts =
         held.empty() ? std::span<const Restoring>(restorings) : restorings_with_landmarks;
-    const double attempt = (1 - finishing_begins) / double(2 * attempts.size());  // both ways
     double part = finishing_begins;
     std::string fault = "there is no room for a vertex, or triangles turn over";
     for (const bool are_first : {true, false}) {
@@ -119,7 +118,7 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
             const std::vector<glm::dvec3> first_points = candidate.points;
             for (const Restoring& restoring : attempts) {
                 both.begin_part(part);
-                part += attempt;
+                const double begin_of_attempt = std::exchange(part, (1 + part) / 2);
                 if (restoring.begins_anew) candidate.points = first_points;
                 if (restoring.worst_shape < worst_kept_shape &&
                     !both.restore(restoring.worst_shape, candidate))
@@ -132,7 +131,7 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
                 matched.report.after = candidate.figures;
                 matched.report.passes = candidate.passes;
                 const std::string fault_of_key =
-                    judge ? judge(matched, part_of(progress, part - attempt, part)) : "";
+                    judge ? judge(matched, part_of(progress, begin_of_attempt, part)) : "";
                 if (fault_of_key.empty()) {
                     both.begin_part(1);
                     return matched;
