@@ -60,6 +60,8 @@ class Reader {
         line_number_ = lines_read_;
         std::string_view rest = line;
         const std::string_view keyword = take_word(rest);
+        if (keyword == "l") ++mesh_.lines;
+        if (keyword == "surf") ++mesh_.free_forms;
         if (keyword != "v" && keyword != "f") return;
         line = whole_line(line);
         take_word(line);

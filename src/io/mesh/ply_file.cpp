@@ -39,6 +39,7 @@ class PlyReader {
         for (const Element& element : header_.elements) {
             if (element.properties.empty()) continue;  // takes no bytes
             if (element.name == "vertex") mesh_.positions.reserve(at_most(element));
+            if (element.name == "edge") mesh_.lines = element.count;
             for (number_ = 0; number_ < element.count; ++number_) {
                 element_ = element.name;
                 if (element.name == "vertex")

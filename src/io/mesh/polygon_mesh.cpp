@@ -81,6 +81,19 @@ void settle_scalars(PolygonMesh& mesh) {
     });
 }
 
+/// Says what a mesh without faces is.
+std::string what_has_no_faces(const PolygonMesh& mesh) {
+    if (mesh.free_forms > 0)
+        return fmt::format("has {}, but no faces: only faces are read",
+                           counted(mesh.free_forms, "free-form surface", "free-form surfaces"));
+    if (mesh.lines > 0)
+        return fmt::format("is a wire frame: it has {}, but no faces", counted(mesh.lines, "line", "lines"));
+    if (!mesh.positions.empty())
+        return fmt::format("is a point cloud: it has {}, but no faces",
+                           counted(mesh.positions.size(), "vertex", "vertices"));
+    return "has no faces, expected at least one";
+}
+
 }  // namespace
 
 bool PolygonMesh::add_face(std::span<const Index> vertices, std::size_t line) {
@@ -92,11 +105,11 @@ bool PolygonMesh::add_face(std::span<const Index> vertices, std::size_t line) {
 }
 
 void settle(PolygonMesh& mesh, std::string_view name) {
-    if (mesh.face_sizes.empty())
-        throw InputError(mesh.positions.empty()
-                             ? fmt::format("{}: has no faces, expected at least one", name)
-                             : fmt::format("{}: is a point cloud: it has {}, but no faces", name,
-                                           counted(mesh.positions.size(), "vertex", "vertices")));
+    if (mesh.face_sizes.empty()) throw InputError(fmt::format("{}: {}", name, what_has_no_faces(mesh)));
+    if (mesh.free_forms > 0)
+        mesh.remarks.push_back(
+            fmt::format("{} left out: only faces are read.",
+                        counted(mesh.free_forms, "free-form surface was", "free-form surfaces were")));
     settle_positions(mesh, name);
     settle_colors(mesh);
     settle_scalars(mesh);

@@ -50,6 +50,9 @@ struct PolygonMesh {
     std::size_t triangle_count = 0;         ///< number of triangles that the faces become
     std::size_t max_triangles = 0;          ///< limit of triangle_count (max_triangles_of)
 
+    std::size_t lines = 0;       ///< polylines or edges, which are passed over
+    std::size_t free_forms = 0;  ///< free-form surfaces, which are passed over
+
     /// Vertices with a coordinate that is not a number or is beyond the range of floats, each with its place
     /// in the file, such as "line 12".
     std::vector<std::pair<Index, std::string>> broken_vertices;

@@ -129,6 +129,16 @@ TEST_CASE("an OBJ in UTF-16 is read, with a remark") {
           std::vector<std::string>{files[0].string() + ": The text was converted from UTF-16."});
 }
 
+TEST_CASE("free-form surfaces of an OBJ are left out with a remark, lines without one") {
+    const ScratchFolder folder;
+    put(folder / "m.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\ncstype bezier\nsurf 0 1 0 1 1 2 3 1\nend\n");
+    const std::vector<std::filesystem::path> files{folder / "m.obj"};
+    CHECK(read_obj_series(files).remarks ==
+          std::vector<std::string>{files[0].string() +
+                                   ": 1 free-form surface was left out: only faces are read."});
+}
+
 TEST_CASE("colors of other ranges become colors of the key, and remarks name the file") {
     const ScratchFolder folder;
     put(folder / "m.obj", "v 0 0 0 255 0 0\nv 1 0 0 0 51 0\nv 0 1 0 0 0 nan\nf 1 2 3\n");
@@ -201,6 +211,9 @@ TEST_CASE("a hostile OBJ is rejected with the line and what was expected") {
         {"", "m.obj: has no faces"},
         {"# nothing\n", "m.obj: has no faces"},
         {v, "m.obj: is a point cloud: it has 4 vertices, but no faces"},
+        {v + "l 1 2 3\nl 3 4\n", "m.obj: is a wire frame: it has 2 lines, but no faces"},
+        {v + "cstype bezier\nsurf 0 1 0 1 1 2 3 4\nend\n",
+         "m.obj: has 1 free-form surface, but no faces: only faces are read"},
         {std::string(1000, '\0'), "m.obj: is not text, expected lines that begin with v and f"},
         {std::string("\x7f") + std::string("ELF\2\1\1\0\nv\0", 10), "m.obj: is not text"},
         {"v 0 0\nf 1 1 1\n", "line 1: a vertex of 2 coordinates, expected three"},

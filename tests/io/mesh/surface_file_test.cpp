@@ -331,6 +331,9 @@ TEST_CASE("an error names the file, the place and what was expected") {
          "vertex 0 (counted from 0): the file ends"},
         {parse_ply, header + "property float z\nend_header\n0 0 0\n", "is a point cloud: it has 1 vertex"},
         {parse_ply,
+         header + "property float z\nelement edge 2\nproperty int vertex1\nend_header\n0 0 0\n0\n0\n",
+         "is a wire frame: it has 2 lines, but no faces"},
+        {parse_ply,
          header + "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
                   "0 nan 0\n3 0 0 0\n",
          "vertex 0 (counted from 0): a coordinate is not a finite number"},
