@@ -126,7 +126,7 @@ class WorkClock {
     double processor_seconds() const {
         return static_cast<double>(std::clock() - processor_) / CLOCKS_PER_SEC;
     }
-    double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+    double elapsed_seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -140,7 +140,7 @@ void print_figures(const std::string& name, const std::string& match, const Fitt
     line.update(figures_of(first, second));
     line.update(key_figures(second));
     line["processor_seconds"] = clock.processor_seconds();
-    line["seconds"] = clock.seconds();
+    line["elapsed_seconds"] = clock.elapsed_seconds();
     if (const auto& report = second.report.match)
         line.update({{"fault", report->fault},
                      {"passes", report->passes},

@@ -17,7 +17,6 @@
 #include "fit/landmarks/pinned_map.h"
 #include "fit/map_choice.h"
 #include "fit/match_to_model.h"
-#include "fit/sampling/mapped_surface.h"
 #include "fit/sampling/sampled_fields.h"
 #include "fit/sampling/surface_sampling.h"
 #include "hierarchy/error.h"

@@ -268,8 +268,7 @@ ChosenMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
                       part_of(progress, begin, end));
     };
     const TriangleShapes shapes = triangle_shapes(mesh);
-    if (shapes.large < large_part)
-        return candidate(mesh, {}, false, options, stopwatch, part_of(progress, 0, 1));
+    if (shapes.large < large_part) return candidate(mesh, {}, false, options, stopwatch, progress);
 
     std::string fault;
     const auto try_to_map = [&](SurfaceMesh fine, bool is_approximate, double begin,

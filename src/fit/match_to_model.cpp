@@ -101,8 +101,9 @@ std::pair<JudgedMap, MatchReport> match_to_model(ChosenMap chosen, const FitOpti
                                                  const LandmarkPins* pins,
                                                  std::span<const glm::dvec3> landmarks, Stopwatch& stopwatch,
                                                  const Progress& progress) {
-    const auto held_map = std::visit([](const auto& made) { return made.map; }, chosen);
-    const AlignedMap& map = *held_map;
+    // Kept here, too: the other thread gives its own up if it throws.
+    const auto kept = std::visit([](const auto& made) { return made.map; }, chosen);
+    const AlignedMap& map = *kept;
     const bool are_doubtful =
         pins != nullptr &&
         !faults_of(std::visit([](const auto& made) { return made.agreement; }, chosen), *pins).empty();
