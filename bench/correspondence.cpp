@@ -193,6 +193,7 @@ class Measurement {
                     landmark.position = (*placement)(landmark.position);
             }
             options.landmarks = std::move(aimed.landmarks);
+            options.counterparts = std::move(aimed.positions);
             for (const FittedLandmark& each : first_.report.landmarks) directions.push_back(each.direction);
         }
         std::unique_ptr<const MatchedBody> model;

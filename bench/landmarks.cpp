@@ -131,6 +131,7 @@ double held_out_of(const Body& body, const FittedKey& first, const FittedKey& ke
 bool names_swap(const SurfaceMesh& mesh, LandmarkPins pins) {
     const std::size_t count = pins.directions.size();
     std::swap(pins.directions[count - 2], pins.directions[count - 1]);
+    std::swap(pins.counterparts[count - 2], pins.counterparts[count - 1]);
     std::string text;
     try {
         for (const std::string& fault : faults_of(map_to_pins(mesh, pins, {}, {}).agreement, pins))
@@ -144,18 +145,16 @@ bool names_swap(const SurfaceMesh& mesh, LandmarkPins pins) {
 
 /// Measures where the landmarks that were not given arrive in \p key, and in the key with matching after the pins.
 void measure_held_out(const Body& body, const std::string& first_name, const FittedKey& first,
-                      const FittedKey& key, std::span<const Landmark> given, const Lines& lines,
-                      Totals& totals) {
+                      const FittedKey& key, const FitOptions& options, const Lines& lines, Totals& totals) {
     std::vector<glm::dvec3> directions;
-    directions.reserve(given.size());
-    for (const Landmark& landmark : given) directions.push_back(*landmark.direction);
+    directions.reserve(options.landmarks.size());
+    for (const Landmark& landmark : options.landmarks) directions.push_back(*landmark.direction);
     const double held_out = held_out_of(body, first, key, lines.held_out);
     const auto model = model_of(first.mapped_mesh(), first.points, glm::dmat3(1), directions, {}, {});
+    FitOptions with_model = options;
+    with_model.model = model.get();
     FittedKey matched;
-    const double seconds = processor_seconds_of([&] {
-        matched =
-            fit(CleanMesh(body.clean), {.model = model.get(), .landmarks = {given.begin(), given.end()}});
-    });
+    const double seconds = processor_seconds_of([&] { matched = fit(CleanMesh(body.clean), with_model); });
     const double held_out_matched = held_out_of(body, first, matched, lines.held_out);
     totals.held_out += held_out;
     totals.held_out_matched += held_out_matched;
@@ -183,9 +182,11 @@ void measure_pair(const Body& body, const std::string& first_name, const FittedK
         const MeshWithLandmarks inserted = insert_landmarks(body.clean.mesh, given);
         LandmarkPins pins;
         pins.vertices = inserted.vertices;
+        pins.counterparts = first_places;
         for (const Landmark& landmark : given) {
             pins.names.push_back(landmark.name);
             pins.directions.push_back(*landmark.direction);
+            pins.positions.push_back(landmark.position);
         }
         PinnedMap map;
         totals.map_seconds += processor_seconds_of([&] { map = map_to_pins(inserted.mesh, pins, {}, {}); });
@@ -193,8 +194,8 @@ void measure_pair(const Body& body, const std::string& first_name, const FittedK
             totals.inexact += map.points[pins.vertices[k]] != pins.directions[k];
 
         FittedKey key;
-        const double seconds =
-            processor_seconds_of([&] { key = fit(CleanMesh(body.clean), {.landmarks = given}); });
+        const FitOptions options{.landmarks = given, .counterparts = first_places};
+        const double seconds = processor_seconds_of([&] { key = fit(CleanMesh(body.clean), options); });
         totals.fit_seconds += seconds;
 
         totals.swaps_named += names_swap(inserted.mesh, pins);
@@ -220,7 +221,7 @@ void measure_pair(const Body& body, const std::string& first_name, const FittedK
                            {"hausdorff", key.report.quality.hausdorff},
                            {"flipped_leaves", key.report.quality.flipped_leaves},
                            {"fit_seconds", seconds}});
-        if (!lines.held_out.empty()) measure_held_out(body, first_name, first, key, given, lines, totals);
+        if (!lines.held_out.empty()) measure_held_out(body, first_name, first, key, options, lines, totals);
     } catch (const InputError& error) {
         ++totals.failed;
         bench::print_line({{"first", first_name}, {"other", body.name}, {"error", error.what()}});

@@ -243,7 +243,8 @@ FittedKey fit(CleanMesh clean, const FitOptions& options, const Progress& progre
     require_wanted(clean.report, options);
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
-    const std::optional<PinnedMesh> pinned = pinned_mesh(clean.mesh, options.landmarks, options.symmetric);
+    const std::optional<PinnedMesh> pinned =
+        pinned_mesh(clean.mesh, options.landmarks, options.symmetric, options.counterparts);
     const SurfaceMesh& mesh = pinned ? pinned->mesh : clean.mesh;
     const LandmarkPins* const pins = pinned ? &pinned->pins : nullptr;
     FittedKey key;

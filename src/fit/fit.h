@@ -49,6 +49,8 @@ struct FitOptions {
     /// \a rotation turns only the body that is matched to a model. Or none has, and the map is the same as without
     /// landmarks; the report then says where the map has put them.
     std::vector<Landmark> landmarks{};
+    /// Where the landmarks are on the first body, one each, to tell swapped ones; empty if that is not known.
+    std::vector<glm::dvec3> counterparts{};
     /// Names of landmarks that mirror each other. Pairs without both landmarks mean nothing.
     std::vector<std::array<std::string, 2>> symmetric{};
 

@@ -23,7 +23,8 @@ void check_directions(std::span<const Landmark> landmarks) {
 }
 
 std::optional<PinnedMesh> pinned_mesh(const SurfaceMesh& mesh, std::span<const Landmark> landmarks,
-                                      std::span<const std::array<std::string, 2>> symmetric) {
+                                      std::span<const std::array<std::string, 2>> symmetric,
+                                      std::span<const glm::dvec3> counterparts) {
     if (landmarks.empty()) return {};
     MeshWithLandmarks inserted = insert_landmarks(mesh, landmarks);
     if (!landmarks.front().direction) return {};
@@ -39,6 +40,9 @@ std::optional<PinnedMesh> pinned_mesh(const SurfaceMesh& mesh, std::span<const L
         pinned.pins.names.push_back(landmark.name);
         pinned.pins.directions.push_back(*landmark.direction);
     }
+    pinned.pins.counterparts.assign(counterparts.begin(), counterparts.end());
+    if (!counterparts.empty())
+        for (const Landmark& landmark : landmarks) pinned.pins.positions.push_back(landmark.position);
     for (const auto& [left, right] : symmetric) {
         const std::vector<std::string>& names = pinned.pins.names;
         const auto a = std::ranges::find(names, left);

@@ -29,9 +29,11 @@ struct PinnedMesh {
 /// None if the landmarks have no directions; they are checked nevertheless.
 /// \param mesh       clean (clean_up.h)
 /// \param symmetric  names of landmarks that mirror each other
+/// \param counterparts  where the landmarks are on the first body; empty if that is not known
 /// \throw InputError naming two landmarks that are at one point or have one direction
 std::optional<PinnedMesh> pinned_mesh(const SurfaceMesh& mesh, std::span<const Landmark> landmarks,
-                                      std::span<const std::array<std::string, 2>> symmetric = {});
+                                      std::span<const std::array<std::string, 2>> symmetric = {},
+                                      std::span<const glm::dvec3> counterparts = {});
 
 /// A key with the roots over which it was sampled.
 struct KeyOverRoots {

@@ -72,13 +72,13 @@ std::vector<Landmark> targets_on(const PreviewReference& reference, std::span<co
     return targets;
 }
 
-PreviewKey preview_key(const SurfaceMesh& mesh, std::span<const Landmark> landmarks,
+PreviewKey preview_key(const SurfaceMesh& mesh, const AimedLandmarks& aimed,
                        std::span<const std::array<std::string, 2>> symmetric, const PreviewOptions& options,
                        const Progress& progress) {
     const Progress mapping = part_of(progress, 0, sampling_starts);
     const Progress sampling = part_of(progress, sampling_starts, 1);
     PreviewKey preview;
-    const std::optional<PinnedMesh> pinned = pinned_mesh(mesh, landmarks, symmetric);
+    const std::optional<PinnedMesh> pinned = pinned_mesh(mesh, aimed.landmarks, symmetric, aimed.positions);
     if (pinned) {
         PinnedMap map = map_to_pins(pinned->mesh, pinned->pins, {}, mapping);
         preview.agreement = std::move(map.agreement);

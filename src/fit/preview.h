@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "fit/landmarks/landmark_agreement.h"
+#include "fit/landmarks/landmark_targets.h"
 #include "fit/mesh/surface_mesh.h"
 #include "fit/sphere_map/sphere_roots.h"
 #include "hierarchy/hierarchy.h"
@@ -51,11 +52,11 @@ struct PreviewKey {
 };
 
 /// \param mesh       clean
-/// \param landmarks  with directions; may be empty
+/// \param aimed      landmarks with the targets on the reference; may be empty
 /// \param symmetric  names of landmarks that mirror each other
 /// \throw InputError if there is no map, naming a landmark
 /// \throw Cancelled
-PreviewKey preview_key(const SurfaceMesh& mesh, std::span<const Landmark> landmarks,
+PreviewKey preview_key(const SurfaceMesh& mesh, const AimedLandmarks& aimed,
                        std::span<const std::array<std::string, 2>> symmetric, const PreviewOptions& options,
                        const Progress& progress);
 

@@ -40,23 +40,26 @@ TEST_CASE(
     const MappedMesh other = unit_sphere_mesh(3);
     for (const PreviewReference* reference : {&body, &key}) {
         std::vector<Landmark> first;
-        std::vector<Landmark> landmarks;
+        AimedLandmarks aimed;
         for (const glm::dvec3& direction :
              {glm::dvec3(1, 0.1, 0), glm::dvec3(-0.1, 1, 0), glm::dvec3(0, 0.1, 1), glm::dvec3(-1, 0, 0.1)}) {
             const std::string name = std::to_string(first.size());
             first.push_back({name, 2.0 * direction});
-            landmarks.push_back({name, 2.0 * direction});
+            aimed.landmarks.push_back({name, 2.0 * direction});
         }
         const std::vector<Landmark> targets = targets_on(*reference, first);
-        for (std::size_t k = 0; k < targets.size(); ++k) landmarks[k].direction = targets[k].direction;
-        const PreviewKey made = preview_key(other.mesh, landmarks, {}, coarse, {});
-        CHECK(made.agreement.ways.size() == landmarks.size());
+        for (std::size_t k = 0; k < targets.size(); ++k) {
+            aimed.landmarks[k].direction = targets[k].direction;
+            aimed.positions.push_back(targets[k].position);
+        }
+        const PreviewKey made = preview_key(other.mesh, aimed, {}, coarse, {});
+        CHECK(made.agreement.ways.size() == aimed.landmarks.size());
         for (const Landmark& target : targets)
             CHECK(glm::distance(point_in_direction(reference->key, coarse.roots, *target.direction),
                                 target.position) < 0.1);
-        for (std::size_t k = 0; k < landmarks.size(); ++k)
-            CHECK(glm::distance(point_in_direction(made.key, coarse.roots, *landmarks[k].direction),
-                                glm::normalize(landmarks[k].position)) < 0.05);
+        for (const Landmark& landmark : aimed.landmarks)
+            CHECK(glm::distance(point_in_direction(made.key, coarse.roots, *landmark.direction),
+                                glm::normalize(landmark.position)) < 0.05);
     }
     CHECK(preview_key(other.mesh, {}, {}, coarse, {}).faults.empty());
 }

@@ -31,6 +31,7 @@ CleanMesh MeshFitter::clean_next(SurfaceFile surface, const Progress& progress) 
 /// Sets the landmarks of the next mesh in the options, and places the mesh by them.
 void MeshFitter::aim_landmarks(CleanMesh& clean, FittedMesh& fitted) {
     task_.options.landmarks.clear();
+    task_.options.counterparts.clear();
     if (task_.landmarks.empty() || task_.landmarks[next_].empty()) return;
     std::vector<Landmark> landmarks = std::move(task_.landmarks[next_]);
     std::vector<glm::dvec3> positions;
@@ -48,6 +49,7 @@ void MeshFitter::aim_landmarks(CleanMesh& clean, FittedMesh& fitted) {
         fitted.placement = placement_of(aimed, task_.landmark_placing);
         fitted.remarks.insert(fitted.remarks.end(), aimed.remarks.begin(), aimed.remarks.end());
         landmarks = std::move(aimed.landmarks);
+        task_.options.counterparts = std::move(aimed.positions);
     }
     if (fitted.placement) {
         for (SurfaceMesh* part : {&clean.mesh, &clean.dropped})

@@ -160,19 +160,18 @@ std::shared_ptr<LandmarkBlend> LandmarkPreview::blended(const Wish& wish, const 
     }
     options.rotation = sources_[wish.mesh].rotation;
     auto blend = std::make_shared<LandmarkBlend>();
-    std::vector<Landmark> landmarks;
+    AimedLandmarks aimed;
     std::optional<Similarity> placement;
     if (!wish.other.empty()) {
-        AimedLandmarks aimed = aim(wish.other, targets_on(*reference_, wish.first));
+        aimed = aim(wish.other, targets_on(*reference_, wish.first));
         try {
             placement = placement_of(aimed, std::nullopt);
         } catch (const InputError& error) {
             blend->warnings.emplace_back(error.what());
         }
-        landmarks = std::move(aimed.landmarks);
     }
     PreviewKey made =
-        preview_key(body(wish.mesh)->mesh, landmarks, mirrored_names(wish.first), options, progress);
+        preview_key(body(wish.mesh)->mesh, aimed, mirrored_names(wish.first), options, progress);
     blend->warnings.insert(blend->warnings.end(), made.faults.begin(), made.faults.end());
     blend->ways = std::move(made.agreement.ways);
     if (!wish.first.empty()) {

@@ -31,6 +31,10 @@ constexpr std::size_t fewest_chiral = 4;
 /// Right landmarks of four-legged animals turn less.
 constexpr double reversed_cosine = -0.5;
 
+/// A rotation that turns some directions best into others is determined if its margin is above this part of the
+/// agreement.
+constexpr double least_margin = 1e-3;
+
 /// Landmarks farther apart than this, as a chord of the sphere, are no neighbors: swapped ones lower the agreement.
 constexpr double farthest_neighbor = 1.2;
 
@@ -78,6 +82,34 @@ bool turn_together(std::span<const glm::dvec3> points, std::span<const glm::dvec
     return sine * wanted > 0 && std::min(std::abs(sine), std::abs(wanted)) > clear_sine;
 }
 
+/// Whether a way points about against another one.
+bool is_reversed(const glm::dvec3& way, const glm::dvec3& wanted) {
+    return glm::dot(way, wanted) < reversed_cosine * glm::length(way) * glm::length(wanted);
+}
+
+/// Whether the two landmarks also lie the other way round in space, once the other landmarks are turned best to their
+/// counterparts; near ones count most, since a head may be turned. True if that is not known. Only their maps to the
+/// sphere may turn narrow parts, such as necks, differently.
+bool are_reversed_in_space(const LandmarkPins& pins, std::size_t i, std::size_t j) {
+    const std::span<const glm::dvec3> places = pins.positions;
+    const std::span<const glm::dvec3> counterparts = pins.counterparts;
+    if (counterparts.empty()) return true;
+    const glm::dvec3 middle = (places[i] + places[j]) / 2.0;
+    const glm::dvec3 middle_there = (counterparts[i] + counterparts[j]) / 2.0;
+    std::vector<glm::dvec3> from;
+    std::vector<glm::dvec3> to;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (k == i || k == j) continue;
+        const glm::dvec3 way = places[k] - middle;
+        const glm::dvec3 wanted = counterparts[k] - middle_there;
+        from.push_back(way / glm::dot(way, way));
+        to.push_back(wanted / glm::dot(wanted, wanted));
+    }
+    const RotationFit fit = fit_rotation(from, to);
+    if (!(fit.margin > least_margin * fit.agreement)) return true;
+    return is_reversed(fit.rotation * (places[i] - places[j]), counterparts[i] - counterparts[j]);
+}
+
 /// Whether a mean cosine after a swap shows that the sides are swapped.
 bool shows_swap(double swapped_cosine, double mean_cosine) {
     return swapped_cosine >= mean_cosine + swapped_margin &&
@@ -105,9 +137,9 @@ LandmarkAgreement agreement_of(std::span<const glm::dvec3> points, const Landmar
         for (std::size_t j = 0; j < i; ++j) {
             const glm::dvec3 way = fit.rotation * (points[i] - points[j]);
             const glm::dvec3 wanted = pins.directions[i] - pins.directions[j];
-            if (glm::dot(way, wanted) < reversed_cosine * glm::length(way) * glm::length(wanted) &&
-                are_neighbors(pins.directions, i, j) && are_neighbors(points, i, j) &&
-                !turn_together(points, pins.directions, i, j))
+            if (is_reversed(way, wanted) && are_neighbors(pins.directions, i, j) &&
+                are_neighbors(points, i, j) && !turn_together(points, pins.directions, i, j) &&
+                are_reversed_in_space(pins, i, j))
                 agreement.reversed.push_back({j, i});
         }
     return agreement;

@@ -22,6 +22,11 @@ struct LandmarkPins {
 
     /// Pairs of landmarks that mirror each other, such as the left and the right ear.
     std::vector<std::array<std::size_t, 2>> symmetric{};
+
+    /// Where the landmarks are in space, and where their counterparts are on the first body; both empty if that is not
+    /// known.
+    std::vector<glm::dvec3> positions{};
+    std::vector<glm::dvec3> counterparts{};
 };
 
 /// After the rotation of the map that turns the landmarks best toward their targets.
@@ -35,7 +40,7 @@ struct LandmarkAgreement {
     /// The mean cosine if the two landmarks of each symmetric pair changed places; -1 without such pairs.
     double exchanged_cosine = -1;
 
-    /// Neighboring landmarks that lie the other way round than their targets.
+    /// Neighboring landmarks that lie the other way round than their targets, on the sphere and in space.
     std::vector<std::array<std::size_t, 2>> reversed{};
 
     /// Whether landmarks are probably wrong.

@@ -88,6 +88,29 @@ TEST_CASE("a head that is turned as a whole is not taken for swapped ears") {
     }
 }
 
+TEST_CASE("neighbors that only the map to the sphere turns round are not taken for swapped ones") {
+    LandmarkPins pins = animal();
+    for (std::uint32_t seed = 0; seed < trials(50); ++seed) {
+        CAPTURE(seed);
+        std::vector<glm::dvec3> points = other_animal(pins, 0.03, seed);
+        // Both bodies look alike in space, but have any size, place and position there.
+        pins.counterparts.clear();
+        pins.positions.clear();
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            pins.counterparts.push_back(3.0 * pins.directions[i] + glm::dvec3(1, 2, 3));
+            pins.positions.push_back(0.5 * points[i]);
+        }
+        std::swap(points[1], points[2]);
+        CHECK(text_of(points, pins) == "");
+        // The ears of a head that looks back: they are swapped in space, too.
+        const glm::dvec3 neck = glm::normalize(pins.directions[1] + pins.directions[2]);
+        for (std::size_t i = 0; i < 3; ++i)
+            pins.counterparts[i] = glm::angleAxis(glm::radians(80.0), neck) * pins.counterparts[i];
+        std::swap(pins.positions[1], pins.positions[2]);
+        CHECK(contains(text_of(points, pins), "'left ear' and 'right ear' lie the other way round"));
+    }
+}
+
 TEST_CASE("swapped sides are found from the symmetric pairs") {
     LandmarkPins pins = animal();
     std::vector<glm::dvec3> points = other_animal(pins, 0.05, 4);
