@@ -109,7 +109,7 @@ std::vector<glm::dvec3> with_restored_shapes(const ContinuedMap& map, double wor
     ProgressMeter meter(progress);
     meter.enter("continuing the map", 0);
     std::vector<glm::dvec3> points = map.points;
-    restore_shapes(map.body, worst_shape, points, meter);
+    restore_shapes(map.body, worst_shape, usual_sweeps, points, meter);
     if (!fault_of_map(map.mesh, points).empty()) points.clear();
     return points;
 }

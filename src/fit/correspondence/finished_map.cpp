@@ -144,10 +144,9 @@ std::vector<glm::dvec3> finished_map(const SphereMesh& body, CoarsenedMesh& coar
     return std::move(vertices).points();
 }
 
-bool restore_shapes(const SphereMesh& body, double worst, std::vector<glm::dvec3>& points,
+bool restore_shapes(const SphereMesh& body, double worst, int sweeps, std::vector<glm::dvec3>& points,
                     ProgressMeter& meter) {
     constexpr int rings = 2;
-    constexpr int sweeps = 30;
     constexpr int sweeps_of_untangling = 200;
     for (const SphereLandmark& landmark : body.landmarks) points[landmark.vertex] = landmark.direction;
     const HalfEdgeMesh half_edges(static_cast<Index>(points.size()), body.triangles);

@@ -21,13 +21,17 @@ namespace interleaf {
 std::vector<glm::dvec3> finished_map(const SphereMesh& body, CoarsenedMesh& coarse,
                                      std::span<const glm::dvec3> on_sphere, ProgressMeter& meter);
 
+/// In so many sweeps, most shapes are restored. A long thin part, such as a tail, comes to rest in a thousand.
+inline constexpr int usual_sweeps = 30;
+
 /// Relaxes a map that is one to one where triangles have bad shapes on the sphere, which would give leaves that are
 /// needles or flipped. Landmarks get their directions to the last bit and stay there; if that turns triangles over,
 /// these are untangled. The result may still not be one to one then: see fault_of_map().
-/// \param worst  the conformal distortion (MIPS) from which on a triangle and its surroundings are relaxed; 1 for all
+/// \param worst   the conformal distortion (MIPS) from which on a triangle and its surroundings are relaxed; 1 for all
+/// \param sweeps  at most
 /// \return whether there are such triangles
 /// \throw Cancelled
-bool restore_shapes(const SphereMesh& body, double worst, std::vector<glm::dvec3>& points,
+bool restore_shapes(const SphereMesh& body, double worst, int sweeps, std::vector<glm::dvec3>& points,
                     ProgressMeter& meter);
 
 }  // namespace interleaf

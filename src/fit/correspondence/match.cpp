@@ -7,6 +7,7 @@
 
 #include "fit/correspondence/direction_insertion.h"
 #include "fit/correspondence/even_mesh.h"
+#include "fit/correspondence/finished_map.h"
 #include "fit/correspondence/sphere_mesh.h"
 #include "fit/correspondence/two_ways.h"
 #include "fit/landmarks/similarity.h"
@@ -23,14 +24,28 @@ constexpr std::size_t finest_part = 3;
 /// this.
 constexpr double max_disagreement = 0.01;
 
-/// Where that gives no good key, more shapes are restored: in one large step, which keeps more area between bone and
-/// sphere of the five keys, then from the first map again in small ones, which more often give a good key.
+/// Where that gives no good key, more shapes are restored, and in more sweeps.
 struct Restoring {
     double worst_shape;
+    int sweeps = usual_sweeps;
     bool begins_anew = false;
 };
-constexpr std::array<Restoring, 5> restorings = {{{worst_kept_shape}, {1.3}, {2, true}, {1.3}, {1}}};
-constexpr std::array<Restoring, 4> restorings_with_landmarks = {{{worst_kept_shape}, {2}, {1.3}, {1}}};
+
+/// The shapes of candidates are restored already.
+constexpr Restoring as_it_is{.worst_shape = worst_kept_shape, .sweeps = 0};
+
+/// Until shapes rest.
+constexpr int many_sweeps = 1000;
+
+/// First in one large step, which keeps more area between bone and sphere of the five keys, then from the first map
+/// again in small ones, which more often give a good key.
+constexpr std::array<Restoring, 5> restorings = {
+    {as_it_is, {1.3}, {2, many_sweeps, true}, {1.3, many_sweeps}, {1, many_sweeps}}};
+
+/// With landmarks, the worst shapes are often in long thin parts, such as a tail with a landmark at its tip. There, a
+/// few sweeps do not suffice, and many in more places than necessary cost agreement.
+constexpr std::array<Restoring, 5> restorings_with_landmarks = {
+    {as_it_is, {worst_kept_shape, many_sweeps}, {2, 100}, {2, many_sweeps}, {1.3, many_sweeps}}};
 
 /// Vertices of the even mesh of a body with \p count vertices. Over twice as many would only cost time.
 std::size_t even_vertices(const MatchOptions& options, std::size_t count) {
@@ -108,8 +123,7 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
     double part = finishing_begins;
     std::string fault = "there is no room for a vertex, or triangles turn over";
     for (const bool are_first : {true, false}) {
-        std::vector<Candidate> candidates =
-            are_first ? both.candidates(!held.empty()) : both.waiting_candidates(part);
+        std::vector<Candidate> candidates = are_first ? both.candidates() : both.waiting_candidates(part);
         if (both.are_too_unlike()) return unmatched(std::move(report), "the bodies are too unlike");
         for (Candidate& candidate : candidates) {
             if (report.passes == 0) fault = "the matched map agrees no better";
@@ -120,8 +134,7 @@ MatchedMap match(const MatchedBody& model, const SurfaceMesh& mesh, std::span<co
                 both.begin_part(part);
                 const double begin_of_attempt = std::exchange(part, (1 + part) / 2);
                 if (restoring.begins_anew) candidate.points = first_points;
-                if (restoring.worst_shape < worst_kept_shape &&
-                    !both.restore(restoring.worst_shape, candidate))
+                if (restoring.sweeps > 0 && !both.restore(restoring.worst_shape, restoring.sweeps, candidate))
                     continue;
                 if (!both.is_one_to_one(candidate) || !(candidate.figures.energy < report.before.energy))
                     continue;

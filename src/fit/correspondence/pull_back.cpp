@@ -1,9 +1,11 @@
 #include "fit/correspondence/pull_back.h"
 
 #include <cstddef>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "fit/landmarks/sphere_flow.h"
 #include "fit/mesh/half_edge_mesh.h"
 #include "fit/sampling/sphere_location.h"
 #include "fit/sphere_map/orientation.h"
@@ -53,7 +55,8 @@ void average(const SphereMesh& mesh, const std::vector<char>& are_marked, std::v
 }
 
 /// Untangles, and where that fails averages the surroundings and tries again.
-void untangle_with(const SphereMesh& mesh, Relaxation& relaxation, std::vector<glm::dvec3>& points,
+/// \return whether no triangle is turned over
+bool untangle_with(const SphereMesh& mesh, Relaxation& relaxation, std::vector<glm::dvec3>& points,
                    ProgressMeter& meter) {
     constexpr int first_sweeps = 200;
     constexpr int further_sweeps = 100;
@@ -67,17 +70,35 @@ void untangle_with(const SphereMesh& mesh, Relaxation& relaxation, std::vector<g
         }
         is_sound = relaxation.untangle(further_sweeps, meter);
     }
+    return is_sound;
 }
 
-void untangle_and_sweep(const SphereMesh& mesh, std::vector<glm::dvec3>& points, int sweeps,
+/// Landmarks stay where they are.
+/// \return whether no triangle is turned over
+bool untangle_and_sweep(const SphereMesh& mesh, std::vector<glm::dvec3>& points, int sweeps,
                         ProgressMeter& meter) {
     const HalfEdgeMesh half_edges(static_cast<Index>(points.size()), mesh.triangles);
     const std::vector<double> areas = solid_angles(mesh, points);
     Relaxation relaxation(half_edges, mesh.positions, areas, points, Keeps::shapes);
     relaxation.update_shapes(rest_blend);
     for (const SphereLandmark& landmark : mesh.landmarks) relaxation.pin(landmark.vertex);
-    untangle_with(mesh, relaxation, points, meter);
+    const bool is_sound = untangle_with(mesh, relaxation, points, meter);
     if (sweeps > 0) relaxation.sweep(sweeps, meter);
+    return is_sound;
+}
+
+/// Untangles a map as if it had no landmarks. A smooth flow then carries these to their directions, and hardly turns
+/// triangles over.
+void untangle_and_carry(SphereMesh mesh, std::vector<glm::dvec3>& points, ProgressMeter& meter) {
+    constexpr double radius = 0.8;
+    std::vector<Index> vertices;
+    std::vector<glm::dvec3> directions;
+    for (const SphereLandmark& landmark : std::exchange(mesh.landmarks, {})) {
+        vertices.push_back(landmark.vertex);
+        directions.push_back(landmark.direction);
+    }
+    untangle_and_sweep(mesh, points, 0, meter);
+    flow(points, vertices, directions, radius);
 }
 
 }  // namespace
@@ -86,18 +107,21 @@ std::vector<glm::dvec3> pull_back(const SphereMesh& body, const SphereMesh& mode
                                   std::span<const glm::dvec3> on_sphere, ProgressMeter& meter) {
     constexpr int last_sweeps = 10;
     const SphereLocation in_model(model.triangles, on_sphere);
-    std::vector<glm::dvec3> points;
-    points.reserve(body.points.size());
+    std::vector<glm::dvec3> located;
+    located.reserve(body.points.size());
     Index guess = no_index;
     for (const glm::dvec3& point : body.points) {
         meter.step(20);
         const MeshPoint place = in_model.locate(point, guess);
         guess = place.triangle;
-        points.push_back(glm::normalize(place.of(std::span(model.triangles), std::span(model.points))));
+        located.push_back(glm::normalize(place.of(std::span(model.triangles), std::span(model.points))));
     }
+    std::vector<glm::dvec3> points = located;
     for (const SphereLandmark& landmark : body.landmarks) points[landmark.vertex] = landmark.direction;
-    untangle_and_sweep(body, points, last_sweeps, meter);
-    return points;
+    if (untangle_and_sweep(body, points, last_sweeps, meter) || body.landmarks.empty()) return points;
+    untangle_and_carry(body, located, meter);
+    untangle_and_sweep(body, located, last_sweeps, meter);
+    return located;
 }
 
 void untangle(const SphereMesh& mesh, std::vector<glm::dvec3>& points, ProgressMeter& meter) {

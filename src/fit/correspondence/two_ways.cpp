@@ -1,6 +1,7 @@
 #include "fit/correspondence/two_ways.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -28,6 +29,15 @@ constexpr double hopeless_distortion = 3.5;
 
 /// The body's mesh waits if its energy after the first passes is over this multiple of that of the model's mesh.
 constexpr double clearly_worse = 1.1;
+
+/// Where the whole body cannot be pulled back, it is on so many of its vertices.
+constexpr std::array<std::size_t, 3> pulled_back_vertices = {8000, 4000, 1000};
+
+/// Whether \p points are a map of \p mesh that is one to one.
+bool covers_once(const SphereMesh& mesh, std::span<const glm::dvec3> points) {
+    return fault_of_map({.positions = mesh.positions, .triangles = mesh.triangles, .colors = {}}, points)
+        .empty();
+}
 
 /// Where a map of \p body puts the vertices of the model on \p moved.
 /// \param points  the map, one per vertex of \p body
@@ -86,7 +96,7 @@ MatchFigures TwoWays::figures_of(std::span<const glm::dvec3> points) {
     return mean_of(own_mesh_.figures(), models_mesh_.figures());
 }
 
-std::vector<Candidate> TwoWays::candidates(bool tries_hard) {
+std::vector<Candidate> TwoWays::candidates() {
     start_own();
     if (are_too_unlike_) return {};
     std::vector<Candidate> found;
@@ -96,12 +106,15 @@ std::vector<Candidate> TwoWays::candidates(bool tries_hard) {
     }
     start_models();
     ParallelWork<std::optional<Candidate>> models(
-        [&](const Progress& progress) { return go_on_with_models(tries_hard, progress); });
+        [&](const Progress& progress) { return go_on_with_models(progress); });
     if (!own_.has_gone_on && !is_own_clearly_worse())
         go_on_with_own({going_on_begins, model_goes_on_from}, found);
     if (auto candidate = models.wait("matching", part_of(progress_, model_goes_on_from, finishing_begins)))
         found.push_back(measured(*std::move(candidate)));
     models_progress_ = {};
+    const bool has_waited_in_vain = !own_.has_gone_on && own_.figures && !found.empty() &&
+                                    own_.figures->energy < found.front().figures.energy;
+    if (has_waited_in_vain) go_on_with_own({finishing_begins, finishing_begins}, found);
     std::ranges::sort(found, {}, [](const Candidate& candidate) { return candidate.figures.energy; });
     return found;
 }
@@ -112,16 +125,14 @@ std::vector<Candidate> TwoWays::waiting_candidates(double part) {
     return found;
 }
 
-bool TwoWays::restore(double worst, Candidate& candidate) {
-    if (!restore_shapes(body_, worst, candidate.points, meter_)) return false;
+bool TwoWays::restore(double worst, int sweeps, Candidate& candidate) {
+    if (!restore_shapes(body_, worst, sweeps, candidate.points, meter_)) return false;
     if (is_one_to_one(candidate)) candidate.figures = figures_of(candidate.points);
     return true;
 }
 
 bool TwoWays::is_one_to_one(const Candidate& candidate) const {
-    return fault_of_map({.positions = body_.positions, .triangles = body_.triangles, .colors = {}},
-                        candidate.points)
-        .empty();
+    return covers_once(body_, candidate.points);
 }
 
 bool TwoWays::is_own_clearly_worse() const {
@@ -178,25 +189,35 @@ void TwoWays::start_models() {
 }
 
 /// \return without figures
-std::optional<Candidate> TwoWays::go_on_with_models(bool tries_hard, const Progress& progress) {
+std::optional<Candidate> TwoWays::go_on_with_models(const Progress& progress) {
     if (!models_.movement) return std::nullopt;
     models_progress_ = progress;
     models_.movement->go_on({0, 1});
-    return models_candidate(tries_hard);
+    return models_candidate(true);
 }
 
 /// Inverts the movement of the model's mesh.
 /// \return without figures
-std::optional<Candidate> TwoWays::models_candidate(bool tries_hard) {
-    std::optional<MovingMesh> moved = models_.movement->finished();
+std::optional<Candidate> TwoWays::models_candidate(bool also_coarsely) {
+    const std::optional<MovingMesh> moved = models_.movement->finished();
     if (!moved) return std::nullopt;
+    const std::span<const glm::dvec3> on_sphere = moved->places().on_sphere;
     Candidate candidate;
     candidate.passes = models_.movement->passes();
-    for (const double stiffness : {1.0, 10.0, 40.0}) {
-        // Less strained places are pulled back with fewer triangles turned over.
-        if (stiffness > 1) moved->relax_stiffly(stiffness);
-        candidate.points = pull_back(body_, even_model_->mesh(), moved->places().on_sphere, models_meter_);
-        if (!tries_hard || is_one_to_one(candidate)) break;
+    candidate.points = pull_back(body_, even_model_->mesh(), on_sphere, models_meter_);
+    // Small triangles turn over where the inverse is not smooth. On a coarse mesh, there are none.
+    const Progress pulling_back = [&](std::string_view, double) {
+        models_meter_.step();
+        return true;
+    };
+    for (const std::size_t vertices : pulled_back_vertices) {
+        if (!also_coarsely || is_one_to_one(candidate)) break;
+        CoarsenedMesh coarse = coarsened(body_, vertices, pulling_back);
+        const std::vector<glm::dvec3> points =
+            pull_back(coarse.mesh, even_model_->mesh(), on_sphere, models_meter_);
+        if (!covers_once(coarse.mesh, points)) continue;
+        std::vector<glm::dvec3> finished = finished_map(body_, coarse, points, models_meter_);
+        if (!finished.empty()) candidate.points = std::move(finished);
     }
     return restored(std::move(candidate), models_meter_);
 }
@@ -204,7 +225,7 @@ std::optional<Candidate> TwoWays::models_candidate(bool tries_hard) {
 /// \return the candidate with its worst shapes restored, without figures; none if it is not one to one
 std::optional<Candidate> TwoWays::restored(Candidate candidate, ProgressMeter& meter) const {
     if (candidate.points.empty() || !is_one_to_one(candidate)) return std::nullopt;
-    restore_shapes(body_, worst_kept_shape, candidate.points, meter);
+    restore_shapes(body_, worst_kept_shape, usual_sweeps, candidate.points, meter);
     if (!is_one_to_one(candidate)) return std::nullopt;
     return candidate;
 }

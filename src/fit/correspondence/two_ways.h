@@ -55,10 +55,9 @@ class TwoWays {
     /// Moves the body's mesh over the model and, unless that is good, the model's mesh over the body, which heeds
     /// details that only the model has. If the first way starts clearly worse, it waits for waiting_candidates(). The
     /// second way never waits, since its later passes gain more. These run on another thread.
-    /// \param tries_hard  where triangles stay turned over, tries again with more weight on shapes
     /// \return the best first; none if are_too_unlike()
     /// \throw Cancelled
-    std::vector<Candidate> candidates(bool tries_hard);
+    std::vector<Candidate> candidates();
 
     /// The candidate of the way that candidates() left waiting, if there is one.
     /// \param part  of the whole work that is done
@@ -68,9 +67,10 @@ class TwoWays {
     /// Whether candidates() found no parts that correspond.
     bool are_too_unlike() const { return are_too_unlike_; }
 
+    /// As restore_shapes() (finished_map.h).
     /// \return false if there is nothing to restore
     /// \throw Cancelled
-    bool restore(double worst, Candidate& candidate);
+    bool restore(double worst, int sweeps, Candidate& candidate);
 
     void begin_part(double part) { meter_.enter("matching", part); }
 
@@ -90,8 +90,8 @@ class TwoWays {
     void go_on_with_own(const PartOfWork& part, std::vector<Candidate>& found);
     std::optional<Candidate> own_candidate();
     void start_models();
-    std::optional<Candidate> go_on_with_models(bool tries_hard, const Progress& progress);
-    std::optional<Candidate> models_candidate(bool tries_hard);
+    std::optional<Candidate> go_on_with_models(const Progress& progress);
+    std::optional<Candidate> models_candidate(bool also_coarsely);
     std::optional<Candidate> restored(Candidate candidate, ProgressMeter& meter) const;
     Candidate measured(Candidate candidate);
 
