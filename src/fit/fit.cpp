@@ -38,6 +38,7 @@ constexpr int max_tries = 4;
 /// The fractions of the whole work at which the stages begin, for a mesh with a few ten thousand vertices.
 constexpr double map_begins = 0.1;
 constexpr double second_map_begins = 0.9;
+constexpr double last_map_begins = 0.95;
 
 /// The fractions of the way from a clean mesh to its key at which the map is chosen and judged.
 constexpr double chosen_at = 0.7;
@@ -139,8 +140,8 @@ FittedKey key_of(JudgedMap judged, const FitOptions& options, const LandmarkPins
 
 /// Maps a clean mesh, samples it, and accepts or refuses the key.
 /// \param pins  of vertices of \p mesh; null for none
-FittedKey fit_clean(const SurfaceMesh& mesh, const LandmarkPins* pins, Keeps keeps, const FitOptions& options,
-                    const Progress& progress) {
+FittedKey fit_clean(const SurfaceMesh& mesh, const LandmarkPins* pins, const MappingWay& way,
+                    const FitOptions& options, const Progress& progress) {
     std::vector<StageTime> times;
     Stopwatch stopwatch(times);
     const std::vector<glm::dvec3> landmarks = pinned_positions(options.landmarks, pins);
@@ -148,7 +149,7 @@ FittedKey fit_clean(const SurfaceMesh& mesh, const LandmarkPins* pins, Keeps kee
         choose_map(mesh,
                    {.roots = options.roots,
                     .rotation = options.rotation,
-                    .keeps = keeps,
+                    .way = way,
                     .limits = options.limits,
                     .pins = pins,
                     .landmarks = landmarks},
@@ -164,7 +165,7 @@ FittedKey fit_clean(const SurfaceMesh& mesh, const LandmarkPins* pins, Keeps kee
     }
     FittedKey key =
         key_of(std::move(judged), options, pins, std::move(times), part_of(progress, judged_at, 1));
-    key.report.map_keeps = keeps;
+    key.report.map_keeps = way.keeps;
     key.report.match = std::move(match);
     return key;
 }
@@ -247,15 +248,22 @@ FittedKey fit(CleanMesh clean, const FitOptions& options, const Progress& progre
         pinned_mesh(clean.mesh, options.landmarks, options.symmetric, options.counterparts);
     const SurfaceMesh& mesh = pinned ? pinned->mesh : clean.mesh;
     const LandmarkPins* const pins = pinned ? &pinned->pins : nullptr;
-    FittedKey key;
-    try {
-        key = fit_clean(mesh, pins, Keeps::shapes, options, part_of(progress, 0, second_map_begins));
-    } catch (const LandmarkError&) {
-        throw;
-    } catch (const InputError&) {
-        stopwatch.lap("first attempt");
-        key = fit_clean(mesh, pins, Keeps::areas, options, part_of(progress, second_map_begins, 1));
-    }
+    const auto attempt = [&](const MappingWay& way, double begin, double end) -> std::optional<FittedKey> {
+        try {
+            return fit_clean(mesh, pins, way, options, part_of(progress, begin, end));
+        } catch (const LandmarkError&) {
+            throw;
+        } catch (const InputError&) {
+            stopwatch.lap("refused attempts");
+            return std::nullopt;
+        }
+    };
+    std::optional<FittedKey> first = attempt({}, 0, second_map_begins);
+    if (!first && is_only_mapped_as_it_is(mesh))
+        first = attempt({.relaxes_crowded = true}, second_map_begins, last_map_begins);
+    FittedKey key = first ? *std::move(first)
+                          : fit_clean(mesh, pins, {.keeps = Keeps::areas}, options,
+                                      part_of(progress, last_map_begins, 1));
     key.report.times.insert(key.report.times.begin(), times.begin(), times.end());
     return of_clean_mesh(std::move(key), std::move(clean));
 }

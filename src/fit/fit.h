@@ -95,7 +95,8 @@ struct FittedKey {
 std::string_view name_of(MapMethod method);
 std::string_view name_of(Keeps keeps);
 
-/// Tries a map that keeps shapes first. If that map gives no good key, tries one that keeps areas.
+/// Tries a map that keeps shapes first. If that map gives no good key, tries one that takes longer where vertices are
+/// crowded, unless the mesh has large triangles, and then one that keeps areas.
 /// \throw InputError  saying what is wrong with the mesh, what the clean-up would change without consent, or
 ///                    why no key represents the mesh well enough, or which landmark prevents it
 /// \throw UsageError  if both leaves and tolerance are given, or one is out of its range; if only some of the

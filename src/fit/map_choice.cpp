@@ -147,21 +147,19 @@ FoundMap candidate(const SurfaceMesh& original, SurfaceMesh fine, bool is_approx
                    const MapChoiceOptions& options, Stopwatch& stopwatch, const Progress& progress) {
     const bool is_refined = !fine.triangles.empty();
     const SurfaceMesh& mesh = is_refined ? fine : original;
-    const bool has_large_triangles = triangle_shapes(original).large >= large_part;
-    constexpr double crowded = 0.01;
+    const bool has_large_triangles = !is_only_mapped_as_it_is(original);
+    const double crowded = is_refined || options.way.relaxes_crowded ? 0.01 : 0;
     FoundMap made;
     std::vector<glm::dvec3> points;
     std::optional<glm::dmat3> rotation;
     if (options.pins != nullptr) {
-        PinnedMap map =
-            map_to_pins(mesh, *options.pins, {.keeps = options.keeps, .crowded = is_refined ? crowded : 0},
-                        part_of(progress, 0, 0.9));
+        PinnedMap map = map_to_pins(mesh, *options.pins, {.keeps = options.way.keeps, .crowded = crowded},
+                                    part_of(progress, 0, 0.9));
         stopwatch.lap("map to the sphere");
         made.agreement = map.agreement;
         points = std::move(map.points);
     } else {
-        SphericalMap map =
-            map_to_sphere(mesh, part_of(progress, 0, 0.9), options.keeps, is_refined ? crowded : 0);
+        SphericalMap map = map_to_sphere(mesh, part_of(progress, 0, 0.9), options.way.keeps, crowded);
         stopwatch.lap("map to the sphere");
         center_map(mesh, map.points);
         if (const std::string fault = fault_of_map(mesh, map.points); !fault.empty())
@@ -236,6 +234,10 @@ bool is_sure_to_take(const JudgedMap& refined, const FoundMap& as_it_is, const F
 
 }  // namespace
 
+bool is_only_mapped_as_it_is(const SurfaceMesh& mesh) {
+    return triangle_shapes(mesh).large < large_part;
+}
+
 Index judged_leaves(const SphereRoots& roots) {
     return std::max<Index>(20000, roots.complex.triangle_count());
 }
@@ -267,9 +269,9 @@ ChosenMap choose_map(const SurfaceMesh& mesh, const MapChoiceOptions& options, S
         return judged(std::move(made), options.roots, options.limits, stopwatch,
                       part_of(progress, begin, end));
     };
-    const TriangleShapes shapes = triangle_shapes(mesh);
-    if (shapes.large < large_part) return candidate(mesh, {}, false, options, stopwatch, progress);
+    if (is_only_mapped_as_it_is(mesh)) return candidate(mesh, {}, false, options, stopwatch, progress);
 
+    const TriangleShapes shapes = triangle_shapes(mesh);
     std::string fault;
     const auto try_to_map = [&](SurfaceMesh fine, bool is_approximate, double begin,
                                 double end) -> std::optional<FoundMap> {

@@ -27,16 +27,26 @@
 
 namespace interleaf {
 
+/// One of several ways to map a surface.
+struct MappingWay {
+    Keeps keeps = Keeps::shapes;
+    /// Whether the surroundings of crowded vertices are relaxed (map_to_sphere()) also where the mesh is mapped as it is.
+    bool relaxes_crowded = false;
+};
+
 struct MapChoiceOptions {
     const SphereRoots& roots;
     glm::dmat3 rotation;  ///< applied after the alignment
-    Keeps keeps = Keeps::shapes;
+    MappingWay way{};
     FitLimits limits{};
     /// Vertices of the mesh that lie at given directions; null for none. The map is then neither centered nor
     /// turned.
     const LandmarkPins* pins = nullptr;
     std::span<const glm::dvec3> landmarks{};  ///< positions to which the key is to be near (MappedSurface)
 };
+
+/// Whether choose_map() only maps \p mesh as it is, since its triangles are small.
+bool is_only_mapped_as_it_is(const SurfaceMesh& mesh);
 
 /// A map, with a key that is not judged yet.
 struct FoundMap {
