@@ -30,7 +30,8 @@ namespace interleaf {
 /// One of several ways to map a surface.
 struct MappingWay {
     Keeps keeps = Keeps::shapes;
-    /// Whether the surroundings of crowded vertices are relaxed (map_to_sphere()) also where the mesh is mapped as it is.
+    /// Whether the surroundings of crowded vertices are relaxed (map_to_sphere()) also where the mesh is mapped as it
+    /// is.
     bool relaxes_crowded = false;
 };
 
