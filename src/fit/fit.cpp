@@ -60,6 +60,9 @@ void check_options(const FitOptions& options) {
     if (options.tolerance && !(*options.tolerance >= min_tolerance))
         throw UsageError(fmt::format("the tolerance must be at least {}", min_tolerance));
     check_directions(options.landmarks);
+    if (!options.counterparts.empty() && options.counterparts.size() != options.landmarks.size())
+        throw UsageError(fmt::format("{} counterparts, expected one for each of the {} landmarks",
+                                     options.counterparts.size(), options.landmarks.size()));
 }
 
 /// The landmarks to which a key is to be near: none if they are not pinned, so that they do not change the first key.

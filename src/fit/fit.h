@@ -100,7 +100,7 @@ std::string_view name_of(Keeps keeps);
 /// \throw InputError  saying what is wrong with the mesh, what the clean-up would change without consent, or
 ///                    why no key represents the mesh well enough, or which landmark prevents it
 /// \throw UsageError  if both leaves and tolerance are given, or one is out of its range; if only some of the
-///                    landmarks have directions
+///                    landmarks have directions, or counterparts
 /// \throw Cancelled   when \p progress says so
 FittedKey fit(SurfaceMesh mesh, const FitOptions& options, const Progress& progress = {});
 

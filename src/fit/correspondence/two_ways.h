@@ -53,8 +53,8 @@ class TwoWays {
     MatchFigures figures_of(std::span<const glm::dvec3> points);
 
     /// Moves the body's mesh over the model and, unless that is good, the model's mesh over the body, which heeds
-    /// details that only the model has. If the first way starts clearly worse, it waits for waiting_candidates(). The
-    /// second way never waits, since its later passes gain more. These run on another thread.
+    /// details that only the model has. If the first way starts clearly worse, it waits for waiting_candidates(), unless
+    /// the second way ends even worse. That never waits, since its later passes gain more. These run on another thread.
     /// \return the best first; none if are_too_unlike()
     /// \throw Cancelled
     std::vector<Candidate> candidates();

@@ -100,4 +100,7 @@ TEST_CASE("landmarks do not change the first key, and the second key has them wh
     options.landmarks[0].direction = options.landmarks[1].direction;
     CHECK(
         contains(input_error_of([&] { fit(second.mesh, options); }), "'0' and '3' have the same direction"));
+    options.counterparts.resize(options.landmarks.size() + 1);
+    CHECK(
+        contains(text_of_thrown<UsageError>([&] { fit(second.mesh, options); }), "expected one for each of"));
 }
