@@ -13,7 +13,7 @@ namespace interleaf {
 
 /// The matched map of \p body. The match is linear on triangles of another mesh, so triangles of \p body may
 /// turn over on the sphere. These are untangled, and a few sweeps restore shapes. Landmarks of \p body get their
-/// directions to the last bit. The result may still not be one to one: see fault_of_map().
+/// directions to the last bit; where they leave no room to untangle, they are carried there afterwards. The result may still not be one to one: see fault_of_map().
 /// \param model      any mesh of the model, with its map
 /// \param on_sphere  where the vertices of that mesh are in the map of \p body
 /// \return           points of the unit sphere, one per vertex of \p body

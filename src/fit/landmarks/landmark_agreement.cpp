@@ -31,6 +31,9 @@ constexpr std::size_t fewest_chiral = 4;
 /// Right landmarks of four-legged animals turn less.
 constexpr double reversed_cosine = -0.5;
 
+/// Such neighbors are not swapped if the cosine between their ways in space is at least this.
+constexpr double agreeing_cosine = 0.25;
+
 /// A rotation that turns some directions best into others is determined if its margin is above this part of the
 /// agreement.
 constexpr double least_margin = 1e-3;
@@ -87,19 +90,28 @@ bool is_reversed(const glm::dvec3& way, const glm::dvec3& wanted) {
     return glm::dot(way, wanted) < reversed_cosine * glm::length(way) * glm::length(wanted);
 }
 
-/// Whether the two landmarks also lie the other way round in space, once the other landmarks are turned best to their
-/// counterparts; near ones count most, since a head may be turned. True if that is not known. Only their maps to the
-/// sphere may turn narrow parts, such as necks, differently.
-bool are_reversed_in_space(const LandmarkPins& pins, std::size_t i, std::size_t j) {
+using Pairs = std::vector<std::array<std::size_t, 2>>;
+
+/// Whether a pair of landmarks does not clearly lie as it should in space, once landmarks that are in none of \p doubted
+/// are turned best to their counterparts; near ones count most, since a head may be turned. True if that is not known.
+/// Only their maps to the sphere may turn narrow parts, such as necks, differently.
+bool is_doubtful_in_space(const LandmarkPins& pins, const std::array<std::size_t, 2>& pair,
+                          const Pairs& doubted) {
+    const auto [i, j] = pair;
     const std::span<const glm::dvec3> places = pins.positions;
     const std::span<const glm::dvec3> counterparts = pins.counterparts;
     if (counterparts.empty()) return true;
+    const glm::dvec3 across = places[i] - places[j];
+    const glm::dvec3 wanted_across = counterparts[i] - counterparts[j];
     const glm::dvec3 middle = (places[i] + places[j]) / 2.0;
     const glm::dvec3 middle_there = (counterparts[i] + counterparts[j]) / 2.0;
     std::vector<glm::dvec3> from;
     std::vector<glm::dvec3> to;
     for (std::size_t k = 0; k < places.size(); ++k) {
-        if (k == i || k == j) continue;
+        const auto has_k = [&](const std::array<std::size_t, 2>& each) {
+            return each[0] == k || each[1] == k;
+        };
+        if (std::ranges::any_of(doubted, has_k)) continue;
         const glm::dvec3 way = places[k] - middle;
         const glm::dvec3 wanted = counterparts[k] - middle_there;
         from.push_back(way / glm::dot(way, way));
@@ -107,7 +119,8 @@ bool are_reversed_in_space(const LandmarkPins& pins, std::size_t i, std::size_t 
     }
     const RotationFit fit = fit_rotation(from, to);
     if (!(fit.margin > least_margin * fit.agreement)) return true;
-    return is_reversed(fit.rotation * (places[i] - places[j]), counterparts[i] - counterparts[j]);
+    return glm::dot(fit.rotation * across, wanted_across) <
+           agreeing_cosine * glm::length(across) * glm::length(wanted_across);
 }
 
 /// Whether a mean cosine after a swap shows that the sides are swapped.
@@ -138,10 +151,13 @@ LandmarkAgreement agreement_of(std::span<const glm::dvec3> points, const Landmar
             const glm::dvec3 way = fit.rotation * (points[i] - points[j]);
             const glm::dvec3 wanted = pins.directions[i] - pins.directions[j];
             if (is_reversed(way, wanted) && are_neighbors(pins.directions, i, j) &&
-                are_neighbors(points, i, j) && !turn_together(points, pins.directions, i, j) &&
-                are_reversed_in_space(pins, i, j))
+                are_neighbors(points, i, j) && !turn_together(points, pins.directions, i, j))
                 agreement.reversed.push_back({j, i});
         }
+    const Pairs doubted = agreement.reversed;
+    std::erase_if(agreement.reversed, [&](const std::array<std::size_t, 2>& pair) {
+        return !is_doubtful_in_space(pins, pair, doubted);
+    });
     return agreement;
 }
 

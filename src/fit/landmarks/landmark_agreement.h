@@ -40,7 +40,7 @@ struct LandmarkAgreement {
     /// The mean cosine if the two landmarks of each symmetric pair changed places; -1 without such pairs.
     double exchanged_cosine = -1;
 
-    /// Neighboring landmarks that lie the other way round than their targets, on the sphere and in space.
+    /// Neighboring landmarks that lie the other way round than their targets, and not clearly right in space.
     std::vector<std::array<std::size_t, 2>> reversed{};
 
     /// Whether landmarks are probably wrong.

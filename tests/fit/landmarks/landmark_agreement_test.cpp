@@ -111,6 +111,31 @@ TEST_CASE("neighbors that only the map to the sphere turns round are not taken f
     }
 }
 
+TEST_CASE("hands and feet that are both swapped are not taken for a body that is turned about") {
+    LandmarkPins pins;
+    const auto add = [&](const char* name, const glm::dvec3& place) {
+        pins.names.emplace_back(name);
+        pins.vertices.push_back(static_cast<Index>(pins.vertices.size()));
+        pins.positions.push_back(place);
+        pins.directions.push_back(glm::normalize(place));
+    };
+    // Hands and feet are near each other, and nearly in one plane with the head.
+    add("right hand", {-0.4, 0.4, -0.06});
+    add("left hand", {0.4, 0.4, -0.06});
+    add("nose", {0, 1, 0.1});
+    add("chin", {0, 0.7, 0.4});
+    add("right foot", {-0.15, -1, 0.1});
+    add("left foot", {0.15, -1, 0.1});
+    pins.counterparts = pins.positions;
+    CHECK(text_of(pins.directions, pins) == "");
+    const std::vector<glm::dvec3> points = pins.directions;
+    for (const std::size_t right : {0U, 4U}) {
+        std::swap(pins.directions[right], pins.directions[right + 1]);
+        std::swap(pins.counterparts[right], pins.counterparts[right + 1]);
+    }
+    CHECK(contains(text_of(points, pins), "lie the other way round"));
+}
+
 TEST_CASE("swapped sides are found from the symmetric pairs") {
     LandmarkPins pins = animal();
     std::vector<glm::dvec3> points = other_animal(pins, 0.05, 4);
