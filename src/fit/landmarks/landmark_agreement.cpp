@@ -92,9 +92,9 @@ bool is_reversed(const glm::dvec3& way, const glm::dvec3& wanted) {
 
 using Pairs = std::vector<std::array<std::size_t, 2>>;
 
-/// Whether a pair of landmarks does not clearly lie as it should in space, once landmarks that are in none of \p doubted
-/// are turned best to their counterparts; near ones count most, since a head may be turned. True if that is not known.
-/// Only their maps to the sphere may turn narrow parts, such as necks, differently.
+/// Whether a pair of landmarks does not clearly lie as it should in space, once landmarks that are in none of
+/// \p doubted are turned best to their counterparts; near ones count most, since a head may be turned. True if that is
+/// not known. Only their maps to the sphere may turn narrow parts, such as necks, differently.
 bool is_doubtful_in_space(const LandmarkPins& pins, const std::array<std::size_t, 2>& pair,
                           const Pairs& doubted) {
     const auto [i, j] = pair;
