@@ -171,12 +171,12 @@ Area RunningViewer::view_area() const {
 Picture RunningViewer::settled_picture() const {
     Picture last = desktop_.picture(window_, view_area());
     const bool settled = comes([&] {
-        // On a busy machine the last picture may take long. Asked after the second picture, the state could already be
-        // that of a third one.
-        const bool is_coarse = newest_state()["coarse"].get<bool>();
+        // On a busy machine the frames until the last one may take long. Asked after the second picture, the state could
+        // already be that of a third one.
+        const bool rested = newest_state()["rests"].get<bool>();
         std::this_thread::sleep_for(std::chrono::milliseconds(150));
         const bool is_same = last == std::exchange(last, desktop_.picture(window_, view_area()));
-        return is_same && !is_coarse;
+        return is_same && rested;
     });
     if (!settled) throw std::runtime_error("the picture does not stop changing");
     return last;

@@ -161,7 +161,7 @@ void Trace::record(std::size_t frame, double seconds, const ViewerState& state, 
     json["notice"] = !state.message.empty() && !state.message.is_fault();
     json["window"] = {layout.window.x, layout.window.y};
     json["pointer"] = {record.pointer.x, record.pointer.y};
-    json["coarse"] = record.is_coarse;
+    json["rests"] = record.rests;
     json["button_down"] = record.button_down;
     json["rects"] = {{"view", json_of(layout.view)},
                      {"keys", json_of(layout.keys)},

@@ -29,7 +29,7 @@ struct FrameRecord {
     const Camera& camera;       ///< of the document's surface
     glm::vec2 pointer;          ///< its position for Dear ImGui, screen coordinates
     bool follows_camera;        ///< whether the detail of the surface does
-    bool is_coarse;             ///< the picture of the surface does not have its final quality
+    bool rests;                 ///< no frame is due until something happens: what is shown is final
     bool button_down;           ///< whether any mouse button is down for Dear ImGui
     bool is_asking;             ///< whether a question or the file browser has the keyboard
     bool takes_text;            ///< whether a text field receives the typed text

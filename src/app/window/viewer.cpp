@@ -368,7 +368,7 @@ void Viewer::record() {
          .camera = views_.camera(),
          .pointer = gui_.pointer(),
          .follows_camera = views_.follows_camera(),
-         .is_coarse = rest_.is_coarse,
+         .rests = !redraw_.is_due(),
          .button_down = gui_.is_button_down(),
          .is_asking = takes_keys_,
          .takes_text = gui_.takes_text(),

@@ -42,7 +42,7 @@ TEST_CASE("a trace repeats what OpenGL has complained of, each message once, and
                       .camera = camera,
                       .pointer = {},
                       .follows_camera = false,
-                      .is_coarse = false,
+                      .rests = true,
                       .button_down = false,
                       .is_asking = false,
                       .takes_text = false,
