@@ -23,11 +23,10 @@ double hausdorff_distance(const MeshView& a, const MeshView& b, const Progress& 
 
 /// Lengths are fractions of the box diagonal of the surface.
 struct FitQuality {
-    double hausdorff = 0;         ///< largest distance of a point of either surface from the other
-    double root_mean_square = 0;  ///< of the distances from the surface to the key and back, by area
-    double min_angle = 0;         ///< degrees
-    std::size_t flipped_leaves =
-        0;  ///< whose normal is at a right angle or more to the normal of the surface
+    double hausdorff = 0;            ///< largest distance of a point of either surface from the other
+    double root_mean_square = 0;     ///< of the distances from the surface to the key and back, by area
+    double min_angle = 0;            ///< degrees
+    std::size_t flipped_leaves = 0;  ///< see is_turned_over()
     int euler = 0;
 };
 

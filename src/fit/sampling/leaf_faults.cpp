@@ -40,7 +40,7 @@ std::size_t count_faulty_leaves(const MappedSurface& mapped, const SampledSurfac
     const double good_cosine = cosine_of_degrees(smoothed_angle);
     return static_cast<std::size_t>(std::ranges::count_if(surface.leaves, [&](const Leaf& leaf) {
         return max_cosine(corners_of(leaf.vertices, surface)) > good_cosine ||
-               is_turned_over(leaf.vertices, surface, mapped);
+               faces_away(leaf.vertices, surface, mapped);
     }));
 }
 

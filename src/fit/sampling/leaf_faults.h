@@ -1,4 +1,4 @@
-// The faults of leaves that smoothing mends: small angles, and leaves that are turned over against the surface.
+// The faults of leaves that smoothing mends: small angles, and leaves that face away from the surface.
 #pragma once
 
 #include <cstddef>

@@ -40,7 +40,7 @@ constexpr double near_landmark = 0.002;
 
 /// The faults of some leaves.
 struct Fault {
-    int turned_over = 0;
+    int facing_away = 0;
     double cosine = -1;  ///< of the least angle, or of the wanted angle if that is smaller
 };
 
@@ -58,10 +58,10 @@ class Smoothing {
         for (const Leaf& leaf : surface.leaves) leaves_.push_back(leaf.vertices);
         gather_stars();
         assign_vertices(meter);
-        turned_over_.reserve(leaves_.size());
+        faces_away_.reserve(leaves_.size());
         for (const Triangle& leaf : leaves_) {
             meter.step();
-            turned_over_.push_back(is_turned_over(leaf, surface_, mapped_));
+            faces_away_.push_back(faces_away(leaf, surface_, mapped_));
         }
         max_distance_ = max_distance(meter);
     }
@@ -153,14 +153,12 @@ class Smoothing {
     Fault fault(std::span<const Index> star) const {
         Fault found{0, good_cosine_};
         for (const Index leaf : star) {
-            found.turned_over += turned_over_[leaf];
+            found.facing_away += faces_away_[leaf];
             found.cosine = std::max(found.cosine, max_cosine(corners(leaf)));
         }
         return found;
     }
-    bool is_faulty(Index leaf) const {
-        return turned_over_[leaf] || max_cosine(corners(leaf)) > good_cosine_;
-    }
+    bool is_faulty(Index leaf) const { return faces_away_[leaf] || max_cosine(corners(leaf)) > good_cosine_; }
     Place place_of(Index vertex) const {
         return {surface_.sphere_points[vertex], surface_.mesh_points[vertex], surface_.positions[vertex]};
     }
@@ -176,12 +174,12 @@ class Smoothing {
     SampledSurface& surface_;
     std::vector<Triangle> leaves_;
     std::vector<Index> star_begin_;
-    std::vector<Index> stars_;           ///< leaves around vertices
-    std::vector<Index> inside_;          ///< the first of the mesh's vertices that lie in a leaf
-    std::vector<Index> next_;            ///< per vertex, the next vertex in the same leaf
-    std::vector<char> turned_over_;      ///< per leaf, whether it is turned over
-    std::vector<char> new_turned_over_;  ///< the same of a star that is tried, in its order
-    std::vector<bool> at_rest_;          ///< whether a vertex found no better place since its star changed
+    std::vector<Index> stars_;          ///< leaves around vertices
+    std::vector<Index> inside_;         ///< the first of the mesh's vertices that lie in a leaf
+    std::vector<Index> next_;           ///< per vertex, the next vertex in the same leaf
+    std::vector<char> faces_away_;      ///< per leaf, whether it is turned over
+    std::vector<char> new_faces_away_;  ///< the same of a star that is tried, in its order
+    std::vector<bool> at_rest_;         ///< whether a vertex found no better place since its star changed
     std::vector<MeshPoint> landmarks_;  ///< the places of the mapped landmarks on leaves, wherever these move
     const double allowed_landmark_distance_ = near_landmark * box_diagonal(mapped_.mesh);
     double max_distance_ = 0;      ///< before smoothing
@@ -229,7 +227,7 @@ std::vector<Index> Smoothing::faulty_leaves(ProgressMeter& meter) const {
         meter.step();
         if (!is_faulty(leaf)) continue;
         const Fault here = fault(std::span(&leaf, 1));
-        found.emplace_back(-here.turned_over - here.cosine, leaf);
+        found.emplace_back(-here.facing_away - here.cosine, leaf);
     }
     std::ranges::sort(found);
     const auto leaves = found | std::views::values;
@@ -335,12 +333,12 @@ std::vector<std::pair<double, Place>> Smoothing::better_places(Index vertex, con
 
 /// Whether the star of \p vertex, with the \p cosine of its least angle, is less faulty than before.
 bool Smoothing::is_better(Index vertex, double cosine, const Fault& before) {
-    int allowed = before.turned_over - (std::max(cosine, good_cosine_) < before.cosine ? 0 : 1);
+    int allowed = before.facing_away - (std::max(cosine, good_cosine_) < before.cosine ? 0 : 1);
     if (allowed < 0) return false;
-    new_turned_over_.clear();
+    new_faces_away_.clear();
     return std::ranges::all_of(star(vertex), [&](Index leaf) {
-        new_turned_over_.push_back(is_turned_over(leaves_[leaf], surface_, mapped_));
-        allowed -= new_turned_over_.back();
+        new_faces_away_.push_back(faces_away(leaves_[leaf], surface_, mapped_));
+        allowed -= new_faces_away_.back();
         return allowed >= 0;
     });
 }
@@ -355,7 +353,7 @@ bool Smoothing::improve(Index vertex) {
             is_near(vertex, grids_.coarse) && is_near(vertex, grids_.between)) {
             assign_anew(star(vertex));
             for (std::size_t k = 0; k < star(vertex).size(); ++k)
-                turned_over_[star(vertex)[k]] = new_turned_over_[k];
+                faces_away_[star(vertex)[k]] = new_faces_away_[k];
             for (const Index leaf : star(vertex))
                 for (const Index neighbor : leaves_[leaf]) at_rest_[neighbor] = false;
             return true;

@@ -287,6 +287,28 @@ double noted_distance_behind(std::size_t count, const Sampler& sampler, const Ad
     return 0.999 * *place;
 }
 
+/// The surface's normals at a few places of \p leaf, found by the map; zero where the surface has no area.
+std::array<glm::dvec3, 4> normals_under(const Triangle& leaf, const SampledSurface& surface,
+                                        const MappedSurface& mapped) {
+    const auto& [a, b, c] = leaf;
+    const glm::dvec3 &u = surface.sphere_points[a], &v = surface.sphere_points[b],
+                     &w = surface.sphere_points[c];
+    std::array<glm::dvec3, 4> normals{u + v + w, 4.0 * u + v + w, u + 4.0 * v + w, u + v + 4.0 * w};
+    Index guess = surface.mesh_points[a].triangle;
+    for (glm::dvec3& place : normals) {
+        guess = mapped.location.locate(glm::normalize(place), guess).triangle;
+        place = mapped.normals[guess];
+    }
+    return normals;
+}
+
+/// Not of length 1.
+glm::dvec3 normal_of(const Triangle& leaf, const SampledSurface& surface) {
+    const auto& [a, b, c] = leaf;
+    const glm::dvec3 first(surface.positions[a]);
+    return glm::cross(glm::dvec3(surface.positions[b]) - first, glm::dvec3(surface.positions[c]) - first);
+}
+
 }  // namespace
 
 SampledSurface sample_surface(const MappedSurface& mapped, const SphereRoots& roots,
@@ -336,20 +358,16 @@ SampledSurface sample_surface(const MappedSurface& mapped, const SphereRoots& ro
     return std::move(sampler).result(leaves);
 }
 
+bool faces_away(const Triangle& leaf, const SampledSurface& surface, const MappedSurface& mapped) {
+    glm::dvec3 sum(0);
+    for (const glm::dvec3& normal : normals_under(leaf, surface, mapped)) sum += normal;
+    return !(glm::dot(sum, normal_of(leaf, surface)) > 0);
+}
+
 bool is_turned_over(const Triangle& leaf, const SampledSurface& surface, const MappedSurface& mapped) {
-    const auto& [a, b, c] = leaf;
-    const glm::dvec3 &u = surface.sphere_points[a], &v = surface.sphere_points[b],
-                     &w = surface.sphere_points[c];
-    glm::dvec3 normal(0);
-    Index guess = surface.mesh_points[a].triangle;
-    for (const glm::dvec3& inside : {u + v + w, 4.0 * u + v + w, u + 4.0 * v + w, u + v + 4.0 * w}) {
-        guess = mapped.location.locate(glm::normalize(inside), guess).triangle;
-        normal += mapped.normals[guess];
-    }
-    const glm::dvec3 first(surface.positions[a]);
-    const glm::dvec3 of_leaf =
-        glm::cross(glm::dvec3(surface.positions[b]) - first, glm::dvec3(surface.positions[c]) - first);
-    return !(glm::dot(normal, of_leaf) > 0);
+    const glm::dvec3 of_leaf = normal_of(leaf, surface);
+    return std::ranges::none_of(normals_under(leaf, surface, mapped),
+                                [&](const glm::dvec3& normal) { return glm::dot(normal, of_leaf) > 0; });
 }
 
 }  // namespace interleaf

@@ -43,9 +43,14 @@ struct SampledSurface {
 SampledSurface sample_surface(const MappedSurface& mapped, const SphereRoots& roots,
                               const SamplingOptions& options, const Progress& progress);
 
-/// Whether the normal of a leaf does not point to the same side as the normal of the surface there. The
-/// surface's normal is the mean over a few places of the leaf, found by the map. A leaf without area counts
-/// as turned over.
+/// Whether the normal of a leaf does not point to the same side as the mean normal of the surface over a few places of
+/// the leaf, found by the map. A leaf without area faces away.
+/// \param leaf  vertices of \p surface
+bool faces_away(const Triangle& leaf, const SampledSurface& surface, const MappedSurface& mapped);
+
+/// Whether a leaf faces away from the surface at all of these places. A leaf around a sharp edge, with one side of a
+/// blade at some places and the other side at others, faces away from one of the two whatever it does; that does not
+/// turn it over.
 /// \param leaf  vertices of \p surface
 bool is_turned_over(const Triangle& leaf, const SampledSurface& surface, const MappedSurface& mapped);
 

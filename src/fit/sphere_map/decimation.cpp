@@ -2,14 +2,39 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "fit/mesh/space_triangle.h"
+
 namespace interleaf {
 namespace {
+
+/// A mesh of at least this many vertices may be a plate.
+constexpr Index min_vertices_of_plate = 400;
+
+/// A plate erodes if an eighth of its vertices has less than this fraction of its area. The bodies in docs/fit.md have
+/// over 0.4, rods 500 times as long as wide 0.2.
+constexpr double eroded_part = 0.2;
+
+/// How much the distance of the surface counts against the length of edges where a plate would erode.
+constexpr double weight_of_distance = 4;
+
+double area_of(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions) {
+    double doubled = 0;
+    for (Index triangle = 0; triangle < mesh.triangle_capacity(); ++triangle) {
+        if (!mesh.has_triangle(triangle)) continue;
+        const Index first = 3 * triangle;
+        doubled += doubled_area({positions[mesh.origin(first)], positions[mesh.origin(first + 1)],
+                                 positions[mesh.origin(first + 2)]});
+    }
+    return doubled / 2;
+}
 
 /// The squared ratio of (sum of squared sides) to area, 1 for an equilateral triangle; large but finite for a
 /// triangle without area.
@@ -31,35 +56,49 @@ struct Collapse {
 
 class Decimation {
   public:
-    Decimation(HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions, std::span<const char> kept)
+    /// \param distance_weight  how much the distance of the surface counts; 0 for not at all
+    Decimation(HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions, std::span<const char> kept,
+               double distance_weight)
         : mesh_(mesh),
           positions_(positions),
           kept_(kept),
+          squared_weight_(distance_weight * distance_weight),
           stamp_(mesh.vertex_capacity()),
           place_in_ring_(mesh.vertex_capacity(), no_index) {}
 
-    std::vector<Index> run(ProgressMeter& meter, double last_part) {
-        std::vector<Index> collapsed;
+    /// Collapses vertices until \p count are left. Progress begins at \p first_part, and ends at \p last_part when four
+    /// are left.
+    void collapse_to(std::size_t count, ProgressMeter& meter, double first_part, double last_part) {
         const std::size_t wanted = mesh_.vertex_capacity() - 4;
-        collapsed.reserve(wanted);
-        for (; collapsed.size() < wanted; max_degree_ *= 8) {
-            for (Index vertex = 0; vertex < mesh_.vertex_capacity(); ++vertex) {
-                if (mesh_.has_vertex(vertex)) push(vertex);
-                meter.step();
-            }
-            while (collapsed.size() < wanted && !queue_.empty()) {
-                const Index half_edge = pop();
-                if (half_edge == no_index) continue;
-                apply(half_edge);
-                collapsed.push_back(half_edge);
-                meter.set_part(last_part * double(collapsed.size()) / double(wanted));
-                meter.step();
-            }
+        collapsed_.reserve(wanted);
+        while (mesh_.vertex_capacity() - collapsed_.size() > count) {
+            if (queue_.empty()) push_all(meter);
+            if (queue_.empty()) continue;
+            const Index half_edge = pop();
+            if (half_edge == no_index) continue;
+            apply(half_edge);
+            collapsed_.push_back(half_edge);
+            meter.set_part(std::max(first_part, last_part * double(collapsed_.size()) / double(wanted)));
+            meter.step();
         }
-        return collapsed;
     }
 
+    void undo() {
+        for (; !collapsed_.empty(); collapsed_.pop_back()) mesh_.undo_collapse(collapsed_.back());
+    }
+
+    std::vector<Index>& collapsed() { return collapsed_; }
+
   private:
+    /// Fills the queue. Vertices of large degree wait until no other vertex can go; a fan would take quadratic time.
+    void push_all(ProgressMeter& meter) {
+        max_degree_ *= 8;
+        for (Index vertex = 0; vertex < mesh_.vertex_capacity(); ++vertex) {
+            if (mesh_.has_vertex(vertex)) push(vertex);
+            meter.step();
+        }
+    }
+
     struct Entry {
         bool is_kept;
         double cost;
@@ -154,11 +193,14 @@ class Decimation {
         Collapse best;
         if (mesh_.degree(vertex) > max_degree_) return best;
         gather_ring(vertex);
+        normals_.clear();
         double worst_shape = 1;
         for (Index place = 0; place < ring_.size(); ++place) {
             const Index after = place + 1 == ring_.size() ? 0 : place + 1;
-            worst_shape = std::max(worst_shape, squared_shape(positions_[vertex], positions_[ring_[place]],
-                                                              positions_[ring_[after]]));
+            const TriangleCorners corners{positions_[vertex], positions_[ring_[place]],
+                                          positions_[ring_[after]]};
+            worst_shape = std::max(worst_shape, squared_shape(corners[0], corners[1], corners[2]));
+            if (squared_weight_ > 0) normals_.push_back(unit_normal(corners));
         }
         for (Index place = 0; place < ring_.size(); ++place) {
             if (blocked_[place]) continue;
@@ -174,6 +216,7 @@ class Decimation {
     double cost_of(Index vertex, Index place, double limit) const {
         const auto size = static_cast<Index>(ring_.size());
         const glm::dvec3 target = positions_[ring_[place]];
+        const double distance = squared_weight_ * squared_distance_from_star(vertex, target);
         const auto squared_distance = [&](Index other) {
             const glm::dvec3 edge = positions_[other] - target;
             return glm::dot(edge, edge);
@@ -181,26 +224,37 @@ class Decimation {
         double longest = squared_distance(vertex);
         double worst_shape = 1;
         Index at = place + 1 == size ? 0 : place + 1;
-        for (Index i = 2; i < size && longest * worst_shape < limit; ++i) {
+        for (Index i = 2; i < size && (longest + distance) * worst_shape < limit; ++i) {
             const Index after = at + 1 == size ? 0 : at + 1;
             if (i + 1 < size) longest = std::max(longest, squared_distance(ring_[after]));
             worst_shape =
                 std::max(worst_shape, squared_shape(target, positions_[ring_[at]], positions_[ring_[after]]));
             at = after;
         }
-        return longest * worst_shape;
+        return (longest + distance) * worst_shape;
+    }
+
+    /// The largest squared distance of \p place from the planes of the star of \p vertex, whose normals are gathered.
+    double squared_distance_from_star(Index vertex, const glm::dvec3& place) const {
+        double largest = 0;
+        for (const glm::dvec3& normal : normals_)
+            largest = std::max(largest, std::abs(glm::dot(normal, place - positions_[vertex])));
+        return largest * largest;
     }
 
     HalfEdgeMesh& mesh_;
     std::span<const glm::dvec3> positions_;
     std::span<const char> kept_;
+    double squared_weight_;
+    std::vector<Index> collapsed_;
     std::priority_queue<Entry> queue_;
-    Index max_degree_ = 16;  // vertices of larger degree wait; a fan would take quadratic time
+    Index max_degree_ = 2;  // eight times as much whenever the queue is filled
     std::vector<Index> stamp_;
     std::vector<Index> place_in_ring_;
     std::vector<Index> ring_;
     std::vector<Index> half_edges_;
     std::vector<char> blocked_;
+    std::vector<glm::dvec3> normals_;  // of the triangles of a star, if distances count
 };
 
 }  // namespace
@@ -208,7 +262,19 @@ class Decimation {
 std::vector<Index> decimate(HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions, ProgressMeter& meter,
                             double last_part, std::span<const char> kept) {
     assert(mesh.vertex_capacity() >= 4);
-    return Decimation(mesh, positions, kept).run(meter, last_part);
+    Decimation decimation(mesh, positions, kept, 0);
+    if (mesh.vertex_capacity() >= min_vertices_of_plate) {
+        const double area = area_of(mesh, positions);
+        decimation.collapse_to(mesh.vertex_capacity() / 8, meter, 0, last_part);
+        if (area_of(mesh, positions) < eroded_part * area) {
+            decimation.undo();
+            Decimation of_plate(mesh, positions, kept, weight_of_distance);
+            of_plate.collapse_to(4, meter, last_part * 7 / 8, last_part);
+            return std::move(of_plate.collapsed());
+        }
+    }
+    decimation.collapse_to(4, meter, 0, last_part);
+    return std::move(decimation.collapsed());
 }
 
 }  // namespace interleaf

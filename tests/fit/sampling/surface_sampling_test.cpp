@@ -89,7 +89,38 @@ std::vector<MappedMesh> meshes_to_level() {
     return {bumpy_ellipsoid(3), ball_with_spike(4), six_arms(4)};
 }
 
+/// The surface that \p located maps to \p directions, which are not of length 1, without leaves.
+SampledSurface points_of(const MappedSurface& located, std::span<const glm::dvec3> directions) {
+    SampledSurface surface;
+    for (const glm::dvec3& direction : directions) {
+        surface.sphere_points.push_back(glm::normalize(direction));
+        surface.mesh_points.push_back(located.location.locate(surface.sphere_points.back()));
+        surface.positions.emplace_back(located.position(surface.mesh_points.back()));
+    }
+    return surface;
+}
+
 }  // namespace
+
+TEST_CASE("a leaf around a sharp rim faces away from one of the sides, but is not turned over") {
+    MappedMesh lens = unit_sphere_mesh(5);
+    for (glm::dvec3& position : lens.mesh.positions) position.z *= 0.001;
+    const MappedSurface located(lens.mesh, lens.points);
+    const auto on_sphere = [](double y, double z) { return glm::dvec3(std::sqrt(1 - y * y - z * z), y, z); };
+    // Three of the four places are below the rim, and the leaf looks up.
+    const std::vector<glm::dvec3> around{on_sphere(0, 0.6), on_sphere(-0.2, -0.35), on_sphere(0.2, -0.35)};
+    CHECK(faces_away({0, 1, 2}, points_of(located, around), located));
+    CHECK_FALSE(is_turned_over({0, 1, 2}, points_of(located, around), located));
+    CHECK_FALSE(faces_away({0, 2, 1}, points_of(located, around), located));
+    CHECK_FALSE(is_turned_over({0, 2, 1}, points_of(located, around), located));
+
+    const std::vector<glm::dvec3> above{on_sphere(0, 0.8), on_sphere(-0.2, 0.4), on_sphere(0.2, 0.4)};
+    CHECK_FALSE(faces_away({0, 1, 2}, points_of(located, above), located));
+    CHECK_FALSE(is_turned_over({0, 1, 2}, points_of(located, above), located));
+    CHECK(faces_away({0, 2, 1}, points_of(located, above), located));
+    CHECK(is_turned_over({0, 2, 1}, points_of(located, above), located));
+    CHECK(is_turned_over({0, 1, 1}, points_of(located, above), located));
+}
 
 TEST_CASE("the key is sound, over the given roots, and its vertices lie on the surface") {
     for (const Hierarchy& roots_key : {cube(), octahedron()}) {
