@@ -15,12 +15,13 @@
 namespace interleaf {
 namespace {
 
-/// A mesh of at least this many vertices may be a plate.
-constexpr Index min_vertices_of_plate = 400;
+/// Whether a plate erodes is judged as long as it has at least this many vertices.
+constexpr Index min_vertices_of_plate = 300;
 
-/// A plate erodes if an eighth of its vertices has less than this fraction of its area. The bodies in docs/fit.md have
-/// over 0.4, rods 500 times as long as wide 0.2.
-constexpr double eroded_part = 0.2;
+/// A plate erodes if less than this fraction of its area is left after three halvings of its vertices, or after six.
+/// Other bodies keep over 0.25 and 0.5, rods 500 times as long as wide 0.205 in three.
+constexpr double left_of_three_halvings = 0.2;
+constexpr double left_of_six_halvings = 0.4;
 
 /// How much the distance of the surface counts against the length of edges where a plate would erode.
 constexpr double weight_of_distance = 4;
@@ -34,6 +35,14 @@ double area_of(const HalfEdgeMesh& mesh, std::span<const glm::dvec3> positions) 
                                  positions[mesh.origin(first + 2)]});
     }
     return doubled / 2;
+}
+
+/// \param areas  of the mesh after each halving of its vertices
+bool is_eroding(std::span<const double> areas) {
+    const auto is_less = [&](std::size_t halvings, double part) {
+        return areas.size() > halvings && areas.back() < part * areas[areas.size() - 1 - halvings];
+    };
+    return is_less(3, left_of_three_halvings) || is_less(6, left_of_six_halvings);
 }
 
 /// The squared ratio of (sum of squared sides) to area, 1 for an equilateral triangle; large but finite for a
@@ -263,15 +272,16 @@ std::vector<Index> decimate(HalfEdgeMesh& mesh, std::span<const glm::dvec3> posi
                             double last_part, std::span<const char> kept) {
     assert(mesh.vertex_capacity() >= 4);
     Decimation decimation(mesh, positions, kept, 0);
-    if (mesh.vertex_capacity() >= min_vertices_of_plate) {
-        const double area = area_of(mesh, positions);
-        decimation.collapse_to(mesh.vertex_capacity() / 8, meter, 0, last_part);
-        if (area_of(mesh, positions) < eroded_part * area) {
-            decimation.undo();
-            Decimation of_plate(mesh, positions, kept, weight_of_distance);
-            of_plate.collapse_to(4, meter, last_part * 7 / 8, last_part);
-            return std::move(of_plate.collapsed());
-        }
+    std::vector<double> areas{area_of(mesh, positions)};
+    for (Index left = mesh.vertex_capacity() / 2; left >= min_vertices_of_plate; left /= 2) {
+        decimation.collapse_to(left, meter, 0, last_part);
+        areas.push_back(area_of(mesh, positions));
+        if (!is_eroding(areas)) continue;
+        decimation.undo();
+        Decimation of_plate(mesh, positions, kept, weight_of_distance);
+        const double done = 1 - double(left) / double(mesh.vertex_capacity());
+        of_plate.collapse_to(4, meter, done * last_part, last_part);
+        return std::move(of_plate.collapsed());
     }
     decimation.collapse_to(4, meter, 0, last_part);
     return std::move(decimation.collapsed());

@@ -6,9 +6,9 @@
 // than closeness to the surface. (Praun and Hoppe 2003 use a quadric error, which leaves long thin triangles
 // that do not fit on a coarse sphere.)
 //
-// On a plate as thick as its edges are long, the shortest edges are at the rim, again and again, so the plate would erode
-// from the rim to a tetrahedron of the size of one edge, and a map that begins there has to unfold it. So where area is
-// lost as fast as vertices, all begins anew, with a cost that counts how far the surface moves, too.
+// On a plate as thick as its edges are long, the shortest edges are at the rim, again and again. So the plate would
+// erode from the rim to a tetrahedron of the size of one edge, and a map that begins there has to unfold it. So where
+// area is lost almost as fast as vertices, all begins anew, with a cost that counts how far the surface moves, too.
 #pragma once
 
 #include <span>
