@@ -18,12 +18,12 @@ constexpr double tries_per_leaf = 0.5;
 /// The same per round on a refined mesh.
 constexpr double tries_per_leaf_and_round = 0.25;
 
-/// The same on a mesh of large triangles that is not refined, if more than this fraction of the leaves needs smoothing.
+/// The same on a mesh that is not refined, if more than this fraction of the leaves needs smoothing.
 constexpr double faulty_part_of_many = 0.3;
 constexpr double tries_per_leaf_if_many = 2;
 
 /// There, and over a matched map, further rounds go through the worst leaves only, with at most this many vertices per
-/// leaf of the key. The leaves with the least angles and those turned over still improve.
+/// leaf of the key. The leaves with the least angles and those that face away still improve.
 constexpr double tries_of_worst_per_leaf = 0.1;
 
 /// Over a matched map, leaves with an angle below this, in degrees, are worth a greater distance: below 3, the match is
@@ -77,8 +77,7 @@ void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& sur
     } else if (map.is_refined()) {
         limits.tries = tries(tries_per_leaf);
         limits.tries_per_round = tries(tries_per_leaf_and_round);
-    } else if (map.has_large_triangles &&
-               double(count_faulty_leaves(map.mapped, surface)) > faulty_part_of_many * leaves) {
+    } else if (double(count_faulty_leaves(map.mapped, surface)) > faulty_part_of_many * leaves) {
         limits.tries = tries(tries_per_leaf_if_many);
         limits.tries_of_worst = tries(tries_of_worst_per_leaf);
     }
