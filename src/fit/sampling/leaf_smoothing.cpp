@@ -177,7 +177,7 @@ class Smoothing {
     std::vector<Index> stars_;          ///< leaves around vertices
     std::vector<Index> inside_;         ///< the first of the mesh's vertices that lie in a leaf
     std::vector<Index> next_;           ///< per vertex, the next vertex in the same leaf
-    std::vector<char> faces_away_;      ///< per leaf, whether it is turned over
+    std::vector<char> faces_away_;      ///< per leaf, whether it does
     std::vector<char> new_faces_away_;  ///< the same of a star that is tried, in its order
     std::vector<bool> at_rest_;         ///< whether a vertex found no better place since its star changed
     std::vector<MeshPoint> landmarks_;  ///< the places of the mapped landmarks on leaves, wherever these move

@@ -2,8 +2,8 @@
 //
 // Once no more leaves are bisected, a vertex of a key may lie anywhere on the surface, as long as its leaves
 // stay one to one with their parts of the sphere. Smoothing looks for better places near the vertices of
-// leaves that have a small angle or are turned over against the surface. No move makes the least angle of a
-// star smaller while that angle is small, or turns more of its leaves over. After a move, the measured
+// leaves that have a small angle or face away from the surface. No move makes the least angle of a star
+// smaller while that angle is small, or lets more of its leaves face away. After a move, the measured
 // distance between the star and the mesh is smaller than the largest distance was before, unless it mends a needle.
 // Landmarks stay near the key's points in their directions.
 #pragma once
@@ -30,7 +30,7 @@ struct SmoothingLimits {
     double needle_angle = 0;
 };
 
-/// Moves vertices of \p surface so that its least angle does not fall and no more leaves are turned over
+/// Moves vertices of \p surface so that its least angle does not fall and no more leaves face away
 /// (surface_sampling.h). The mesh over a changed star is nearer to the star than the farthest place of the
 /// mesh was before, unless limits.needle_angle says otherwise. This is measured at the vertices of the mesh and on a
 /// grid over the leaves; between these places the mesh may be a little farther away.

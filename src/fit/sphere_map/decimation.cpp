@@ -19,7 +19,7 @@ namespace {
 constexpr Index min_vertices_of_plate = 300;
 
 /// A plate erodes if less than this fraction of its area is left after three halvings of its vertices, or after six.
-/// Other bodies keep over 0.24 and 0.5, rods 500 times as long as wide 0.205 in three.
+/// Other bodies than plates keep over 0.24 and 0.5, rods 500 times as long as wide 0.205 in three.
 constexpr double left_of_three_halvings = 0.2;
 constexpr double left_of_six_halvings = 0.4;
 
