@@ -26,9 +26,9 @@ constexpr double tries_per_leaf_if_many = 2;
 /// leaf of the key. The leaves with the least angles and those that face away still improve.
 constexpr double tries_of_worst_per_leaf = 0.1;
 
-/// Over a matched map, leaves with an angle below this, in degrees, are worth a greater distance: below 3, the match is
-/// not taken.
-constexpr double needle_angle_if_matched = 3.05;
+/// Leaves with an angle below this, in degrees, are worth a greater distance: a key is poor below 5, and a match is not
+/// taken below 3.
+constexpr double needle_angle = 5;
 
 }  // namespace
 
@@ -69,11 +69,11 @@ void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& sur
             const Progress& progress) {
     const double leaves = double(surface.leaves.size());
     SmoothingLimits limits;
+    limits.needle_angle = needle_angle;
     const auto tries = [&](double per_leaf) { return static_cast<std::size_t>(per_leaf * leaves); };
     if (map.is_matched) {
         limits.tries = tries(tries_per_leaf);
         limits.tries_of_worst = tries(tries_of_worst_per_leaf);
-        limits.needle_angle = needle_angle_if_matched;
     } else if (map.is_refined()) {
         limits.tries = tries(tries_per_leaf);
         limits.tries_per_round = tries(tries_per_leaf_and_round);
@@ -81,12 +81,13 @@ void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& sur
         limits.tries = tries(tries_per_leaf_if_many);
         limits.tries_of_worst = tries(tries_of_worst_per_leaf);
     }
-    smooth_leaves(map.mapped, roots.complex.vertex_count(), surface, progress, limits);
-    if (!map.is_approximate) return;
-    const SurfaceDistance distance(map.original.triangles, map.original.positions);
-    Index nearest = no_index;
-    for (glm::vec3& position : surface.positions)
-        position = glm::vec3(distance.nearest_point(glm::dvec3(position), nearest));
+    const Index fixed = roots.complex.vertex_count();
+    if (map.is_approximate) {
+        const SurfaceDistance original(map.original.triangles, map.original.positions);
+        smooth_leaves(map.mapped, fixed, surface, progress, limits, &original);
+    } else {
+        smooth_leaves(map.mapped, fixed, surface, progress, limits);
+    }
 }
 
 FitQuality quality_of(const AlignedMap& map, const SampledSurface& surface, const Progress& progress) {

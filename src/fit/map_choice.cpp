@@ -33,6 +33,9 @@ constexpr double few_faulty = 0.05;
 /// If more than this fraction of the leaves needs smoothing, smoothing takes seconds and improves little.
 constexpr double many_faulty = 0.3;
 
+/// If more than this fraction of the leaves of a mesh of large triangles needs smoothing, some keep small angles.
+constexpr double badly_mended = 0.2;
+
 /// A map is bad if more than this fraction of its leaves needs smoothing, or if its number of flipped leaves
 /// is more than this multiple of the number for which it would be refused.
 constexpr double max_faulty = 0.4;
@@ -70,6 +73,13 @@ constexpr double closeness = 5e-5;
 constexpr double poor_angle = 5;
 constexpr double poor_flipped_part = 0.25;
 constexpr double farther_than_poor = 1.1;
+
+/// A key is good if its least angle is at least this, in degrees, no leaf is flipped, and it is at most this fraction of
+/// the box diagonal from the surface. The key of a refined mesh that is good is better than a nearer one with less than
+/// this part of its least angle.
+constexpr double good_angle = 10;
+constexpr double good_distance = 1e-3;
+constexpr double much_smaller = 0.5;
 
 /// Before smoothing, a key is certainly poor beyond these limits. After smoothing, the other map is tried below this
 /// angle, too.
@@ -200,6 +210,11 @@ bool is_no_worse(const FitQuality& a, const FitQuality& b, double farther = 1) {
            a.min_angle >= b.min_angle && a.flipped_leaves <= b.flipped_leaves;
 }
 
+bool is_good(const FitQuality& quality) {
+    return quality.min_angle >= good_angle && quality.flipped_leaves == 0 &&
+           quality.hausdorff <= good_distance;
+}
+
 bool is_accepted(const JudgedMap& judged, const FitLimits& limits) {
     return fault_of_fit(judged.quality, judged.surface.leaves.size(), limits).empty();
 }
@@ -207,6 +222,8 @@ bool is_accepted(const JudgedMap& judged, const FitLimits& limits) {
 /// Whether the key of a refined mesh is chosen over the key of the mesh as it is.
 bool is_to_take(const JudgedMap& refined, const JudgedMap& as_it_is, const FitLimits& limits) {
     if (!is_accepted(refined, limits) || !is_accepted(as_it_is, limits)) return is_accepted(refined, limits);
+    if (is_good(refined.quality) && as_it_is.quality.min_angle < much_smaller * refined.quality.min_angle)
+        return true;
     const double flipped_limit = limits.flipped_part * double(as_it_is.surface.leaves.size());
     const bool is_poor = as_it_is.quality.min_angle < poor_angle ||
                          double(as_it_is.quality.flipped_leaves) > poor_flipped_part * flipped_limit;
@@ -223,10 +240,11 @@ bool is_hopeless(const FitQuality& smoothed) {
 /// choice is certain only if no leaf is left that smoothing might improve.
 bool is_sure_to_take(const JudgedMap& refined, const FoundMap& as_it_is, const FitLimits& limits,
                      const Progress& progress) {
+    const bool is_best = refined.quality.min_angle >= smoothed_angle && refined.quality.flipped_leaves == 0;
+    if (is_best && is_good(refined.quality) && faulty_part(as_it_is) > badly_mended) return true;
     const bool is_certainly_poor =
         as_it_is.shapes.min_angle < hopeless_angle || flipped_part(as_it_is, limits) > hopeless_flipped_part;
     const bool is_mended_little = faulty_part(as_it_is) > many_faulty;
-    const bool is_best = refined.quality.min_angle >= smoothed_angle && refined.quality.flipped_leaves == 0;
     return (is_certainly_poor || is_mended_little || is_best) &&
            is_no_worse(refined.quality, quality_of(*as_it_is.map, as_it_is.surface, progress),
                        is_certainly_poor ? farther_than_poor : 1);

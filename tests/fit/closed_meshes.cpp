@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <utility>
 
@@ -74,6 +75,18 @@ SurfaceMesh cylinder(unsigned sides, double height, Cap cap) {
                 --high;
             }
         }
+    if (cap == Cap::every_other) {
+        std::vector<Index> ring(sides);
+        std::iota(ring.begin(), ring.end(), Index{0});
+        while (ring.size() > 2) {
+            std::vector<Index> left;
+            for (std::size_t i = 0; i < ring.size(); i += 2) {
+                left.push_back(ring[i]);
+                if (i + 1 < ring.size()) add(ring[i], ring[i + 1], ring[(i + 2) % ring.size()]);
+            }
+            ring = std::move(left);
+        }
+    }
     return mesh;
 }
 

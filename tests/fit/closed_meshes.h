@@ -24,8 +24,9 @@ SurfaceMesh globe(unsigned meridians, unsigned parallels);
 
 SurfaceMesh tetrahedron();
 
-/// How the polygon at the end of a cylinder is divided into triangles.
-enum class Cap { corner_fan, center_fan, zigzag };
+/// How the polygon at the end of a cylinder is divided into triangles: by a fan, a zigzag, or by cutting off every
+/// other corner until none is left, as the readers do.
+enum class Cap { corner_fan, center_fan, zigzag, every_other };
 
 /// An upright cylinder of radius 1 over a regular polygon with the given number of sides.
 SurfaceMesh cylinder(unsigned sides, double height, Cap cap);

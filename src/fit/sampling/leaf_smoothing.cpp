@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <ranges>
 #include <utility>
@@ -32,8 +33,11 @@ constexpr std::size_t max_places = 8;
 /// needed because distances are measured at some places only.
 constexpr double near_enough = 0.9;
 
-/// The same for moves that mend needles, in the last rounds: the second only if the first does not mend all.
-constexpr std::array<double, 2> near_enough_for_needles = {1.25, 1.6};
+/// The same for moves that mend needles, in the last rounds: each only for needles that the ones before do not mend.
+constexpr std::array<double, 3> near_enough_for_needles = {near_enough, 1.25, 1.6};
+
+/// At most so many needles are mended, or a hundredth of the leaves: on very long bodies, most leaves are needles.
+constexpr std::size_t most_needles = 100;
 
 /// After a move no landmark may be farther from the key than this fraction of the box diagonal, unless it was before.
 constexpr double near_landmark = 0.002;
@@ -87,15 +91,27 @@ class Smoothing {
         }
     }
 
-    /// Mends leaves with a smaller angle than \p degrees, somewhat farther from the surface; none if one of them stays.
+    /// Puts all vertices onto the surface that the mesh approximates. From now on, moves end there, too.
+    void put_onto(const SurfaceDistance& original, ProgressMeter& meter) {
+        original_ = &original;
+        Index nearest = no_index;
+        for (glm::vec3& position : surface_.positions) {
+            position = on_original(position, nearest);
+            meter.step();
+        }
+        for (Index leaf = 0; leaf < leaves_.size(); ++leaf) {
+            faces_away_[leaf] = faces_away(leaves_[leaf], surface_, mapped_);
+            meter.step();
+        }
+    }
+
+    /// Mends the worst of the leaves with a smaller angle than \p degrees, if need be somewhat farther from the surface.
     void mend_needles(double degrees, std::size_t fixed_vertices, ProgressMeter& meter) {
         const double cosine = cosine_of_degrees(degrees);
         const auto is_needle = [&](Index leaf) { return max_cosine(corners(leaf)) > cosine; };
-        std::vector<Index> needles;
-        for (Index leaf = 0; leaf < leaves_.size(); ++leaf)
-            if (is_needle(leaf)) needles.push_back(leaf);
-        if (needles.empty()) return;
-        const SampledSurface before = surface_;
+        std::vector<Index> needles = faulty_leaves(meter);
+        std::erase_if(needles, std::not_fn(is_needle));
+        needles.resize(std::min(needles.size(), std::max(most_needles, leaves_.size() / 100)));
         const auto improve_needles = [&] {
             bool moved = false;
             for (const Index leaf : needles)
@@ -111,7 +127,6 @@ class Smoothing {
             for (int round = 0; round < max_rounds && improve_needles(); ++round) {
             }
         }
-        if (std::ranges::any_of(needles, is_needle)) surface_ = before;
     }
 
   private:
@@ -139,6 +154,9 @@ class Smoothing {
     bool is_near(Index vertex, std::span<const glm::dvec3> grid) const;
     bool is_near_landmarks(Index vertex, const Place& before) const;
 
+    glm::vec3 on_original(const glm::vec3& position, Index& nearest) const {
+        return glm::vec3(original_->nearest_point(glm::dvec3(position), nearest));
+    }
     TriangleCorners corners(Index leaf) const { return corners_of(leaves_[leaf], surface_); }
     std::array<glm::dvec3, 3> directions(Index leaf) const {
         const auto& [a, b, c] = leaves_[leaf];
@@ -172,6 +190,7 @@ class Smoothing {
     const StarGrids grids_;
     const MappedSurface& mapped_;
     SampledSurface& surface_;
+    const SurfaceDistance* original_ = nullptr;  ///< if the vertices are on it
     std::vector<Triangle> leaves_;
     std::vector<Index> star_begin_;
     std::vector<Index> stars_;          ///< leaves around vertices
@@ -306,6 +325,7 @@ bool Smoothing::is_near_landmarks(Index vertex, const Place& before) const {
 std::vector<std::pair<double, Place>> Smoothing::better_places(Index vertex, const Fault& before) {
     const Place here = place_of(vertex);
     std::vector<std::pair<double, Place>> found;
+    Index nearest = no_index;
     for (const Index leaf : star(vertex)) {
         const Triangle& leaf_vertices = leaves_[leaf];
         const std::size_t corner = leaf_vertices[0] == vertex ? 0 : leaf_vertices[1] == vertex ? 1 : 2;
@@ -315,7 +335,8 @@ std::vector<std::pair<double, Place>> Smoothing::better_places(Index vertex, con
             surface_.sphere_points[vertex] = direction;
             if (!is_one_to_one(star(vertex))) continue;
             const MeshPoint point = mapped_.location.locate(direction, here.point.triangle);
-            const Place place{direction, point, glm::vec3(mapped_.position(point))};
+            Place place{direction, point, glm::vec3(mapped_.position(point))};
+            if (original_ != nullptr) place.position = on_original(place.position, nearest);
             put(vertex, place);
             double cosine = -1;
             for (const Index other : star(vertex)) {
@@ -367,11 +388,12 @@ bool Smoothing::improve(Index vertex) {
 }  // namespace
 
 void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, SampledSurface& surface,
-                   const Progress& progress, const SmoothingLimits& limits) {
+                   const Progress& progress, const SmoothingLimits& limits, const SurfaceDistance* original) {
     ProgressMeter meter(progress);
     meter.enter("smoothing", 0);
     Smoothing smoothing(mapped, surface, meter);
     smoothing.run(fixed_vertices, limits, meter);
+    if (original != nullptr) smoothing.put_onto(*original, meter);
     if (limits.needle_angle > 0) smoothing.mend_needles(limits.needle_angle, fixed_vertices, meter);
 }
 

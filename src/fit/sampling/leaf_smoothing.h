@@ -25,8 +25,8 @@ struct SmoothingLimits {
     std::size_t tries_per_round = std::numeric_limits<std::size_t>::max();
     /// Maximum per further round, which goes through the worst leaves only. 0 for no further round.
     std::size_t tries_of_worst = 0;
-    /// Leaves below this angle, in degrees, are tried once more at the end, with up to 1.25 of the largest distance
-    /// before, and where that does not do, 1.6. If one of them stays, all these moves are undone. 0: they are not tried.
+    /// The worst leaves below this angle, in degrees, are tried once more at the end, and where that does not do, with
+    /// up to 1.25 of the largest distance before, then 1.6. 0: they are not tried.
     double needle_angle = 0;
 };
 
@@ -36,8 +36,11 @@ struct SmoothingLimits {
 /// grid over the leaves; between these places the mesh may be a little farther away.
 /// \param surface         sampled from \p mapped
 /// \param fixed_vertices  number of vertices at the beginning that do not move: the root vertices
+/// \param original        where \p mapped only approximates a surface, that surface. All vertices are put onto it, the
+///                        fixed ones, too; where this makes needles, they are mended by limits.needle_angle.
 /// \throw Cancelled
 void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, SampledSurface& surface,
-                   const Progress& progress, const SmoothingLimits& limits = {});
+                   const Progress& progress, const SmoothingLimits& limits = {},
+                   const SurfaceDistance* original = nullptr);
 
 }  // namespace interleaf

