@@ -18,9 +18,10 @@ constexpr double tries_per_leaf = 0.5;
 /// The same per round on a refined mesh.
 constexpr double tries_per_leaf_and_round = 0.25;
 
-/// The same on a mesh that is not refined, if more than this fraction of the leaves needs smoothing.
+/// The first also holds on a mesh that is not refined, if more than this fraction of the leaves needs smoothing; where
+/// its triangles are large, leaves get better for longer.
 constexpr double faulty_part_of_many = 0.3;
-constexpr double tries_per_leaf_if_many = 2;
+constexpr double tries_per_leaf_if_large = 2;
 
 /// There, and over a matched map, further rounds go through the worst leaves only, with at most this many vertices per
 /// leaf of the key. The leaves with the least angles and those that face away still improve.
@@ -78,7 +79,7 @@ void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& sur
         limits.tries = tries(tries_per_leaf);
         limits.tries_per_round = tries(tries_per_leaf_and_round);
     } else if (double(count_faulty_leaves(map.mapped, surface)) > faulty_part_of_many * leaves) {
-        limits.tries = tries(tries_per_leaf_if_many);
+        limits.tries = tries(map.has_large_triangles ? tries_per_leaf_if_large : tries_per_leaf);
         limits.tries_of_worst = tries(tries_of_worst_per_leaf);
     }
     const Index fixed = roots.complex.vertex_count();
