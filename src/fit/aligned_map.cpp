@@ -18,9 +18,9 @@ constexpr double tries_per_leaf = 0.5;
 /// The same per round on a refined mesh.
 constexpr double tries_per_leaf_and_round = 0.25;
 
-/// The first also holds on a mesh that is not refined, if more than this fraction of the leaves needs smoothing; where
-/// its triangles are large, leaves get better for longer.
+/// On a mesh that is not refined, tries_per_leaf is the maximum if more than this fraction of the leaves needs smoothing.
 constexpr double faulty_part_of_many = 0.3;
+/// But where the triangles of that mesh are large, this is, because its leaves get better for longer.
 constexpr double tries_per_leaf_if_large = 2;
 
 /// There, and over a matched map, further rounds go through the worst leaves only, with at most this many vertices per
@@ -30,6 +30,8 @@ constexpr double tries_of_worst_per_leaf = 0.1;
 /// Leaves with an angle below this, in degrees, are worth a greater distance: a key is poor below 5, and a match is not
 /// taken below 3.
 constexpr double needle_angle = 5;
+/// But not one beyond this fraction of the accepted distance.
+constexpr double safely_accepted = 0.9;
 
 }  // namespace
 
@@ -67,10 +69,11 @@ std::span<const glm::dvec3> AlignedMap::rotated(const std::optional<glm::dmat3>&
 }
 
 void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& surface,
-            const Progress& progress) {
+            double accepted_distance, const Progress& progress) {
     const double leaves = double(surface.leaves.size());
     SmoothingLimits limits;
     limits.needle_angle = needle_angle;
+    limits.needle_distance = safely_accepted * accepted_distance * box_diagonal(map.original);
     const auto tries = [&](double per_leaf) { return static_cast<std::size_t>(per_leaf * leaves); };
     if (map.is_matched) {
         limits.tries = tries(tries_per_leaf);

@@ -55,10 +55,11 @@ struct AlignedMap {
     std::span<const glm::dvec3> rotated(const std::optional<glm::dmat3>& rotation);
 };
 
-/// Calls smooth_leaves(). Limits its work on a refined mesh whose map is not matched. On a mesh of large triangles, and
-/// where the map is matched, limits its work if most of the leaves are faulty.
+/// Calls smooth_leaves(). Limits its work on a refined mesh, where the map is matched, and elsewhere if many of the
+/// leaves are faulty.
+/// \param accepted_distance  as a fraction of the box diagonal; for a better angle, no leaf goes nearly as far as this
 void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& surface,
-            const Progress& progress);
+            double accepted_distance, const Progress& progress);
 
 /// Calls measure_quality() against the original mesh.
 FitQuality quality_of(const AlignedMap& map, const SampledSurface& surface, const Progress& progress);

@@ -76,9 +76,9 @@ std::vector<glm::dvec3> pinned_positions(std::span<const Landmark> landmarks, co
 
 /// Samples and smooths.
 SampledSurface leaves_over(const AlignedMap& map, const SphereRoots& roots, const SamplingOptions& options,
-                           const Progress& progress) {
+                           double accepted_distance, const Progress& progress) {
     SampledSurface surface = sample_surface(map.mapped, roots, options, part_of(progress, 0, 0.5));
-    smooth(map, roots, surface, part_of(progress, 0.5, 1));
+    smooth(map, roots, surface, accepted_distance, part_of(progress, 0.5, 1));
     return surface;
 }
 
@@ -88,8 +88,8 @@ std::pair<SampledSurface, FitQuality> sample_within(const AlignedMap& map, const
     const double diagonal = box_diagonal(map.original);
     double inside = tolerance * (1 - sampling_margin);
     for (int tries = 1;; ++tries) {
-        SampledSurface surface =
-            leaves_over(map, roots, {.leaves = max_leaves, .tolerance = inside * diagonal}, progress);
+        SampledSurface surface = leaves_over(
+            map, roots, {.leaves = max_leaves, .tolerance = inside * diagonal}, tolerance, progress);
         if (surface.leaves.size() + 100 > max_leaves)
             throw InputError(
                 fmt::format("a tolerance of {} needs more than {} leaves", tolerance, max_leaves));
@@ -126,7 +126,8 @@ FittedKey key_of(JudgedMap judged, const FitOptions& options, const LandmarkPins
         std::tie(surface, report.quality) = sample_within(map, options.roots, *options.tolerance, progress);
         stopwatch.lap("sampling within the tolerance");
     } else if (options.leaves.value_or(default_leaves) != default_leaves) {
-        surface = leaves_over(map, options.roots, {.leaves = *options.leaves}, part_of(progress, 0, 0.4));
+        surface = leaves_over(map, options.roots, {.leaves = *options.leaves}, options.limits.hausdorff,
+                              part_of(progress, 0, 0.4));
         stopwatch.lap("sampling");
         report.quality = quality_of(map, surface, part_of(progress, 0.4, 1));
         stopwatch.lap("measuring");

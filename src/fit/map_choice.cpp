@@ -142,7 +142,7 @@ JudgedMap judged(FoundMap candidate, const SphereRoots& roots, const FitLimits& 
         return {std::move(candidate.map), std::move(candidate.surface), quality, candidate.method,
                 candidate.agreement};
     }
-    smooth(*candidate.map, roots, candidate.surface, part_of(progress, 0.2, 0.4));
+    smooth(*candidate.map, roots, candidate.surface, limits.hausdorff, part_of(progress, 0.2, 0.4));
     stopwatch.lap("smoothing");
     const FitQuality quality = quality_of(*candidate.map, candidate.surface, part_of(progress, 0.4, 1));
     stopwatch.lap("measuring");
@@ -237,11 +237,15 @@ bool is_hopeless(const FitQuality& smoothed) {
 
 /// Whether this choice is certain before the key of the mesh as it is has been smoothed. Smoothing brings no
 /// key nearer to the surface. Where smoothing improves little, the figures are nearly final. Elsewhere the
-/// choice is certain only if no leaf is left that smoothing might improve.
+/// choice is certain only if no leaf is left that smoothing might improve. (That many faulty leaves do not all get good
+/// angles is experience.)
 bool is_sure_to_take(const JudgedMap& refined, const FoundMap& as_it_is, const FitLimits& limits,
                      const Progress& progress) {
     const bool is_best = refined.quality.min_angle >= smoothed_angle && refined.quality.flipped_leaves == 0;
-    if (is_best && is_good(refined.quality) && faulty_part(as_it_is) > badly_mended) return true;
+    if (is_best && is_good(refined.quality) && is_accepted(refined, limits) &&
+        faulty_part(as_it_is) > badly_mended &&
+        as_it_is.shapes.min_angle < much_smaller * refined.quality.min_angle)
+        return true;
     const bool is_certainly_poor =
         as_it_is.shapes.min_angle < hopeless_angle || flipped_part(as_it_is, limits) > hopeless_flipped_part;
     const bool is_mended_little = faulty_part(as_it_is) > many_faulty;

@@ -37,7 +37,7 @@ constexpr double near_enough = 0.9;
 constexpr std::array<double, 3> near_enough_for_needles = {near_enough, 1.25, 1.6};
 
 /// At most so many needles are mended, or a hundredth of the leaves: on very long bodies, most leaves are needles.
-constexpr std::size_t most_needles = 100;
+constexpr std::size_t max_needles = 100;
 
 /// After a move no landmark may be farther from the key than this fraction of the box diagonal, unless it was before.
 constexpr double near_landmark = 0.002;
@@ -105,25 +105,25 @@ class Smoothing {
         }
     }
 
-    /// Mends the worst of the leaves with a smaller angle than \p degrees, if need be somewhat farther from the surface.
-    void mend_needles(double degrees, std::size_t fixed_vertices, ProgressMeter& meter) {
-        const double cosine = cosine_of_degrees(degrees);
+    /// Mends the worst of the leaves with a smaller angle than limits.needle_angle.
+    void mend_needles(std::size_t fixed_vertices, const SmoothingLimits& limits, ProgressMeter& meter) {
+        const double cosine = cosine_of_degrees(limits.needle_angle);
         const auto is_needle = [&](Index leaf) { return max_cosine(corners(leaf)) > cosine; };
         std::vector<Index> needles = faulty_leaves(meter);
         std::erase_if(needles, std::not_fn(is_needle));
-        needles.resize(std::min(needles.size(), std::max(most_needles, leaves_.size() / 100)));
+        needles.resize(std::min(needles.size(), std::max(max_needles, leaves_.size() / 100)));
         const auto improve_needles = [&] {
             bool moved = false;
             for (const Index leaf : needles)
                 for (const Index vertex : leaves_[leaf]) {
-                    if (vertex < fixed_vertices || !is_needle(leaf)) continue;
-                    moved = improve(vertex) || moved;
+                    if (vertex >= fixed_vertices && is_needle(leaf)) moved = improve(vertex) || moved;
                     meter.step(5000);
                 }
             return moved;
         };
-        for (const double near_enough_for_needle : near_enough_for_needles) {
-            allowed_distance_ = near_enough_for_needle * max_distance_;
+        for (const double factor : near_enough_for_needles) {
+            const double farther = std::min(factor * max_distance_, limits.needle_distance);
+            allowed_distance_ = std::max(near_enough * max_distance_, farther);
             for (int round = 0; round < max_rounds && improve_needles(); ++round) {
             }
         }
@@ -394,7 +394,7 @@ void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, Samp
     Smoothing smoothing(mapped, surface, meter);
     smoothing.run(fixed_vertices, limits, meter);
     if (original != nullptr) smoothing.put_onto(*original, meter);
-    if (limits.needle_angle > 0) smoothing.mend_needles(limits.needle_angle, fixed_vertices, meter);
+    if (limits.needle_angle > 0) smoothing.mend_needles(fixed_vertices, limits, meter);
 }
 
 }  // namespace interleaf

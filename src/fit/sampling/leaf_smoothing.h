@@ -25,9 +25,12 @@ struct SmoothingLimits {
     std::size_t tries_per_round = std::numeric_limits<std::size_t>::max();
     /// Maximum per further round, which goes through the worst leaves only. 0 for no further round.
     std::size_t tries_of_worst = 0;
-    /// The worst leaves below this angle, in degrees, are tried once more at the end, and where that does not do, with
-    /// up to 1.25 of the largest distance before, then 1.6. 0: they are not tried.
+    /// The worst leaves below this angle, in degrees, are tried once more at the end, at most a hundredth of all or 100,
+    /// and where that does not do, with up to 1.25 of the largest distance before, then 1.6. 0: they are not tried.
+    /// 18 or less.
     double needle_angle = 0;
+    /// But none of these leaves goes farther than this for it, in the unit of the surface.
+    double needle_distance = std::numeric_limits<double>::max();
 };
 
 /// Moves vertices of \p surface so that its least angle does not fall and no more leaves face away
@@ -37,7 +40,8 @@ struct SmoothingLimits {
 /// \param surface         sampled from \p mapped
 /// \param fixed_vertices  number of vertices at the beginning that do not move: the root vertices
 /// \param original        where \p mapped only approximates a surface, that surface. All vertices are put onto it, the
-///                        fixed ones, too; where this makes needles, they are mended by limits.needle_angle.
+///                        fixed ones, too, which may make leaves a little worse; where it makes needles, they are mended
+///                        by limits.needle_angle. Distances are measured to \p mapped.
 /// \throw Cancelled
 void smooth_leaves(const MappedSurface& mapped, std::size_t fixed_vertices, SampledSurface& surface,
                    const Progress& progress, const SmoothingLimits& limits = {},

@@ -197,4 +197,39 @@ TEST_CASE("needles are mended at the cost of a little distance") {
     CHECK(farther.min_angle > 13.5);
     CHECK(farther.hausdorff <= 1.7 * measure_quality(located, plain, {}).hausdorff);
     CHECK(farther.flipped_leaves == 0);
+    SampledSurface limited = before;
+    smooth_leaves(located, roots.complex.vertex_count(), limited, {},
+                  {.needle_angle = 15, .needle_distance = 0});
+    const FitQuality as_near = measure_quality(located, limited, {});
+    CHECK(as_near.min_angle < farther.min_angle);
+    CHECK(as_near.hausdorff < farther.hausdorff);
+}
+
+TEST_CASE("the vertices of an approximated surface are put onto it, and none of them leaves it again") {
+    const MappedMesh mapped = six_arms(4);
+    const SphereRoots roots = project_to_sphere(cube());
+    const MappedSurface located(mapped.mesh, mapped.points);
+    std::vector<glm::dvec3> positions = mapped.mesh.positions;
+    for (glm::dvec3& position : positions) position *= 1.001;
+    const SurfaceDistance original(mapped.mesh.triangles, positions);
+    const auto farthest_in = [&](const SampledSurface& surface) {
+        double farthest = 0;
+        Index nearest = no_index;
+        for (const glm::vec3& position : surface.positions)
+            farthest = std::max(farthest, original(glm::dvec3(position), nearest));
+        return farthest;
+    };
+    const SampledSurface before = sample_surface(located, roots, {.leaves = 3000}, {});
+    REQUIRE(farthest_in(before) > 1e-4);
+    const auto smoothed = [&](double needle_angle) {
+        SampledSurface surface = before;
+        smooth_leaves(located, roots.complex.vertex_count(), surface, {}, {.needle_angle = needle_angle},
+                      &original);
+        return surface;
+    };
+    const SampledSurface plain = smoothed(0);
+    CHECK(farthest_in(plain) < 1e-6);
+    const SampledSurface mended = smoothed(17);
+    CHECK(farthest_in(mended) < 1e-6);
+    CHECK(measure_shapes(located, mended).min_angle > measure_shapes(located, plain).min_angle);
 }
