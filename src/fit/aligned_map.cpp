@@ -30,7 +30,7 @@ constexpr double tries_of_worst_per_leaf = 0.1;
 /// Leaves with an angle below this, in degrees, are worth a greater distance: a key is poor below 5, and a match is not
 /// taken below 3.
 constexpr double needle_angle = 5;
-/// But not one beyond this fraction of the accepted distance.
+/// But not one beyond this fraction of the accepted distance, unless the map is matched: a match with needles is lost.
 constexpr double safely_accepted = 0.9;
 
 }  // namespace
@@ -73,7 +73,8 @@ void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& sur
     const double leaves = double(surface.leaves.size());
     SmoothingLimits limits;
     limits.needle_angle = needle_angle;
-    limits.needle_distance = safely_accepted * accepted_distance * box_diagonal(map.original);
+    if (!map.is_matched)
+        limits.needle_distance = safely_accepted * accepted_distance * box_diagonal(map.original);
     const auto tries = [&](double per_leaf) { return static_cast<std::size_t>(per_leaf * leaves); };
     if (map.is_matched) {
         limits.tries = tries(tries_per_leaf);

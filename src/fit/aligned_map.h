@@ -57,7 +57,8 @@ struct AlignedMap {
 
 /// Calls smooth_leaves(). Limits its work on a refined mesh, where the map is matched, and elsewhere if many of the
 /// leaves are faulty.
-/// \param accepted_distance  as a fraction of the box diagonal; for a better angle, no leaf goes nearly as far as this
+/// \param accepted_distance  as a fraction of the box diagonal; for a better angle, no leaf goes nearly as far as this,
+///                           unless the map is matched
 void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& surface,
             double accepted_distance, const Progress& progress);
 
