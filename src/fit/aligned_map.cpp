@@ -20,8 +20,8 @@ constexpr double tries_per_leaf_and_round = 0.25;
 
 /// On a mesh that is not refined, tries_per_leaf is the maximum if more than this fraction of the leaves needs smoothing.
 constexpr double faulty_part_of_many = 0.3;
-/// But where the triangles of that mesh are large, this is, because its leaves get better for longer.
-constexpr double tries_per_leaf_if_large = 2;
+/// But where the triangles of that mesh are large, or landmarks pull at its map, leaves get better for longer.
+constexpr double tries_per_leaf_if_better = 2;
 
 /// There, and over a matched map, further rounds go through the worst leaves only, with at most this many vertices per
 /// leaf of the key. The leaves with the least angles and those that face away still improve.
@@ -83,7 +83,8 @@ void smooth(const AlignedMap& map, const SphereRoots& roots, SampledSurface& sur
         limits.tries = tries(tries_per_leaf);
         limits.tries_per_round = tries(tries_per_leaf_and_round);
     } else if (double(count_faulty_leaves(map.mapped, surface)) > faulty_part_of_many * leaves) {
-        limits.tries = tries(map.has_large_triangles ? tries_per_leaf_if_large : tries_per_leaf);
+        const bool gets_better = map.has_large_triangles || !map.mapped.landmarks.empty();
+        limits.tries = tries(gets_better ? tries_per_leaf_if_better : tries_per_leaf);
         limits.tries_of_worst = tries(tries_of_worst_per_leaf);
     }
     const Index fixed = roots.complex.vertex_count();
